@@ -1,0 +1,28 @@
+# Compiler flags of every target of ours, on one INTERFACE target. No -march=native and no -ffast-math: both move
+# floating-point results, and with them the bit-exact vertex transform (SPEC section 2).
+add_library(faster_options INTERFACE)
+target_include_directories(faster_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(faster_options INTERFACE
+  -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Woverloaded-virtual)
+if(FASTER_WARNINGS_AS_ERRORS)
+  target_compile_options(faster_options INTERFACE -Werror)
+endif()
+if(FASTER_SANITIZERS)
+  target_compile_options(faster_options INTERFACE -fsanitize=${FASTER_SANITIZERS} -fno-omit-frame-pointer)
+  target_link_options(faster_options INTERFACE -fsanitize=${FASTER_SANITIZERS})
+endif()
+
+find_program(FASTER_CCACHE ccache)
+if(FASTER_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${FASTER_CCACHE})
+endif()
+
+# faster_add_library(NAME SOURCES... [PUBLIC targets...] [PRIVATE targets...])
+# One folder of src/ is one static library faster_NAME, alias faster::NAME; its arrows are its link libraries.
+function(faster_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(faster_${name} STATIC ${ARG_SOURCES})
+  add_library(faster::${name} ALIAS faster_${name})
+  target_link_libraries(faster_${name} PUBLIC faster_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()

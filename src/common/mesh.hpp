@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace faster {
+
+/// A triangle mesh in its object frame [m]. Faces list vertex indices counter-clockwise seen from outside (= front).
+struct Mesh {
+    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::array<std::uint32_t, 3>> faces;
+};
+
+/// Object to camera frame: p = rotation * X + translation [m]. Camera: x right, y down, z forward.
+struct Pose {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+};
+
+/// Pinhole camera: u = fx * x / z + cx (column), v = fy * y / z + cy (row), pixel centres at whole numbers.
+struct Camera {
+    int width = 640;
+    int height = 480;
+    double fx = 570.34;
+    double fy = 570.34;
+    double cx = 319.5;
+    double cy = 239.5;
+};
+
+}  // namespace faster

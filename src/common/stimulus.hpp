@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "common/fixed_point.hpp"
+#include "common/image.hpp"
+#include "common/mesh.hpp"
+#include "common/tokens.hpp"
+
+namespace faster {
+
+/// One pose sample as the machine gets it.
+struct SampleInput {
+    std::int32_t centre_row = 0;  ///< pixel row of the projected object origin
+    std::int32_t centre_col = 0;
+    std::uint32_t first_triangle = 0;  ///< into Stimulus::triangles; unused for posed meshes
+    std::uint32_t triangle_count = 0;
+};
+
+/// A mesh seen under one pose per sample: the vertex transform is still to be done.
+struct PosedMesh {
+    Mesh mesh;
+    Camera camera;
+    std::vector<Pose> poses;  ///< one per sample
+};
+
+/// Everything that determines what the machine computes (SPEC section 4, stimulus trace). The triangles come either as
+/// codes after the vertex transform (`triangles`, a trace) or as a mesh under a pose per sample (`posed`, not empty of
+/// poses): never both.
+struct Stimulus {
+    int width = 640;  ///< image [px]
+    int height = 480;
+    int window = 200;  ///< side of the square around a sample's centre [px]
+    FractionBits fraction;
+    std::vector<SampleInput> samples;
+    std::vector<TriangleCode> triangles;
+    PosedMesh posed;
+    Image<std::uint16_t> observed_depth;  ///< height x width, codes 0..far_depth_code, 0 = no reading
+    Image<std::uint8_t> observed_edges;   ///< height x width, 0 or 1
+
+    bool is_posed() const { return !posed.poses.empty(); }
+};
+
+/// What one sample leaves behind, for comparing model and reference: W x W pictures of its window.
+struct SampleMaps {
+    Image<std::uint8_t> edge_map;       ///< 0 or 1
+    Image<std::uint8_t> object_map;     ///< 0 or 1
+    Image<std::uint16_t> depth_buffer;  ///< codes
+};
+
+}  // namespace faster

@@ -1,0 +1,83 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+namespace faster {
+
+/// The parts of one raster core by the names of SPEC section 1, in the row order of the output files (SPEC section 4).
+enum class FifoId : std::size_t {
+    sample_vertex,
+    sample_raster,
+    sample_observation,
+    vertex,
+    area,
+    area_reciprocal,
+    command,
+    fragment_depth,
+    fragment_index,
+    edge_token,
+    edge_map,
+    observed_depth,
+    observed_edge,
+    result,
+};
+constexpr std::size_t fifo_count = 14;
+constexpr std::array<char const*, fifo_count> fifo_names{
+    "sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
+    "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
+    "edge_map",        "observed_depth", "observed_edge",      "result"};
+
+enum class ModuleId : std::size_t {
+    sample_dispatcher,
+    vertex_transform,
+    rasterizer,
+    area_reciprocal,
+    edge_map_builder,
+    observation_reader,
+    inlier_unit,
+    result_collector,
+};
+constexpr std::size_t module_count = 8;
+constexpr std::array<char const*, module_count> module_names{
+    "sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
+    "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
+
+/// Pipelined loops, in the order of SPEC section 3. The rasterizer's `setup` is no loop: see AcceleratorConfig.
+enum class LoopId : std::size_t {
+    vertex,
+    scan,
+    edge_clear,
+    token,
+    output,
+    read,
+    depth_clear,
+    fragment,
+    sweep,
+};
+constexpr std::size_t loop_count = 9;
+
+/// Where a loop stands: `accelerator.loops.MODULE.NAME`.
+struct LoopName {
+    ModuleId module;
+    char const* name;
+};
+constexpr std::array<LoopName, loop_count> loop_names{{{ModuleId::vertex_transform, "vertex"},
+                                                       {ModuleId::rasterizer, "scan"},
+                                                       {ModuleId::edge_map_builder, "clear"},
+                                                       {ModuleId::edge_map_builder, "token"},
+                                                       {ModuleId::edge_map_builder, "output"},
+                                                       {ModuleId::observation_reader, "read"},
+                                                       {ModuleId::inlier_unit, "clear"},
+                                                       {ModuleId::inlier_unit, "fragment"},
+                                                       {ModuleId::inlier_unit, "sweep"}}};
+
+enum class BramId : std::size_t { edge_map, object_map, depth_buffer };
+constexpr std::size_t bram_count = 3;
+constexpr std::array<char const*, bram_count> bram_names{"edge_map", "object_map", "depth_buffer"};
+
+template <class Id> constexpr std::size_t index_of(Id id) { return static_cast<std::size_t>(id); }
+inline char const* name_of(FifoId id) { return fifo_names[index_of(id)]; }
+inline char const* name_of(ModuleId id) { return module_names[index_of(id)]; }
+inline char const* name_of(BramId id) { return bram_names[index_of(id)]; }
+
+}  // namespace faster

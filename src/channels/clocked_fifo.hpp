@@ -1,0 +1,116 @@
+#pragma once
+#include <algorithm>
+#include <systemc>
+
+#include "channels/fifo_channel.hpp"
+#include "channels/process_clock.hpp"
+#include "channels/token_queue.hpp"
+
+namespace faster {
+
+/// A FIFO whose accesses take place in cycles (SPEC section 3). Modules use it through plain sc_fifo_in/out ports; every
+/// read() or write() is then a step of the calling process, or part of its open Step. Hot loops move bursts of tokens
+/// with peek/consume and reserve/commit instead and tell their clock what they did.
+///   order   first in, first out; one reader and one writer, both with a ProcessClock
+///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
+///   errors  a non-blocking access in the decoupled engine is a fatal report: its outcome would depend on run-ahead
+template <class Token>
+class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, public sc_core::sc_fifo_out_if<Token> {
+  public:
+    ClockedFifo(char const* name, timing::FifoTiming& timing)
+        : FifoChannel(name, timing), host_limit_(host_limit(timing.shape())) {}
+
+    void read(Token& token) override { token = read(); }
+    Token read() override {
+        peek();
+        Token const token = *tokens_.front();
+        reader_->access(read_port_);
+        consume(1);
+        return token;
+    }
+    bool nb_read(Token& token) override {
+        require_lockstep("nb_read");
+        if (num_available() == 0)
+            return false;
+        token = read();
+        return true;
+    }
+    int num_available() const override {
+        require_lockstep("num_available");
+        auto const& times = timing();
+        std::uint64_t n = 0;
+        while (n < times.known_reads() && times.earliest_read(n) <= reader_->local_time())
+            ++n;
+        return static_cast<int>(n);
+    }
+    sc_core::sc_event const& data_written_event() const override { return written_; }
+
+    void write(Token const& token) override {
+        await_room();
+        *reserve(1) = token;
+        commit(1);
+        writer_->access(write_port_);
+    }
+    bool nb_write(Token const& token) override {
+        require_lockstep("nb_write");
+        if (num_free() == 0)
+            return false;
+        write(token);
+        return true;
+    }
+    int num_free() const override {
+        require_lockstep("num_free");
+        auto const& times = timing();
+        std::uint64_t n = 0;
+        while (n < times.known_writes() && times.earliest_write(n) <= writer_->local_time())
+            ++n;
+        return static_cast<int>(n);
+    }
+    sc_core::sc_event const& data_read_event() const override { return read_; }
+
+    /// The tokens at hand, contiguous from front(); suspends the reader until there is one. In lockstep it is one at a
+    /// time, and not before its write has its cycle: nothing is known before its time.
+    std::size_t peek() {
+        std::size_t there = visible();
+        for (; there == 0; there = visible())
+            reader_->wait_for_tokens(*this);
+        return there;
+    }
+    Token const* front() const { return tokens_.front(); }
+    void consume(std::size_t count) {
+        tokens_.drop(count);
+        if (tokens_.size() <= host_limit_ / 2)
+            wake_writer();
+    }
+
+    /// Suspends the writer while the reader is far behind. A burst over several FIFOs awaits room in all of them before
+    /// it reserves any: other processes run meanwhile.
+    void await_room() {
+        while (tokens_.size() > host_limit_)
+            writer_->wait_for_room(*this);
+    }
+    /// Room for `count` tokens, valid until the process is next suspended.
+    Token* reserve(std::size_t count) { return tokens_.room(count); }
+    void commit(std::size_t count) {
+        tokens_.append(count);
+        wake_reader();
+    }
+
+  private:
+    /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its own.
+    static std::size_t host_limit(timing::FifoShape const& shape) {
+        return std::max<std::uint64_t>(4096, 2 * (shape.capacity + shape.write_latency) + 64);
+    }
+    std::size_t visible() const {
+        return reader_->lockstep() ? std::min<std::size_t>(1, timing().known_reads()) : tokens_.size();
+    }
+    void require_lockstep(char const* call) const {
+        if (!(reader_ ? reader_ : writer_)->lockstep())
+            SC_REPORT_FATAL("faster/nonblocking", (std::string(name()) + ": " + call + " needs simulation.engine lockstep").c_str());
+    }
+
+    TokenQueue<Token> tokens_;
+    std::size_t host_limit_;
+};
+
+}  // namespace faster

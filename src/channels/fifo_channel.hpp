@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <systemc>
+
+#include "timing/fifo_timing.hpp"
+
+namespace faster {
+
+class ProcessClock;
+
+/// The part of a clocked FIFO that does not depend on its token type: its timing, its two ends and who waits for whom.
+class FifoChannel : public sc_core::sc_prim_channel {
+  public:
+    FifoChannel(char const* name, timing::FifoTiming& timing) : sc_prim_channel(name), timing_(timing) {}
+    char const* kind() const override { return "clocked_fifo"; }
+
+    timing::FifoTiming& timing() { return timing_; }
+    timing::FifoTiming const& timing() const { return timing_; }
+
+    void connect_reader(ProcessClock& clock, std::uint8_t port) {
+        reader_ = &clock;
+        read_port_ = port;
+    }
+    void connect_writer(ProcessClock& clock, std::uint8_t port) {
+        writer_ = &clock;
+        write_port_ = port;
+    }
+    /// Bit of this FIFO in the port masks of its reader (writer).
+    std::uint8_t read_port() const { return read_port_; }
+    std::uint8_t write_port() const { return write_port_; }
+
+  protected:
+    friend class ProcessClock;
+    void wake_reader() {
+        if (reader_waits_) {
+            reader_waits_ = false;
+            written_.notify();
+        }
+    }
+    void wake_writer() {
+        if (writer_waits_) {
+            writer_waits_ = false;
+            read_.notify();
+        }
+    }
+
+    ProcessClock* reader_ = nullptr;
+    ProcessClock* writer_ = nullptr;
+    std::uint8_t read_port_ = 0;
+    std::uint8_t write_port_ = 0;
+    sc_core::sc_event written_;
+    sc_core::sc_event read_;
+
+  private:
+    timing::FifoTiming& timing_;
+    bool reader_waits_ = false;
+    bool writer_waits_ = false;
+};
+
+}  // namespace faster

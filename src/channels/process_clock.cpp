@@ -1,0 +1,130 @@
+#include "channels/process_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <systemc>
+
+#include "channels/fifo_channel.hpp"
+
+namespace faster {
+
+namespace {
+constexpr std::size_t log_limit = 1U << 16;  // operations held before the timing has to catch up
+constexpr std::uint64_t longest_count = std::numeric_limits<std::uint32_t>::max() / 2;
+}  // namespace
+
+std::uint64_t TimeBase::ticks_per_cycle() const {
+    double const seconds = 1e-6 / clock_mhz;
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(
+                                          std::llround(seconds / sc_core::sc_get_time_resolution().to_seconds())));
+}
+
+ProcessClock::ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base)
+    : core_(core),
+      timing_(core.add_process(process_name)),
+      time_base_(time_base),
+      ticks_per_cycle_(time_base.ticks_per_cycle()) {}
+
+void ProcessClock::connect_reads(FifoChannel& fifo) {
+    fifos_.push_back(&fifo);
+    fifo.connect_reader(*this, static_cast<std::uint8_t>(1U << timing_.add_reads(fifo.timing())));
+}
+
+void ProcessClock::connect_writes(FifoChannel& fifo) {
+    fifos_.push_back(&fifo);
+    fifo.connect_writer(*this, static_cast<std::uint8_t>(1U << timing_.add_writes(fifo.timing())));
+}
+
+unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written) {
+    for (FifoChannel const* fifo : written)
+        shape.writes.push_back({static_cast<unsigned>(__builtin_ctz(fifo->write_port())), fifo->timing().shape().write_latency});
+    return timing_.add_loop(std::move(shape));
+}
+
+void ProcessClock::advance(Cycles cycles) {
+    for (; cycles > longest_count; cycles -= longest_count)
+        timing_.log().wait(longest_count);
+    timing_.log().wait(static_cast<std::uint32_t>(cycles));
+    follow();
+}
+
+void ProcessClock::step(std::uint8_t ports) {
+    timing_.log().step(ports, 0);
+    follow();
+}
+
+void ProcessClock::stamp() {
+    timing_.log().stamp();
+    follow();
+}
+
+void ProcessClock::enter_loop(unsigned loop) {
+    timing_.log().enter(loop);
+    follow();
+}
+
+void ProcessClock::iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap) {
+    for (; count > longest_count; count -= longest_count)
+        timing_.log().iterate(ports, gap, longest_count);
+    timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
+    follow();
+}
+
+void ProcessClock::leave_loop() {
+    timing_.log().leave();
+    follow();
+}
+
+void ProcessClock::resolve() {
+    if (!lockstep())
+        core_.resolve();
+}
+
+void ProcessClock::follow() {
+    if (lockstep())
+        follow_in_lockstep();
+    else if (timing_.log().pending() > log_limit)
+        core_.resolve();
+}
+
+void ProcessClock::follow_in_lockstep() {
+    using Status = timing::ProcessTiming::Status;
+    for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
+        if (status == Status::blocked) {
+            FifoChannel& fifo = *fifos_[timing_.blocking_port()];
+            bool const writing = timing_.writes(timing_.blocking_port());
+            (writing ? fifo.writer_waits_ : fifo.reader_waits_) = true;
+            sc_core::wait(writing ? fifo.read_ : fifo.written_);
+            continue;
+        }
+        bring_kernel_to(timing_.front_cycle());
+        std::uint32_t ports = timing_.front_ports();
+        timing_.commit_front();
+        for (; ports != 0; ports &= ports - 1) {
+            auto const port = static_cast<unsigned>(__builtin_ctz(ports));
+            timing_.writes(port) ? fifos_[port]->wake_reader() : fifos_[port]->wake_writer();
+        }
+    }
+}
+
+void ProcessClock::bring_kernel_to(Cycles cycle) {
+    sc_dt::uint64 const target = cycle * ticks_per_cycle_;
+    sc_dt::uint64 const now = sc_core::sc_time_stamp().value();
+    if (target > now)
+        sc_core::wait(sc_core::sc_time::from_value(target - now));
+}
+
+void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
+    timing_.set_starving(static_cast<int>(__builtin_ctz(fifo.read_port())));
+    fifo.reader_waits_ = true;
+    sc_core::wait(fifo.written_);
+    timing_.set_starving(-1);
+}
+
+void ProcessClock::wait_for_room(FifoChannel& fifo) {
+    fifo.writer_waits_ = true;
+    sc_core::wait(fifo.read_);
+}
+
+}  // namespace faster

@@ -1,0 +1,98 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "common/cycles.hpp"
+#include "config/run_config.hpp"
+#include "timing/core_timing.hpp"
+
+namespace faster {
+
+class FifoChannel;
+
+/// How simulated time is driven: the engine, and the length of a cycle on the SystemC kernel's clock.
+struct TimeBase {
+    Engine engine = Engine::decoupled;
+    double clock_mhz = 200.0;
+    std::uint64_t ticks_per_cycle() const;  ///< in units of the kernel's time resolution, rounded, at least 1
+};
+
+/// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says what
+/// it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes the
+/// SystemC kernel along before every access; in `decoupled` it notes the operations and lets the core's timing catch up
+/// later. The cycles are the same: both run through timing::ProcessTiming.
+class ProcessClock {
+  public:
+    ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base);
+
+    /// The process's end of a FIFO, in the program order of a step. Once, before simulation starts.
+    void connect_reads(FifoChannel& fifo);
+    void connect_writes(FifoChannel& fifo);
+    /// A pipelined loop of the process, and the FIFOs it writes (connected before). Returns its number for enter_loop().
+    unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {});
+
+    /// T += cycles.
+    void advance(Cycles cycles);
+    /// The accesses of one step, together.
+    void step(std::uint8_t ports);
+    /// Notes the local time; read back from timing().stamps().
+    void stamp();
+
+    void enter_loop(unsigned loop);
+    /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
+    void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0);
+    void leave_loop();
+
+    /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
+    void access(std::uint8_t port) {
+        if (collecting_)
+            collected_ |= port;
+        else
+            step(port);
+    }
+
+    /// Everything logged by this core's processes gets its cycles, as far as possible.
+    void resolve();
+    bool lockstep() const { return time_base_.engine == Engine::lockstep; }
+    timing::ProcessTiming const& timing() const { return timing_; }
+    /// Non-blocking accesses need the present: only lockstep has one.
+    Cycles local_time() const { return timing_.local_time(); }
+
+    /// Suspends the calling thread until the FIFO's other side has done something; what for is told to deadlock reports.
+    void wait_for_tokens(FifoChannel& fifo);
+    void wait_for_room(FifoChannel& fifo);
+
+  private:
+    friend class Step;
+    void follow();
+    void follow_in_lockstep();
+    void bring_kernel_to(Cycles cycle);
+
+    timing::CoreTiming& core_;
+    timing::ProcessTiming& timing_;
+    TimeBase time_base_;
+    std::uint64_t ticks_per_cycle_;
+    std::vector<FifoChannel*> fifos_;  // by port
+    bool collecting_ = false;
+    std::uint8_t collected_ = 0;
+};
+
+/// Accesses through plain ports in this scope happen together, as one step.
+class Step {
+  public:
+    explicit Step(ProcessClock& clock) : clock_(clock) { clock_.collecting_ = true; }
+    ~Step() noexcept(false) {
+        clock_.collecting_ = false;
+        std::uint8_t const ports = clock_.collected_;
+        clock_.collected_ = 0;
+        if (ports != 0)
+            clock_.step(ports);
+    }
+    Step(Step const&) = delete;
+    Step& operator=(Step const&) = delete;
+
+  private:
+    ProcessClock& clock_;
+};
+
+}  // namespace faster

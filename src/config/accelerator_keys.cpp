@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include "config/key_builders.hpp"
+#include "config/key_names.hpp"
+#include "config/keys.hpp"
+
+namespace faster {
+namespace {
+
+constexpr IntegerRange cycles_range{1, 1'000'000};
+
+constexpr std::array<char const*, fifo_count> fifo_tokens{
+    "sample headers from the dispatcher to the vertex transform",
+    "sample headers from the dispatcher to the rasterizer",
+    "sample headers from the dispatcher to the observation reader",
+    "vertices from the vertex transform to the rasterizer",
+    "triangle areas from the rasterizer to the reciprocal unit",
+    "1 / area from the reciprocal unit to the inlier unit",
+    "commands from the rasterizer to the inlier unit",
+    "z sums of fragments from the rasterizer to the inlier unit",
+    "pixels of fragments from the rasterizer to the inlier unit",
+    "object and edge pixels from the rasterizer to the edge map builder",
+    "edge bits from the edge map builder to the inlier unit",
+    "observed depths from the observation reader to the inlier unit",
+    "observed edge bits from the observation reader to the inlier unit",
+    "counters of a sample from the inlier unit to the result collector"};
+
+constexpr std::array<char const*, loop_count> loop_tasks{
+    "transforms one vertex per iteration",
+    "visits one pixel per iteration, or sends a pending edge token",
+    "clears one pixel of both maps per iteration",
+    "takes one edge token per iteration, or finishes the object token before it",
+    "sends one edge bit per iteration",
+    "reads one observed pixel per iteration",
+    "fills one word of the depth buffer per iteration",
+    "takes one fragment per iteration",
+    "judges one pixel of the window per iteration"};
+
+constexpr std::array<char const*, bram_count> bram_contents{"edge bits of the window", "object bits of the window",
+                                                            "depth buffer of the window"};
+
+void add_machine_keys(Keys& keys) {
+    keys.push_back(integer_key(
+        {"accelerator.raster_cores", "cores", "Raster cores that share the samples.", "thesis 4.2.1"}, {1, 1024},
+        [](auto& config) -> auto& { return config.accelerator.raster_cores; }));
+    keys.push_back(integer_key(
+        {"accelerator.window", "px", "Side of the square window around a sample's centre, the thesis's bounding box.",
+         "thesis 3.2"},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.window; }));
+    keys.push_back(number_key(
+        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", "thesis 4.2.3"},
+        {0, std::numeric_limits<double>::infinity(), true},
+        [](auto& config) -> auto& { return config.accelerator.clock_mhz; }));
+}
+
+template <class Field> Key fraction_key(std::string const& name, std::string const& what, int max, Field field) {
+    return integer_key({"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "SPEC 2"},
+                       {0, max}, field);
+}
+
+void add_fraction_keys(Keys& keys) {
+    keys.push_back(fraction_key(
+        "vertex_xy", "vertex x and y [px], 16 bits signed", 15,
+        [](auto& config) -> auto& { return config.accelerator.fraction_bits.vertex_xy; }));
+    keys.push_back(fraction_key(
+        "vertex_z", "vertex z [m], 16 bits", 16,
+        [](auto& config) -> auto& { return config.accelerator.fraction_bits.vertex_z; }));
+    keys.push_back(fraction_key(
+        "area_reciprocal", "1 / area; with twice those of vertex_xy at most 62", 62,
+        [](auto& config) -> auto& { return config.accelerator.fraction_bits.area_reciprocal; }));
+    keys.push_back(fraction_key(
+        "fragment_depth", "the depth of one fragment [m]", 30,
+        [](auto& config) -> auto& { return config.accelerator.fraction_bits.fragment_depth; }));
+    keys.push_back(fraction_key(
+        "depth_buffer", "depth buffer and observed depth [m], 11 bits", 11,
+        [](auto& config) -> auto& { return config.accelerator.fraction_bits.depth_buffer; }));
+}
+
+void add_edge_map_keys(Keys& keys) {
+    keys.push_back(boolean_key(
+        {"accelerator.edge_map.flush_last", "",
+         "Whether the edge map builder finishes its last object token even after the end "
+         "token, which thesis A.2 does not.",
+         "SPEC 2"},
+        [](auto& config) -> auto& { return config.accelerator.flush_last; }));
+}
+
+std::string write_latency_meaning(FifoId id) {
+    std::optional<LoopId> const loop = loop_that_writes(id);
+    if (!loop) {
+        return "Pipeline stages from the read of an area to the write of its reciprocal.";
+    }
+    return fmt::format("Stage of the writing loop in which the token leaves, below {}.", loop_key_name(*loop, "depth"));
+}
+
+void add_fifo_keys(Keys& keys, FifoId id) {
+    keys.push_back(integer_key(
+        {fifo_key_name(id, "depth"), "tokens", fmt::format("Depth of the FIFO: {}.", fifo_tokens[index_of(id)]),
+         "HLS default"},
+        {1, 1'048'576}, [id](auto& config) -> auto& { return config.accelerator.fifo(id).depth; }));
+    keys.push_back(choice_key(
+        {fifo_key_name(id, "kind"), "", "How the FIFO is built; auto is a shift register up to depth 2, else a memory.",
+         "SPEC 3"},
+        [id](auto& config) -> auto& { return config.accelerator.fifo(id).kind; }));
+    if (has_write_latency(id)) {
+        keys.push_back(integer_key(
+            {fifo_key_name(id, "write_latency"), "cycles", write_latency_meaning(id), "SPEC 3"},
+            {0, 1'000'000}, [id](auto& config) -> auto& { return config.accelerator.fifo(id).write_latency; }));
+    }
+}
+
+/// Not a loop, but it stands among them in the rasterizer's section.
+void add_setup_key(Keys& keys) {
+    keys.push_back(integer_key(
+        {"accelerator.loops.rasterizer.setup.depth", "cycles",
+         "Cycles of the triangle setup, from the third vertex to the area.", "SPEC 3"},
+        cycles_range, [](auto& config) -> auto& { return config.accelerator.setup_depth; }));
+}
+
+void add_loop_keys(Keys& keys, LoopId id) {
+    keys.push_back(integer_key(
+        {loop_key_name(id, "ii"), "cycles",
+         fmt::format("Initiation interval the pragma asks for; the loop {}.", loop_tasks[index_of(id)]), "thesis 5.4"},
+        cycles_range, [id](auto& config) -> auto& { return config.accelerator.loop(id).ii; }));
+    keys.push_back(integer_key(
+        {loop_key_name(id, "recurrence_ii"), "cycles",
+         "Initiation interval that a dependence between iterations demands.", "thesis 5.4"},
+        cycles_range, [id](auto& config) -> auto& { return config.accelerator.loop(id).recurrence_ii; }));
+    keys.push_back(integer_key(
+        {loop_key_name(id, "depth"), "cycles", "Pipeline stages of one iteration.", "SPEC 3"},
+        cycles_range, [id](auto& config) -> auto& { return config.accelerator.loop(id).depth; }));
+}
+
+void add_bram_keys(Keys& keys, BramId id) {
+    keys.push_back(integer_key(
+        {bram_key_name(id, "ports"), "accesses per cycle",
+         fmt::format("Ports of the block RAM: {}.", bram_contents[index_of(id)]), "thesis 5.4"},
+        {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).ports; }));
+}
+
+}  // namespace
+
+Keys accelerator_keys() {
+    Keys keys;
+    add_machine_keys(keys);
+    add_fraction_keys(keys);
+    add_edge_map_keys(keys);
+    for (std::size_t index = 0; index < fifo_count; ++index) {
+        add_fifo_keys(keys, FifoId{index});
+    }
+    for (std::size_t index = 0; index < loop_count; ++index) {
+        if (LoopId{index} == LoopId::scan) {
+            add_setup_key(keys);
+        }
+        add_loop_keys(keys, LoopId{index});
+    }
+    for (std::size_t index = 0; index < bram_count; ++index) {
+        add_bram_keys(keys, BramId{index});
+    }
+    return keys;
+}
+
+}  // namespace faster

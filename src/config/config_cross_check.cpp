@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "config/config_sources.hpp"
+#include "config/key_names.hpp"
+#include "config/keys.hpp"
+
+namespace faster {
+namespace {
+
+constexpr char const* area_reciprocal_key = "accelerator.fraction_bits.area_reciprocal";
+constexpr char const* vertex_xy_key = "accelerator.fraction_bits.vertex_xy";
+constexpr int most_reciprocal_bits = 62;  ///< 2^(area_reciprocal + 2 * vertex_xy) and what it divides fit 63 bits
+
+/// "accelerator.x = 3", and that it was not asked for if so.
+std::string with_value(LoadedConfig const& loaded, std::string const& key) {
+    return fmt::format("{} = {}{}", key, json_text(find_key(key)->read(loaded.config)),
+                       loaded.origins.is_explicit(key) ? "" : " (default)");
+}
+
+/// The token leaves before the pipeline ends. If only the loop's depth was set, that is what the message blames.
+void check_write_latency(LoadedConfig const& loaded, FifoId fifo, std::vector<std::string>& complaints) {
+    auto const loop = loop_that_writes(fifo);
+    if (!loop) {
+        return;
+    }
+    Cycles const latency = loaded.config.accelerator.fifo(fifo).write_latency;
+    Cycles const depth = loaded.config.accelerator.loop(*loop).depth;
+    if (latency < depth) {
+        return;
+    }
+    std::string const latency_key = fifo_key_name(fifo, "write_latency");
+    std::string const depth_key = loop_key_name(*loop, "depth");
+    if (loaded.origins.is_explicit(latency_key)) {
+        complaints.push_back(
+            complaint(loaded, latency_key,
+                      fmt::format("at most {}, one less than {}", depth - 1, with_value(loaded, depth_key))));
+    } else {
+        complaints.push_back(complaint(loaded, depth_key,
+                                       fmt::format("at least {} because of {}: set that too, to at most {}",
+                                                   latency + 1, with_value(loaded, latency_key), depth - 1)));
+    }
+}
+
+void check_fraction_bits(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    FractionBits const& bits = loaded.config.accelerator.fraction_bits;
+    if (bits.area_reciprocal + 2 * bits.vertex_xy <= most_reciprocal_bits) {
+        return;
+    }
+    if (loaded.origins.is_explicit(area_reciprocal_key)) {
+        complaints.push_back(
+            complaint(loaded, area_reciprocal_key,
+                      fmt::format("at most {}, which is {} minus twice {}", most_reciprocal_bits - 2 * bits.vertex_xy,
+                                  most_reciprocal_bits, with_value(loaded, vertex_xy_key))));
+    } else {
+        complaints.push_back(complaint(
+            loaded, vertex_xy_key,
+            fmt::format("at most {}, which is half of {} minus {}", (most_reciprocal_bits - bits.area_reciprocal) / 2,
+                        most_reciprocal_bits, with_value(loaded, area_reciprocal_key))));
+    }
+}
+
+void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
+        complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
+    }
+}
+
+}  // namespace
+
+std::string complaint(LoadedConfig const& loaded, std::string const& key, std::string const& expected) {
+    KeyOrigin const origin = loaded.origins.of(key);
+    if (origin.source == KeySource::command_line) {
+        return origin.place + ": expected " + expected;  // key and value stand in the place
+    }
+    std::string const value = with_value(loaded, key) + ", expected " + expected;
+    return origin.place.empty() ? value : origin.place + ": " + value;
+}
+
+std::vector<std::string> cross_check(LoadedConfig const& loaded) {
+    std::vector<std::string> complaints;
+    for (std::size_t index = 0; index < fifo_count; ++index) {
+        check_write_latency(loaded, FifoId{index}, complaints);
+    }
+    check_fraction_bits(loaded, complaints);
+    check_neighbourhood(loaded, complaints);
+    return complaints;
+}
+
+}  // namespace faster

@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/accelerator_config.hpp"
+#include "config/run_config.hpp"
+
+namespace faster {
+
+/// How the enumerators of a choice are written in configuration files and reports.
+template <class Enum> struct EnumNames;
+
+template <> struct EnumNames<FifoKind> {
+    static constexpr std::array<std::pair<FifoKind, char const*>, 3> all{
+        {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
+};
+
+template <> struct EnumNames<Engine> {
+    static constexpr std::array<std::pair<Engine, char const*>, 2> all{
+        {{Engine::lockstep, "lockstep"}, {Engine::decoupled, "decoupled"}}};
+};
+
+/// The written names, in the order of the table above.
+template <class Enum> std::vector<std::string> names_of_choices() {
+    std::vector<std::string> names;
+    for (auto const& entry : EnumNames<Enum>::all) {
+        names.emplace_back(entry.second);
+    }
+    return names;
+}
+
+template <class Enum> std::string choice_name(Enum value) {
+    for (auto const& [candidate, name] : EnumNames<Enum>::all) {
+        if (candidate == value) {
+            return name;
+        }
+    }
+    return {};
+}
+
+/// `name` must be one of names_of_choices(): the readers check before.
+template <class Enum> Enum choice_from_name(std::string_view name) {
+    for (auto const& [candidate, candidate_name] : EnumNames<Enum>::all) {
+        if (name == candidate_name) {
+            return candidate;
+        }
+    }
+    return Enum{};
+}
+
+}  // namespace faster

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace faster {
+
+/// What a word of a configuration means. Stricter than yaml-cpp's conversions, which also take `yes`, `0x2` and `2.0`
+/// for an integer.
+
+/// Decimal digits with an optional minus sign and without leading zeros (010 is eight to older YAML readers).
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// True for what has the form of an integer, even one beyond 64 bits.
+bool is_integer_text(std::string_view text);
+
+/// A finite decimal number: 2, -0.5, .5, 1e-3. Not inf, nan or hexadecimal.
+std::optional<double> parse_number(std::string_view text);
+
+/// `true` or `false`, as in YAML 1.2's JSON schema.
+std::optional<bool> parse_boolean(std::string_view text);
+
+/// True if YAML 1.2 reads the word as text, not as a boolean, a number or nothing.
+bool is_plain_text(std::string_view text);
+
+/// Where a byte sequence stops being printable UTF-8 (tabs and line ends are fine), from 0; none if it never does.
+std::optional<std::size_t> first_bad_byte(std::string_view text);
+
+/// Fit for a one-line message: control characters become blanks, long text is cut.
+std::string shortened(std::string_view text);
+
+}  // namespace faster

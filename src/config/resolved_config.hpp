@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "config/key_value.hpp"
+#include "config/run_config.hpp"
+
+namespace faster {
+
+/// One key of a resolved configuration, for the report of a run.
+struct ResolvedKey {
+    std::string key;
+    KeyValue value;
+    bool is_default = true;  ///< the value equals the default, whether it was written out or not
+};
+
+/// Every key with its value, in the order of all_keys().
+std::vector<ResolvedKey> resolved_keys(RunConfig const& config);
+
+/// The same as a configuration file that loads to an equal configuration; values that differ from the default say so in
+/// a comment. Relative paths stay relative to the current folder, so it belongs there.
+std::string to_yaml(RunConfig const& config);
+
+}  // namespace faster

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "common/image.hpp"
+
+namespace faster::io {
+
+/// Greyscale PNG files, as they are: no scaling, no colour conversion. Every function throws InputError: a missing
+/// file, one that is not an undamaged PNG, or one with another pixel type than the name says.
+Image<std::uint16_t> read_png16(std::filesystem::path const& path);
+Image<std::uint8_t> read_png8(std::filesystem::path const& path);
+
+/// Throws InputError if the file cannot be written.
+void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image);
+void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& image);
+
+/// Throws the InputError for an image of the wrong size. `reason` says where the expected size comes from.
+void require_size(std::filesystem::path const& path, int found_width, int found_height, int expected_width,
+                  int expected_height, std::string const& reason);
+
+}  // namespace faster::io

@@ -1,0 +1,25 @@
+#include "modules/accelerator.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace faster {
+
+Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
+                         Engine engine)
+    : sc_module(name) {
+    TimeBase const time_base{engine, config.clock_mhz};
+    for (std::size_t core = 0; core < config.raster_cores; ++core) {
+        CoreShare const share = share_of(core, config.raster_cores, stimulus.samples.size());
+        std::string const core_name = "core_" + std::to_string(core);
+        cores_.push_back(std::make_unique<RasterCore>(core_name.c_str(), config, stimulus, share, time_base));
+    }
+}
+
+CoreShare Accelerator::share_of(std::size_t core, std::size_t cores, std::size_t samples) {
+    std::size_t const each = (samples + cores - 1) / cores;
+    std::size_t const first = std::min(samples, core * each);
+    return {first, std::min(each, samples - first)};
+}
+
+}  // namespace faster

@@ -1,0 +1,31 @@
+#pragma once
+#include <systemc>
+
+#include "common/tokens.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Divides once per drawn triangle, so that no fragment has to.
+///   in    area_in             per triangle: twice its area, 0 or negative if it is not drawn
+///   out   area_reciprocal_out per drawn triangle: code of 1 / area
+///   time  flushing pipeline, one area per cycle; a result leaves write_latency cycles after its issue
+/// Source: SPEC sections 2 and 3.
+class AreaReciprocal : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<std::int64_t> area_in{"area_in"};
+    sc_core::sc_fifo_out<std::uint64_t> area_reciprocal_out{"area_reciprocal_out"};
+
+    SC_HAS_PROCESS(AreaReciprocal);
+    AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+};
+
+}  // namespace faster

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "channels/process_clock.hpp"
+#include "common/stimulus.hpp"
+#include "config/accelerator_config.hpp"
+#include "timing/core_timing.hpp"
+
+namespace faster {
+
+namespace datapath {
+class EdgeMaps;
+}
+
+/// Sees what a sample left in the maps, before the next sample clears them. Called from the modules' processes.
+class SampleProbe {
+  public:
+    virtual ~SampleProbe() = default;
+    virtual void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) = 0;
+    virtual void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) = 0;
+};
+
+/// What all modules of one raster core share: the configuration, the core's part of the workload, its timing.
+struct CoreContext {
+    AcceleratorConfig const& config;
+    Stimulus const& stimulus;
+    TimeBase time_base;
+    std::size_t first_sample = 0;
+    std::size_t sample_count = 0;
+    timing::CoreTiming& timing;
+    SampleProbe* probe = nullptr;     ///< may be null
+    std::function<void()> progress;  ///< called after every sample; may be empty
+
+    SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
+    /// Top-left pixel of a sample's window (SPEC section 2, sample header).
+    std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }
+    std::size_t window_pixels() const {
+        return static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window);
+    }
+};
+
+}  // namespace faster

@@ -1,0 +1,64 @@
+#include "modules/core_shapes.hpp"
+
+namespace faster {
+
+namespace {
+
+struct Access {
+    BramId bram;
+    std::uint64_t per_iteration;
+};
+
+/// SPEC section 3, "BRAM accesses per iteration": the worst branch, whatever the data.
+std::vector<Access> accesses_of(LoopId id) {
+    switch (id) {
+        case LoopId::edge_clear: return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
+        case LoopId::token: return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+        case LoopId::output: return {{BramId::edge_map, 1}};
+        case LoopId::depth_clear: return {{BramId::depth_buffer, 1}};
+        case LoopId::fragment: return {{BramId::depth_buffer, 2}};
+        case LoopId::sweep: return {{BramId::depth_buffer, 5}};
+        case LoopId::vertex:
+        case LoopId::scan:
+        case LoopId::read: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+FifoKind resolved_kind(FifoConfig const& config) {
+    if (config.kind != FifoKind::automatic)
+        return config.kind;
+    return config.depth <= 2 ? FifoKind::shift_register : FifoKind::memory;
+}
+
+timing::FifoShape fifo_shape(FifoId id, AcceleratorConfig const& config) {
+    FifoConfig const& fifo = config.fifo(id);
+    bool const memory = resolved_kind(fifo) == FifoKind::memory;
+    timing::FifoShape shape;
+    shape.name = name_of(id);
+    shape.capacity = memory ? fifo.depth + 1 : fifo.depth;
+    shape.read_latency = memory ? 2 : 1;
+    shape.write_latency = fifo.write_latency;
+    // The reciprocal unit flushes: its stages drain into the FIFO on their own, whatever the unit reads.
+    shape.issue_latency = id == FifoId::area_reciprocal ? fifo.write_latency : 0;
+    return shape;
+}
+
+timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig const& config) {
+    std::vector<timing::BramDemand> demands;
+    for (Access const& access : accesses_of(id))
+        demands.push_back({name_of(access.bram), access.per_iteration, config.bram(access.bram).ports});
+    return timing::schedule(config.loop(id).ii, config.loop(id).recurrence_ii, demands);
+}
+
+timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config) {
+    timing::LoopShape shape;
+    shape.name = loop_names[index_of(id)].name;
+    shape.interval = initiation_interval(id, config);
+    shape.depth = config.loop(id).depth;
+    return shape;
+}
+
+}  // namespace faster

@@ -1,0 +1,42 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "common/tokens.hpp"
+#include "datapath/edge_maps.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Merges the edges of single triangles into the contour of the object, in two one-bit maps.
+///   in    edge_token_in  object and edge pixels in any order, End per sample
+///   out   edge_map_out   W x W bits per sample, row-major
+///   time  loop `clear`, loop `token` (an object pixel of the window takes two iterations), loop `output`
+/// Source: thesis 4.1.2, 5.4 and A.2; SPEC sections 2 and 3.
+class EdgeMapBuilder : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<EdgeToken> edge_token_in{"edge_token_in"};
+    sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
+
+    SC_HAS_PROCESS(EdgeMapBuilder);
+    EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    void clear();
+    void build();
+    bool take_tokens(EdgeToken& current);
+    void output();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    datapath::EdgeMaps maps_;
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;
+    unsigned clear_loop_ = 0;
+    unsigned token_loop_ = 0;
+    unsigned output_loop_ = 0;
+};
+
+}  // namespace faster

@@ -1,0 +1,143 @@
+#include "modules/inlier_unit.hpp"
+
+#include <algorithm>
+
+#include "channels/port_binding.hpp"
+#include "modules/core_shapes.hpp"
+
+namespace faster {
+
+InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core)
+    : sc_module(name),
+      core_(core),
+      clock_(core.timing, basename(), core.time_base),
+      depth_unit_(core.stimulus.fraction),
+      window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer),
+      depth_buffer_(core.window_pixels(), far_depth_code) {
+    SC_THREAD(run);
+}
+
+void InlierUnit::end_of_elaboration() {
+    fragment_depth_ = &channel_of(fragment_depth_in);
+    fragment_index_ = &channel_of(fragment_index_in);
+    command_ = &channel_of(command_in);
+    // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's three.
+    clock_.connect_reads(channel_of(area_reciprocal_in));
+    clock_.connect_reads(*fragment_depth_);
+    clock_.connect_reads(*fragment_index_);
+    clock_.connect_reads(*command_);
+    clock_.connect_reads(channel_of(edge_map_in));
+    clock_.connect_reads(channel_of(observed_depth_in));
+    clock_.connect_reads(channel_of(observed_edge_in));
+    clock_.connect_writes(channel_of(result_out));
+    clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
+    fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
+    sweep_loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
+    fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() |
+                                                command_->read_port());
+    sweep_ports_ = static_cast<std::uint8_t>(channel_of(edge_map_in).read_port() |
+                                             channel_of(observed_depth_in).read_port() |
+                                             channel_of(observed_edge_in).read_port());
+}
+
+void InlierUnit::run() {
+    for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        counters_ = SampleCounters{};
+        clock_.advance(1);
+        clear();
+        draw_triangles();
+        if (core_.probe != nullptr)
+            core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
+        clock_.advance(1);
+        sweep();
+        result_out.write(counters_);
+        clock_.advance(1);
+    }
+}
+
+void InlierUnit::clear() {
+    std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
+    clock_.enter_loop(clear_loop_);
+    clock_.iterate(0, core_.window_pixels());
+    clock_.leave_loop();
+}
+
+void InlierUnit::draw_triangles() {
+    Command command = command_in.read();
+    clock_.advance(1);
+    while (command == Command::Triangle) {
+        std::uint64_t reciprocal = 0;
+        {
+            Step const step(clock_);
+            reciprocal = area_reciprocal_in.read();
+            command = command_in.read();
+        }
+        clock_.advance(1);
+        command = draw_fragments(reciprocal, command);
+    }
+}
+
+/// The fragments of one triangle. `command` is read one ahead of them; returns the first that is no Fragment.
+Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
+    if (command != Command::Fragment) {
+        clock_.advance(1);
+        return command;
+    }
+    clock_.enter_loop(fragment_loop_);
+    while (command == Command::Fragment) {
+        std::size_t const drawn = draw_burst(reciprocal, command);
+        clock_.iterate(fragment_ports_, drawn);
+        fragment_depth_->consume(drawn);
+        fragment_index_->consume(drawn);
+        command_->consume(drawn);
+    }
+    clock_.leave_loop();
+    return command;
+}
+
+/// Draws the fragments at hand, each reading the command of the next. Returns their number.
+std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
+    std::size_t available = fragment_depth_->peek();
+    available = std::min(available, fragment_index_->peek());
+    available = std::min(available, command_->peek());
+    std::int64_t const* z_sum = fragment_depth_->front();
+    FragmentIndex const* index = fragment_index_->front();
+    Command const* next = command_->front();
+    auto const side = static_cast<unsigned>(core_.stimulus.window);
+    std::uint64_t drawn = 0;
+    std::size_t n = 0;
+    for (; n < available && command == Command::Fragment; ++n) {
+        auto const row = static_cast<unsigned>(int{index[n].row});
+        auto const col = static_cast<unsigned>(int{index[n].col});
+        if (row < side && col < side) {
+            std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum[n]), reciprocal);
+            drawn += depth_unit_.draw(depth, depth_buffer_[std::size_t{row} * side + col]) ? 1 : 0;
+        }
+        command = next[n];
+    }
+    counters_.valid_raster += drawn;
+    return n;
+}
+
+void InlierUnit::sweep() {
+    auto& edge = channel_of(edge_map_in);
+    auto& observed_depth = channel_of(observed_depth_in);
+    auto& observed_edge = channel_of(observed_edge_in);
+    std::size_t const pixels = core_.window_pixels();
+    clock_.enter_loop(sweep_loop_);
+    for (std::size_t done = 0; done < pixels;) {
+        std::size_t n = std::min(pixels - done, edge.peek());
+        n = std::min(n, observed_depth.peek());
+        n = std::min(n, observed_edge.peek());
+        window_sweep_.sweep(done, n, depth_buffer_.data(), edge.front(), observed_depth.front(), observed_edge.front(),
+                            counters_);
+        clock_.iterate(sweep_ports_, n);
+        edge.consume(n);
+        observed_depth.consume(n);
+        observed_edge.consume(n);
+        done += n;
+    }
+    clock_.leave_loop();
+}
+
+}  // namespace faster

@@ -1,0 +1,58 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "common/tokens.hpp"
+#include "datapath/depth.hpp"
+#include "datapath/window_sweep.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees.
+///   in    command_in, area_reciprocal_in, fragment_depth_in, fragment_index_in  while the sample is rasterized
+///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards
+///   out   result_out  one set of counters per sample
+///   time  loop `clear`; per triangle one step and loop `fragment`; loop `sweep`
+/// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
+class InlierUnit : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
+    sc_core::sc_fifo_in<std::int64_t> fragment_depth_in{"fragment_depth_in"};
+    sc_core::sc_fifo_in<FragmentIndex> fragment_index_in{"fragment_index_in"};
+    sc_core::sc_fifo_in<Command> command_in{"command_in"};
+    sc_core::sc_fifo_in<std::uint8_t> edge_map_in{"edge_map_in"};
+    sc_core::sc_fifo_in<std::uint16_t> observed_depth_in{"observed_depth_in"};
+    sc_core::sc_fifo_in<std::uint8_t> observed_edge_in{"observed_edge_in"};
+    sc_core::sc_fifo_out<SampleCounters> result_out{"result_out"};
+
+    SC_HAS_PROCESS(InlierUnit);
+    InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    void clear();
+    void draw_triangles();
+    Command draw_fragments(std::uint64_t reciprocal, Command command);
+    std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
+    void sweep();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    datapath::DepthUnit depth_unit_;
+    datapath::WindowSweep window_sweep_;
+    std::vector<std::uint16_t> depth_buffer_;  ///< W x W, row-major
+    SampleCounters counters_;
+    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
+    ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
+    ClockedFifo<Command>* command_ = nullptr;
+    std::uint8_t fragment_ports_ = 0;
+    std::uint8_t sweep_ports_ = 0;
+    unsigned clear_loop_ = 0;
+    unsigned fragment_loop_ = 0;
+    unsigned sweep_loop_ = 0;
+};
+
+}  // namespace faster

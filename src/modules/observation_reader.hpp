@@ -1,0 +1,37 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "common/tokens.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Reads the observed scene under a sample's window.
+///   in    sample_observation_in  one header per sample
+///   out   observed_depth_out, observed_edge_out: W x W codes and bits per sample, row-major, together; 0 outside the image
+///   time  loop `read`, one pixel per iteration
+/// Source: SPEC sections 2 and 3.
+class ObservationReader : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<SampleHeader> sample_observation_in{"sample_observation_in"};
+    sc_core::sc_fifo_out<std::uint16_t> observed_depth_out{"observed_depth_out"};
+    sc_core::sc_fifo_out<std::uint8_t> observed_edge_out{"observed_edge_out"};
+
+    SC_HAS_PROCESS(ObservationReader);
+    ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    void send_window(SampleHeader const& header);
+    template <class Pixel>
+    void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, Pixel* out) const;
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    unsigned read_loop_ = 0;
+};
+
+}  // namespace faster

@@ -1,0 +1,58 @@
+#include "modules/raster_core.hpp"
+
+#include "modules/core_shapes.hpp"
+
+namespace faster {
+
+RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
+                       CoreShare share, TimeBase const& time_base)
+    : sc_module(name),
+      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}},
+      sample_dispatcher("sample_dispatcher", context_),
+      vertex_transform("vertex_transform", context_),
+      rasterizer("rasterizer", context_),
+      area_reciprocal_unit("area_reciprocal_unit", context_),
+      edge_map_builder("edge_map_builder", context_),
+      observation_reader("observation_reader", context_),
+      inlier_unit("inlier_unit", context_),
+      result_collector("result_collector", context_) {
+    sample_dispatcher.sample_vertex_out(sample_vertex);
+    sample_dispatcher.sample_raster_out(sample_raster);
+    sample_dispatcher.sample_observation_out(sample_observation);
+
+    vertex_transform.sample_vertex_in(sample_vertex);
+    vertex_transform.vertex_out(vertex);
+
+    rasterizer.sample_raster_in(sample_raster);
+    rasterizer.vertex_in(vertex);
+    rasterizer.area_out(area);
+    rasterizer.command_out(command);
+    rasterizer.fragment_depth_out(fragment_depth);
+    rasterizer.fragment_index_out(fragment_index);
+    rasterizer.edge_token_out(edge_token);
+
+    area_reciprocal_unit.area_in(area);
+    area_reciprocal_unit.area_reciprocal_out(area_reciprocal);
+
+    edge_map_builder.edge_token_in(edge_token);
+    edge_map_builder.edge_map_out(edge_map);
+
+    observation_reader.sample_observation_in(sample_observation);
+    observation_reader.observed_depth_out(observed_depth);
+    observation_reader.observed_edge_out(observed_edge);
+
+    inlier_unit.area_reciprocal_in(area_reciprocal);
+    inlier_unit.fragment_depth_in(fragment_depth);
+    inlier_unit.fragment_index_in(fragment_index);
+    inlier_unit.command_in(command);
+    inlier_unit.edge_map_in(edge_map);
+    inlier_unit.observed_depth_in(observed_depth);
+    inlier_unit.observed_edge_in(observed_edge);
+    inlier_unit.result_out(result);
+
+    result_collector.result_in(result);
+}
+
+timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }
+
+}  // namespace faster

@@ -1,0 +1,68 @@
+#pragma once
+#include <systemc>
+
+#include "modules/area_reciprocal.hpp"
+#include "modules/edge_map_builder.hpp"
+#include "modules/inlier_unit.hpp"
+#include "modules/observation_reader.hpp"
+#include "modules/rasterizer.hpp"
+#include "modules/result_collector.hpp"
+#include "modules/sample_dispatcher.hpp"
+#include "modules/vertex_transform.hpp"
+
+namespace faster {
+
+/// The samples a raster core scores: [first, first + count).
+struct CoreShare {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/// One raster core: the dataflow region of SPEC section 1. Wiring only.
+class RasterCore : public sc_core::sc_module {
+  public:
+    RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
+               CoreShare share, TimeBase const& time_base);
+
+    CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
+    void set_probe(SampleProbe* probe) { context_.probe = probe; }
+    void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
+    timing::CoreTiming& timing() { return timing_; }
+    timing::CoreTiming const& timing() const { return timing_; }
+
+  private:
+    timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
+    timing::FifoShape fifo_shape_of(FifoId id) const;
+
+    timing::CoreTiming timing_;
+    CoreContext context_;
+
+    // In the order of FifoId: the tables of the report rely on it.
+    ClockedFifo<SampleHeader> sample_vertex{"sample_vertex", fifo_timing(FifoId::sample_vertex)};
+    ClockedFifo<SampleHeader> sample_raster{"sample_raster", fifo_timing(FifoId::sample_raster)};
+    ClockedFifo<SampleHeader> sample_observation{"sample_observation", fifo_timing(FifoId::sample_observation)};
+    ClockedFifo<VertexCode> vertex{"vertex", fifo_timing(FifoId::vertex)};
+    ClockedFifo<std::int64_t> area{"area", fifo_timing(FifoId::area)};
+    ClockedFifo<std::uint64_t> area_reciprocal{"area_reciprocal", fifo_timing(FifoId::area_reciprocal)};
+    ClockedFifo<Command> command{"command", fifo_timing(FifoId::command)};
+    ClockedFifo<std::int64_t> fragment_depth{"fragment_depth", fifo_timing(FifoId::fragment_depth)};
+    ClockedFifo<FragmentIndex> fragment_index{"fragment_index", fifo_timing(FifoId::fragment_index)};
+    ClockedFifo<EdgeToken> edge_token{"edge_token", fifo_timing(FifoId::edge_token)};
+    ClockedFifo<std::uint8_t> edge_map{"edge_map", fifo_timing(FifoId::edge_map)};
+    ClockedFifo<std::uint16_t> observed_depth{"observed_depth", fifo_timing(FifoId::observed_depth)};
+    ClockedFifo<std::uint8_t> observed_edge{"observed_edge", fifo_timing(FifoId::observed_edge)};
+    ClockedFifo<SampleCounters> result{"result", fifo_timing(FifoId::result)};
+
+  public:
+    // In the order of ModuleId.
+    SampleDispatcher sample_dispatcher;
+    VertexTransform vertex_transform;
+    Rasterizer rasterizer;
+    AreaReciprocal area_reciprocal_unit;
+    EdgeMapBuilder edge_map_builder;
+    ObservationReader observation_reader;
+    InlierUnit inlier_unit;
+    ResultCollector result_collector;
+};
+
+}  // namespace faster

@@ -1,0 +1,182 @@
+#include "modules/rasterizer.hpp"
+
+#include <algorithm>
+
+#include "channels/port_binding.hpp"
+#include "modules/core_shapes.hpp"
+
+namespace faster {
+
+namespace {
+/// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either way.
+int clamped_offset(std::int64_t offset) { return static_cast<int>(std::clamp<std::int64_t>(offset, -8192, 8192)); }
+}  // namespace
+
+Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core)
+    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    SC_THREAD(run);
+}
+
+void Rasterizer::end_of_elaboration() {
+    command_ = &channel_of(command_out);
+    fragment_depth_ = &channel_of(fragment_depth_out);
+    fragment_index_ = &channel_of(fragment_index_out);
+    edge_token_ = &channel_of(edge_token_out);
+    clock_.connect_reads(channel_of(sample_raster_in));
+    clock_.connect_reads(channel_of(vertex_in));
+    clock_.connect_writes(channel_of(area_out));
+    clock_.connect_writes(*command_);
+    clock_.connect_writes(*fragment_depth_);
+    clock_.connect_writes(*fragment_index_);
+    clock_.connect_writes(*edge_token_);
+    scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config),
+                                 {command_, fragment_depth_, fragment_index_, edge_token_});
+    edge_port_ = edge_token_->write_port();
+    fragment_ports_ = static_cast<std::uint8_t>(command_->write_port() | fragment_depth_->write_port() |
+                                                fragment_index_->write_port() | edge_port_);
+}
+
+void Rasterizer::run() {
+    for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        start_sample();
+        for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
+            TriangleCode const triangle = receive_triangle();
+            datapath::TriangleSetup const setup = datapath::set_up(triangle, core_.stimulus.width, core_.stimulus.height,
+                                                                   core_.stimulus.fraction.vertex_xy);
+            clock_.advance(core_.config.setup_depth);
+            announce(setup);
+            if (setup.drawn())
+                scan(setup);
+        }
+        end_sample();
+    }
+}
+
+void Rasterizer::start_sample() {
+    SampleHeader const header = sample_raster_in.read();
+    clock_.stamp();
+    clock_.advance(1);
+    row_offset_ = clamped_offset(core_.window_offset(header.centre_row));
+    col_offset_ = clamped_offset(core_.window_offset(header.centre_col));
+}
+
+TriangleCode Rasterizer::receive_triangle() {
+    TriangleCode triangle;
+    for (VertexCode& vertex : triangle.vertex) {
+        vertex = vertex_in.read();
+        clock_.advance(1);
+    }
+    return triangle;
+}
+
+void Rasterizer::announce(datapath::TriangleSetup const& setup) {
+    {
+        Step const step(clock_);
+        area_out.write(setup.area);
+        if (setup.drawn())
+            command_out.write(Command::Triangle);
+    }
+    clock_.advance(1);
+}
+
+void Rasterizer::scan(datapath::TriangleSetup const& setup) {
+    previous_row_ = setup.start_row;
+    previous_col_ = setup.start_col;
+    previous_inside_ = setup.starts_inside();
+    clock_.enter_loop(scan_loop_);
+    datapath::ZigzagScan zigzag(setup);
+    while (!zigzag.done())
+        send_line(zigzag.next_line());
+    clock_.leave_loop();
+}
+
+/// The iterations of one line: pixels outside are silent but for the first after the inside run, which is an edge.
+void Rasterizer::send_line(datapath::ScanLine const& line) {
+    int silent = line.before;
+    if (previous_inside_ && silent > 0) {  // the run ended with the last line
+        send_edge(line.row, line.first_col);
+        previous_inside_ = false;
+        --silent;
+    }
+    clock_.iterate(0, static_cast<std::uint64_t>(silent));
+    if (line.before > 0) {
+        previous_row_ = line.row;
+        previous_col_ = line.col(line.before - 1);
+    }
+    if (line.inside > 0) {
+        send_fragments(line);
+        previous_inside_ = true;
+    }
+    if (line.after > 0 && previous_inside_) {
+        send_edge(line.row, line.col(line.before + line.inside));
+        previous_inside_ = false;
+        clock_.iterate(0, static_cast<std::uint64_t>(line.after - 1));
+    } else {
+        clock_.iterate(0, static_cast<std::uint64_t>(line.after));
+    }
+    previous_row_ = line.row;
+    previous_col_ = line.col(line.pixels() - 1);
+}
+
+/// The run of covered pixels. Where the scan comes in from outside, the pixel before is an edge; it is sent by an
+/// iteration of its own after the first covered pixel, unless the triangle ends there (as in A.1, which then loses it).
+void Rasterizer::send_fragments(datapath::ScanLine const& line) {
+    auto const count = static_cast<std::size_t>(line.inside);
+    bool const enters = !previous_inside_;
+    bool const ends_here = line.last && line.inside == 1 && line.after == 0;
+    bool const flushes = enters && !ends_here;
+    command_->await_room();
+    fragment_depth_->await_room();
+    fragment_index_->await_room();
+    edge_token_->await_room();
+    std::fill_n(command_->reserve(count), count, Command::Fragment);
+    std::int64_t* depth = fragment_depth_->reserve(count);
+    FragmentIndex* index = fragment_index_->reserve(count);
+    EdgeToken* token = edge_token_->reserve(count + 1);
+    std::int64_t z_sum = line.z_sum;
+    auto const row = static_cast<std::int16_t>(line.row - row_offset_);
+    int col = line.col(line.before) - col_offset_;
+    for (std::size_t i = 0; i < count; ++i) {
+        depth[i] = z_sum;
+        z_sum += line.z_sum_per_step;
+        index[i] = {row, static_cast<std::int16_t>(col)};
+        *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Object};
+        if (i == 0 && flushes)
+            *token++ = token_at(previous_row_, previous_col_, EdgeTokenKind::Edge);
+        col += line.step;
+    }
+    command_->commit(count);
+    fragment_depth_->commit(count);
+    fragment_index_->commit(count);
+    edge_token_->commit(count + (flushes ? 1 : 0));
+    if (flushes) {
+        clock_.iterate(fragment_ports_, 1);
+        clock_.iterate(edge_port_, 1);
+        clock_.iterate(fragment_ports_, count - 1);
+    } else {
+        clock_.iterate(fragment_ports_, count);
+    }
+}
+
+void Rasterizer::send_edge(int row, int col) {
+    edge_token_->await_room();
+    *edge_token_->reserve(1) = token_at(row, col, EdgeTokenKind::Edge);
+    edge_token_->commit(1);
+    clock_.iterate(edge_port_, 1);
+}
+
+void Rasterizer::end_sample() {
+    clock_.advance(1);
+    {
+        Step const step(clock_);
+        command_out.write(Command::End);
+        edge_token_out.write({0, 0, EdgeTokenKind::End});
+    }
+    clock_.advance(1);
+}
+
+EdgeToken Rasterizer::token_at(int row, int col, EdgeTokenKind kind) const {
+    return {static_cast<std::int16_t>(row - row_offset_), static_cast<std::int16_t>(col - col_offset_), kind};
+}
+
+}  // namespace faster

@@ -1,0 +1,25 @@
+#include "modules/result_collector.hpp"
+
+#include "channels/port_binding.hpp"
+
+namespace faster {
+
+ResultCollector::ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core)
+    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    SC_THREAD(run);
+}
+
+void ResultCollector::end_of_elaboration() { clock_.connect_reads(channel_of(result_in)); }
+
+void ResultCollector::run() {
+    for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        results_.push_back(result_in.read());
+        clock_.stamp();
+        clock_.advance(1);
+        clock_.resolve();  // all of the sample is known now: a good moment to give it its cycles
+        if (core_.progress)
+            core_.progress();
+    }
+}
+
+}  // namespace faster

@@ -1,0 +1,34 @@
+#pragma once
+#include <systemc>
+#include <vector>
+
+#include "common/tokens.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Takes the samples' counters to the host.
+///   in    result_in  one per sample
+///   time  one step per sample
+/// Source: SPEC section 3.
+class ResultCollector : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<SampleCounters> result_in{"result_in"};
+
+    SC_HAS_PROCESS(ResultCollector);
+    ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core);
+    /// By sample of this core.
+    std::vector<SampleCounters> const& results() const { return results_; }
+    /// Its stamps are the cycles of the result reads: the samples' end cycles.
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    std::vector<SampleCounters> results_;
+};
+
+}  // namespace faster

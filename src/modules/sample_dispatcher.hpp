@@ -1,0 +1,31 @@
+#pragma once
+#include <systemc>
+
+#include "common/tokens.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Starts the samples of a core, one after the other: tells the vertex, raster and observation stages what to work on.
+///   out   sample_vertex_out, sample_raster_out, sample_observation_out: one header per sample each, together
+///   time  one step per sample
+/// Source: SPEC sections 1 and 3.
+class SampleDispatcher : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_out<SampleHeader> sample_vertex_out{"sample_vertex_out"};
+    sc_core::sc_fifo_out<SampleHeader> sample_raster_out{"sample_raster_out"};
+    sc_core::sc_fifo_out<SampleHeader> sample_observation_out{"sample_observation_out"};
+
+    SC_HAS_PROCESS(SampleDispatcher);
+    SampleDispatcher(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+};
+
+}  // namespace faster

@@ -1,0 +1,38 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "common/tokens.hpp"
+#include "datapath/vertex_transform.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// Brings a sample's triangles into the rasterizer's formats: from the mesh under the sample's pose, or from a trace.
+///   in    sample_vertex_in  one header per sample
+///   out   vertex_out        three vertices per triangle, in mesh order
+///   time  loop `vertex`, one vertex per iteration
+/// Source: SPEC sections 2 and 3 (the thesis does not time its vertex stage).
+class VertexTransform : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<SampleHeader> sample_vertex_in{"sample_vertex_in"};
+    sc_core::sc_fifo_out<VertexCode> vertex_out{"vertex_out"};
+
+    SC_HAS_PROCESS(VertexTransform);
+    VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core);
+    ProcessClock const& clock() const { return clock_; }
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    TriangleCode const* triangles_of(SampleHeader const& header);
+    void send(TriangleCode const* triangles, std::size_t count);
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    datapath::VertexTransformer transformer_;
+    std::vector<TriangleCode> triangles_;
+    unsigned vertex_loop_ = 0;
+};
+
+}  // namespace faster

@@ -1,0 +1,60 @@
+#include "reference/inlier_sweep.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace faster::reference {
+namespace {
+
+// The lengths of thesis A.3 as depth codes.
+struct Limits {
+    explicit Limits(int fraction_bits)
+        : drawn(std::int64_t{2} << fraction_bits), valid(std::int64_t{3} << fraction_bits), fraction(fraction_bits) {}
+
+    // 0.008 m in ufixed<8,0> is 2/256, that is difference / 2^fraction <= 1 / 2^7; exact also below 7 bits.
+    bool near(std::int64_t difference) const { return (std::abs(difference) << 7) <= (std::int64_t{1} << fraction); }
+
+    std::int64_t drawn;  // below: something is drawn here
+    std::int64_t valid;  // up to here: an observation counts
+    int fraction;
+};
+
+// An edge pixel lies just outside the object, so its depth is that of a neighbour: below, above, right, left.
+std::int64_t neighbour_depth(Image<std::uint16_t> const& depth, int row, int col, Limits const& limits) {
+    std::int64_t const neighbours[] = {depth.at(row + 1, col), depth.at(row - 1, col), depth.at(row, col + 1),
+                                       depth.at(row, col - 1)};
+    for (std::int64_t const neighbour : neighbours) {
+        if (neighbour < limits.drawn) {
+            return neighbour;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, SampleCounters& counters) {
+    Limits const limits(depth_fraction_bits);
+    for (int row = 1; row < maps.edge_map.height() - 1; ++row) {
+        for (int col = 1; col < maps.edge_map.width() - 1; ++col) {
+            bool const edge = maps.edge_map.at(row, col) != 0;
+            std::int64_t const seen = observed.depth.at(row, col);
+            std::int64_t const drawn =
+                edge ? neighbour_depth(maps.depth_buffer, row, col, limits) : maps.depth_buffer.at(row, col);
+            if (edge) {
+                ++counters.valid_edge;
+            }
+            if (drawn < limits.drawn && limits.near(drawn - seen)) {
+                ++counters.inlier;
+                if (edge && observed.edges.at(row, col) != 0) {
+                    ++counters.edge_inlier;
+                }
+            }
+            if (seen <= limits.valid) {
+                ++counters.valid_depth;
+            }
+        }
+    }
+}
+
+}  // namespace faster::reference

@@ -1,0 +1,12 @@
+#pragma once
+#include "common/stimulus.hpp"
+#include "common/tokens.hpp"
+#include "reference/observed_window.hpp"
+
+namespace faster::reference {
+
+/// Compares what was drawn with what was observed, pixel by pixel without the border of the window (SPEC section 2,
+/// InlierUnit; thesis A.3). Adds to every counter but valid_raster. `maps` and `observed` are W x W.
+void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, SampleCounters& counters);
+
+}  // namespace faster::reference

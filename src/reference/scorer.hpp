@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+
+#include "common/sample_score.hpp"
+#include "common/stimulus.hpp"
+#include "reference/depth_buffer.hpp"
+#include "reference/observed_window.hpp"
+#include "reference/vertex_transform.hpp"
+
+namespace faster::reference {
+
+/// Scores the samples of a stimulus in any order: everything of SPEC section 2, without any notion of time. Buffers are
+/// kept between samples. The stimulus is held by reference and must not change.
+class Scorer {
+  public:
+    /// `flush_last` is the key accelerator.edge_map.flush_last. Throws InputError if the stimulus does not hang
+    /// together (a window below 1 px, images of another size, a triangle range outside, poses missing) or its fraction
+    /// bits need more than 128 bit arithmetic.
+    explicit Scorer(Stimulus const& stimulus, bool flush_last = false);
+
+    /// Scores one sample; throws std::out_of_range if there is no such sample.
+    SampleCounters run(std::size_t sample);
+
+    /// The W x W pictures of the last sample run; overwritten by the next.
+    SampleMaps const& maps() const { return maps_; }
+
+    /// run() and a copy of maps().
+    SampleScore score(std::size_t sample) { return {run(sample), maps_}; }
+
+  private:
+    struct TriangleRange {
+        TriangleCode const* first;
+        TriangleCode const* last;
+        TriangleCode const* begin() const { return first; }
+        TriangleCode const* end() const { return last; }
+    };
+
+    TriangleRange triangles_of(std::size_t sample);
+
+    Stimulus const& stimulus_;
+    bool flush_last_;
+    FragmentDepth fragment_depth_;
+    std::optional<VertexTransform> vertex_transform_;  // of a posed stimulus
+    SampleMaps maps_;
+    ObservedWindow observed_;
+};
+
+}  // namespace faster::reference

@@ -1,0 +1,21 @@
+#pragma once
+#include <functional>
+
+#include "common/stimulus.hpp"
+#include "config/run_config.hpp"
+#include "modules/core_context.hpp"
+#include "stats/run_statistics.hpp"
+
+namespace faster {
+
+struct SimulationOptions {
+    SampleProbe* probe = nullptr;                       ///< sees the maps of every sample; may be null
+    std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
+};
+
+/// Builds the accelerator, runs it until nothing moves, and collects its figures. A deadlock is a result, not an error:
+/// see RunStatistics::stuck. The SystemC kernel elaborates once per process, so call this once per process.
+RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                       SimulationOptions const& options = {});
+
+}  // namespace faster

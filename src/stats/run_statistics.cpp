@@ -1,0 +1,33 @@
+#include "stats/run_statistics.hpp"
+
+#include <algorithm>
+
+namespace faster {
+
+Cycles RunStatistics::deadlock_cycle() const {
+    Cycles latest = 0;
+    for (StuckProcess const& process : stuck)
+        latest = std::max(latest, process.since_cycle);
+    return latest;
+}
+
+std::vector<StuckProcess> RunStatistics::wait_cycle() const {
+    auto const successor = [this](StuckProcess const& process) {
+        return std::find_if(stuck.begin(), stuck.end(), [&process](StuckProcess const& other) {
+            return other.core == process.core && other.process == process.waits_for;
+        });
+    };
+    for (auto start = stuck.begin(); start != stuck.end(); ++start) {
+        std::vector<StuckProcess> path;
+        auto at = start;
+        do {
+            path.push_back(*at);
+            at = successor(*at);
+        } while (at != stuck.end() && at != start && path.size() <= stuck.size());
+        if (at == start)
+            return path;
+    }
+    return {};
+}
+
+}  // namespace faster

@@ -1,0 +1,83 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/cycles.hpp"
+
+namespace faster::timing {
+
+/// What a FIFO is, as far as time is concerned.
+struct FifoShape {
+    std::string name;
+    std::uint64_t capacity = 2;  ///< C: tokens that fit
+    Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
+    Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
+    Cycles issue_latency = 0;    ///< stages of a flushing pipeline in front of the FIFO, which hold tokens of their own
+};
+
+/// The cycle of every access to one clocked FIFO (SPEC section 3): the n-th write happens at s_n >= r_(n-C) + 1, the
+/// n-th read at r_n >= s_n + Lf. Knows no data and no SystemC. Accesses are entered in order, each side on its own; a
+/// side may run ahead of the other only as far as these rules let it know its earliest legal cycle.
+///
+/// With an issue latency (area_reciprocal) the writer enters the cycle in which it issues a token; the token counts as
+/// written issue_latency cycles later, and the pipeline's stages add to the room: issue_n >= r_(n-C-issue_latency) + 1.
+class FifoTiming {
+  public:
+    explicit FifoTiming(FifoShape shape);
+
+    std::string const& name() const { return shape_.name; }
+    FifoShape const& shape() const { return shape_; }
+    std::uint64_t writes() const { return writes_; }
+    std::uint64_t reads() const { return reads_; }
+    std::uint64_t max_occupancy() const { return max_occupancy_; }
+    Cycles full_stall_cycles() const { return full_stall_cycles_; }
+    Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
+
+    /// Number of further writes (reads) whose earliest legal cycle is known by now.
+    std::uint64_t known_writes() const { return room_ - (writes_ - reads_); }
+    std::uint64_t known_reads() const { return writes_ - reads_; }
+
+    /// Earliest legal cycle of the i-th next write (read); i below known_writes() (known_reads()).
+    Cycles earliest_write(std::uint64_t i = 0) const { return free_from_[(writes_ + i - room_) & index_mask_]; }
+    Cycles earliest_read(std::uint64_t i = 0) const { return readable_from_[(reads_ + i) & index_mask_]; }
+
+    /// Enters the next write (read) in `cycle`, which must be legal. O(1), the largest occupancy included.
+    void write(Cycles cycle) {
+        readable_from_[writes_ & index_mask_] = cycle + shape_.issue_latency + shape_.read_latency;
+        Cycles const written = cycle + shape_.issue_latency;
+        // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs whose
+        // read is not known yet are looked at when it is.
+        if (max_occupancy_ < shape_.capacity && writes_ >= max_occupancy_ && writes_ - max_occupancy_ < reads_ &&
+            free_from_[(writes_ - max_occupancy_) & index_mask_] > written + 1)
+            ++max_occupancy_;
+        ++writes_;
+        max_occupancy_ = max_occupancy_ == 0 ? 1 : max_occupancy_;  // a token stays for a cycle at least (Lf >= 1)
+    }
+    void read(Cycles cycle) {
+        free_from_[reads_ & index_mask_] = cycle + 1;
+        while (max_occupancy_ < shape_.capacity && reads_ + max_occupancy_ < writes_ &&
+               readable_from_[(reads_ + max_occupancy_) & index_mask_] < cycle + shape_.read_latency)
+            ++max_occupancy_;
+        ++reads_;
+    }
+
+    void add_full_stall(Cycles cycles) { full_stall_cycles_ += cycles; }
+    void add_empty_stall(Cycles cycles) { empty_stall_cycles_ += cycles; }
+
+  private:
+    friend class SteadyState;
+
+    FifoShape shape_;
+    std::uint64_t room_;        // capacity and pipeline stages
+    std::uint64_t index_mask_;  // rings of the last accesses; a power of two above room_
+    std::uint64_t writes_ = 0;
+    std::uint64_t reads_ = 0;
+    std::uint64_t max_occupancy_ = 0;
+    Cycles full_stall_cycles_ = 0;
+    Cycles empty_stall_cycles_ = 0;
+    std::vector<Cycles> readable_from_;  // of write n: s_n + Lf
+    std::vector<Cycles> free_from_;      // of read n: r_n + 1; zero before the first read
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,81 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace faster::timing {
+
+/// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. A port mask
+/// has one bit per port of the process, in the program order of a step.
+struct Operation {
+    enum class Kind : std::uint8_t {
+        wait,     ///< T += count
+        step,     ///< the accesses of `ports` together, then T += count
+        enter,    ///< enter pipelined loop number `count`
+        iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing
+        leave,    ///< drain the loop and leave it
+        stamp,    ///< note the local time
+    };
+    Kind kind = Kind::wait;
+    std::uint8_t ports = 0;
+    std::uint16_t gap = 0;
+    std::uint32_t count = 0;
+};
+
+/// The operations of one process, in program order, waiting for their time. Equal neighbours are kept as one.
+class OperationLog {
+  public:
+    void wait(std::uint32_t cycles) {
+        Operation& last = operations_.back();
+        bool const extends = !exhausted() && (last.kind == Operation::Kind::step || last.kind == Operation::Kind::wait);
+        if (extends && last.count <= std::numeric_limits<std::uint32_t>::max() - cycles)
+            last.count += cycles;
+        else
+            operations_.push_back({Operation::Kind::wait, 0, 0, cycles});
+    }
+    void step(std::uint8_t ports, std::uint32_t cycles_after) {
+        operations_.push_back({Operation::Kind::step, ports, 0, cycles_after});
+    }
+    void enter(std::uint32_t loop) { operations_.push_back({Operation::Kind::enter, 0, 0, loop}); }
+    void leave() { operations_.push_back({Operation::Kind::leave, 0, 0, 0}); }
+    void stamp() { operations_.push_back({Operation::Kind::stamp, 0, 0, 0}); }
+
+    void iterate(std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+        if (count == 0)
+            return;
+        Operation& last = operations_.back();
+        if (!exhausted() && last.kind == Operation::Kind::iterate && last.ports == ports && last.gap == gap &&
+            last.count <= std::numeric_limits<std::uint32_t>::max() - count)
+            last.count += count;
+        else
+            operations_.push_back({Operation::Kind::iterate, ports, gap, count});
+    }
+
+    bool exhausted() const { return next_ == operations_.size(); }
+    std::size_t pending() const { return operations_.size() - next_; }
+    Operation& front() { return operations_[next_]; }
+    Operation const& front() const { return operations_[next_]; }
+
+    /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
+    void consume() {
+        if (++next_ == operations_.size()) {
+            operations_.resize(1);
+            operations_.front() = Operation{};
+            next_ = 1;
+        }
+    }
+
+    /// Gives back the room of operations long gone, so that a process that is always ahead does not fill the memory.
+    void compact() {
+        if (next_ > 4096 && 2 * next_ > operations_.size()) {
+            operations_.erase(operations_.begin() + 1, operations_.begin() + static_cast<std::ptrdiff_t>(next_));
+            next_ = 1;
+        }
+    }
+
+  private:
+    std::vector<Operation> operations_{Operation{}};
+    std::size_t next_ = 1;
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,337 @@
+#include "timing/process_timing.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace faster::timing {
+
+namespace {
+constexpr unsigned max_ports = 8;
+
+unsigned lowest_bit(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
+std::uint8_t bit(unsigned port) { return static_cast<std::uint8_t>(1U << port); }
+
+template <class Visit>
+void for_each_port(std::uint32_t mask, Visit visit) {
+    for (; mask != 0; mask &= mask - 1)
+        visit(lowest_bit(mask));
+}
+}  // namespace
+
+unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
+    if (ports_.size() == max_ports)
+        throw std::logic_error(name_ + ": a process has at most 8 ports");
+    ports_.push_back({&fifo, writes, 0});
+    return static_cast<unsigned>(ports_.size() - 1);
+}
+
+unsigned ProcessTiming::add_reads(FifoTiming& fifo) { return add_port(fifo, false); }
+unsigned ProcessTiming::add_writes(FifoTiming& fifo) { return add_port(fifo, true); }
+
+unsigned ProcessTiming::add_loop(LoopShape shape) {
+    LoopPlan plan;
+    plan.ii = shape.interval.achieved;
+    Cycles shortest = shape.writes.empty() ? 0 : shape.writes.front().write_latency;
+    for (LoopWrite const& write : shape.writes)
+        shortest = std::min(shortest, write.write_latency);
+    std::map<Cycles, Phase> phases;
+    for (LoopWrite const& write : shape.writes) {
+        Cycles const behind = write.write_latency - shortest;
+        plan.aligned = plan.aligned && behind == 0;
+        plan.longest_lag = std::max(plan.longest_lag, behind / plan.ii);
+        Phase& phase = phases[behind % plan.ii];
+        phase.offset = behind % plan.ii;
+        phase.ports.emplace_back(write.port, behind / plan.ii);
+    }
+    for (auto& phase : phases)
+        plan.phases.push_back(std::move(phase.second));
+    plan.fill = shortest;
+    plan.drain = static_cast<std::int64_t>(shape.depth) - static_cast<std::int64_t>(plan.ii + shortest);
+    plan.delay_line.assign(plan.longest_lag + 1, 0);
+    plans_.push_back(std::move(plan));
+    loops_.push_back(std::move(shape));
+    loop_counters_.emplace_back();
+    return static_cast<unsigned>(loops_.size() - 1);
+}
+
+ProcessTiming::Status ProcessTiming::front() {
+    if (front_ports_ == 0 && !find_step())
+        return Status::exhausted;
+    for (std::uint32_t mask = front_ports_; mask != 0; mask &= mask - 1) {
+        Port const& port = ports_[lowest_bit(mask)];
+        if ((port.writes ? port.fifo->known_writes() : port.fifo->known_reads()) == 0) {
+            blocking_port_ = lowest_bit(mask);
+            return Status::blocked;
+        }
+    }
+    return Status::ready;
+}
+
+Cycles ProcessTiming::front_cycle() const {
+    Cycles cycle = time_;
+    for_each_port(front_ports_, [&](unsigned number) {
+        Port const& port = ports_[number];
+        cycle = std::max(cycle, port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read());
+    });
+    return cycle;
+}
+
+/// Waits for each access in program order, charging what each adds, then lets them happen together.
+void ProcessTiming::perform(std::uint8_t ports) {
+    for_each_port(ports, [this](unsigned number) {
+        Port const& port = ports_[number];
+        Cycles const earliest = port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read();
+        if (earliest <= time_)
+            return;
+        Cycles const stall = earliest - time_;
+        time_ = earliest;
+        if (port.writes) {
+            port.fifo->add_full_stall(stall);
+            counters_.full_stall_cycles += stall;
+        } else {
+            port.fifo->add_empty_stall(stall);
+            counters_.empty_stall_cycles += stall;
+        }
+    });
+    for_each_port(ports, [this](unsigned number) {
+        Port const& port = ports_[number];
+        if (port.writes)
+            port.fifo->write(time_);
+        else
+            port.fifo->read(time_);
+    });
+}
+
+void ProcessTiming::commit_front() {
+    perform(front_ports_);
+    front_ports_ = 0;
+    Operation& operation = log_.front();
+    if (operation.kind == Operation::Kind::step) {
+        time_ += operation.count;
+        log_.consume();
+    } else if (plan().aligned) {
+        time_ += plan().ii * (1U + operation.gap);
+        end_iterations(1);
+    } else {
+        ++pipeline_.phase;
+    }
+}
+
+std::uint32_t ProcessTiming::advance() {
+    std::uint32_t woken = 0;
+    for (;;) {
+        if (!run_.active) {
+            if (front() != Status::ready)
+                return woken;
+            Operation const& operation = log_.front();
+            if (operation.kind != Operation::Kind::iterate || !plan().aligned) {
+                for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
+                commit_front();
+                continue;
+            }
+            start_run(operation);
+        }
+        std::uint32_t const wanted = log_.front().count;
+        std::uint32_t const done = (this->*run_.accesses)(wanted);
+        if (done == 0)
+            return woken;
+        woken |= run_.neighbours;
+        end_iterations(done);
+        if (done < wanted)
+            return woken;
+        run_.active = false;
+        front_ports_ = 0;
+    }
+}
+
+/// Moves time and log to the next step that accesses anything; false: the log is exhausted.
+bool ProcessTiming::find_step() {
+    while (!log_.exhausted()) {
+        Operation& operation = log_.front();
+        switch (operation.kind) {
+            case Operation::Kind::wait:
+                time_ += operation.count;
+                log_.consume();
+                break;
+            case Operation::Kind::step:
+                front_ports_ = operation.ports;
+                return true;
+            case Operation::Kind::enter:
+                enter_loop(operation.count);
+                log_.consume();
+                break;
+            case Operation::Kind::iterate:
+                if (find_step_in_iterations(operation))
+                    return true;
+                break;
+            case Operation::Kind::leave:
+                if (find_step_while_draining())
+                    return true;
+                count_loop();
+                log_.consume();
+                break;
+            case Operation::Kind::stamp:
+                stamps_.push_back(time_);
+                log_.consume();
+                break;
+        }
+    }
+    return false;
+}
+
+bool ProcessTiming::find_step_in_iterations(Operation& operation) {
+    if (plan().aligned) {
+        if (operation.ports != 0) {
+            front_ports_ = operation.ports;
+            return true;
+        }
+        time_ += plan().ii * (1U + operation.gap) * operation.count;
+        end_iterations(operation.count);
+        return false;
+    }
+    if (find_step_in_pipeline(pipeline_.gap_left > 0 ? std::uint8_t{0} : operation.ports))
+        return true;
+    // An iteration ended: one of those with accesses, or one of the `gap` that follow it.
+    pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap;
+    if (pipeline_.gap_left == 0)
+        end_iterations(1);
+    return false;
+}
+
+void ProcessTiming::end_iterations(std::uint32_t count) {
+    Operation& operation = log_.front();
+    iterations_ += std::uint64_t{count} * (1U + operation.gap);
+    operation.count -= count;
+    if (operation.count == 0)
+        log_.consume();
+}
+
+void ProcessTiming::open_iteration(std::uint8_t ports) {
+    plan().delay_line[pipeline_.iteration % plan().delay_line.size()] = ports;
+    pipeline_.open = true;
+    pipeline_.phase = 0;
+    pipeline_.offset = 0;
+}
+
+/// Moves through the II steps of one iteration of an unaligned loop; true: at a step with accesses, false: at its end.
+bool ProcessTiming::find_step_in_pipeline(std::uint8_t ports) {
+    LoopPlan& loop = plan();
+    if (!pipeline_.open)
+        open_iteration(ports);
+    for (; pipeline_.phase < loop.phases.size(); ++pipeline_.phase) {
+        Phase const& phase = loop.phases[pipeline_.phase];
+        time_ += phase.offset - pipeline_.offset;
+        pipeline_.offset = phase.offset;
+        for (auto const& [port, lag] : phase.ports)
+            if (pipeline_.iteration >= lag)
+                front_ports_ |= static_cast<std::uint8_t>(
+                    loop.delay_line[(pipeline_.iteration - lag) % loop.delay_line.size()] & bit(port));
+        if (front_ports_ != 0)
+            return true;
+    }
+    time_ += loop.ii - pipeline_.offset;
+    pipeline_.open = false;
+    ++pipeline_.iteration;
+    return false;
+}
+
+/// Lets an unaligned loop's last tokens leave; then moves to the end of the loop's last stage.
+bool ProcessTiming::find_step_while_draining() {
+    LoopPlan& loop = plan();
+    for (; pipeline_.drain_left > 0; --pipeline_.drain_left)
+        if (find_step_in_pipeline(0))
+            return true;
+    // The steps that draining walked through belong to the loop's depth, of which `drain` is the rest.
+    move(loop.drain - static_cast<std::int64_t>(loop.longest_lag * loop.ii));
+    return false;
+}
+
+void ProcessTiming::enter_loop(unsigned loop) {
+    current_loop_ = loop;
+    iterations_ = 0;
+    time_ += plan().fill;
+    pipeline_ = PipelinePosition{};
+    pipeline_.drain_left = plan().longest_lag;
+}
+
+void ProcessTiming::count_loop() {
+    LoopShape const& shape = loops_[current_loop_];
+    LoopCounters& counters = loop_counters_[current_loop_];
+    counters.entries += 1;
+    counters.iterations += iterations_;
+    // A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop there.
+    Cycles const unstalled = (iterations_ - 1) * shape.interval.achieved + shape.depth;
+    Cycles const recurrence = std::min(unstalled, iterations_ * shape.interval.recurrence_per_iteration);
+    Cycles const conflicts = iterations_ * shape.interval.port_conflict_per_iteration;
+    counters_.recurrence_cycles += recurrence;
+    counters_.port_conflict_cycles += std::min(conflicts, unstalled - recurrence);
+}
+
+/// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.
+template <unsigned N, bool Writes>
+std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
+    FifoTiming* fifos[N];
+    Cycles stalls[N] = {};
+    std::uint64_t known = count;
+    for (unsigned i = 0; i < N; ++i) {
+        fifos[i] = run_.fifos[i];
+        known = std::min(known, Writes ? fifos[i]->known_writes() : fifos[i]->known_reads());
+    }
+    Cycles time = time_;
+    for (std::uint64_t k = 0; k < known; ++k) {
+        for (unsigned i = 0; i < N; ++i) {
+            Cycles const earliest = Writes ? fifos[i]->earliest_write() : fifos[i]->earliest_read();
+            Cycles const later = std::max(earliest, time);
+            stalls[i] += later - time;
+            time = later;
+        }
+        for (unsigned i = 0; i < N; ++i)
+            Writes ? fifos[i]->write(time) : fifos[i]->read(time);
+        time += run_.stride;
+    }
+    time_ = time;
+    for (unsigned i = 0; i < N; ++i) {
+        Writes ? fifos[i]->add_full_stall(stalls[i]) : fifos[i]->add_empty_stall(stalls[i]);
+        (Writes ? counters_.full_stall_cycles : counters_.empty_stall_cycles) += stalls[i];
+    }
+    return static_cast<std::uint32_t>(known);
+}
+
+template <bool Writes>
+void ProcessTiming::choose_accesses() {
+    switch (run_.size) {
+        case 1: run_.accesses = &ProcessTiming::run_accesses<1, Writes>; break;
+        case 2: run_.accesses = &ProcessTiming::run_accesses<2, Writes>; break;
+        case 3: run_.accesses = &ProcessTiming::run_accesses<3, Writes>; break;
+        case 4: run_.accesses = &ProcessTiming::run_accesses<4, Writes>; break;
+        default: throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
+    }
+}
+
+void ProcessTiming::start_run(Operation const& operation) {
+    run_.active = true;
+    run_.size = 0;
+    run_.neighbours = 0;
+    for_each_port(operation.ports, [this](unsigned number) {
+        if (run_.size == 4)
+            throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
+        Port const& port = ports_[number];
+        run_.fifos[run_.size++] = port.fifo;
+        run_.writes = port.writes;
+        run_.neighbours |= port.neighbour;
+    });
+    run_.stride = plan().ii * (1U + operation.gap);
+    run_.writes ? choose_accesses<true>() : choose_accesses<false>();
+}
+
+std::string ProcessTiming::position() const {
+    if (log_.exhausted())
+        return "done";
+    Operation::Kind const kind = log_.front().kind;
+    if (kind != Operation::Kind::iterate && kind != Operation::Kind::leave)
+        return "between loops";
+    return "loop " + loops_[current_loop_].name + ", iteration " + std::to_string(iterations_);
+}
+
+}  // namespace faster::timing

@@ -1,0 +1,170 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/cycles.hpp"
+#include "timing/fifo_timing.hpp"
+#include "timing/initiation_interval.hpp"
+#include "timing/operation.hpp"
+
+namespace faster::timing {
+
+/// A FIFO written by a loop: the token of iteration i leaves in step i * II + write_latency.
+struct LoopWrite {
+    unsigned port = 0;
+    Cycles write_latency = 0;  ///< Lw, below the loop's depth
+};
+
+/// One pipelined loop of a process (SPEC section 3). A loop that writes reads nothing: no loop of the machine does both.
+struct LoopShape {
+    std::string name;
+    InitiationInterval interval;
+    Cycles depth = 1;               ///< L
+    std::vector<LoopWrite> writes;  ///< empty: the loop only reads, each iteration in its first step
+};
+
+struct LoopCounters {
+    std::uint64_t entries = 0;  ///< with at least one iteration
+    std::uint64_t iterations = 0;
+};
+
+/// Where the cycles of a process went so far, besides useful work. Idle and busy cycles follow from the total.
+struct ProcessCounters {
+    Cycles empty_stall_cycles = 0;
+    Cycles full_stall_cycles = 0;
+    Cycles port_conflict_cycles = 0;
+    Cycles recurrence_cycles = 0;
+};
+
+/// Gives every operation of one process its cycle. The local time T moves by what an operation takes and by waiting for
+/// accesses to become legal; nothing else. The only place where the timing contract's step and pipelined loop live: both
+/// engines drive it, `lockstep` one step at a time (front, commit_front), `decoupled` as far as it goes (advance).
+class ProcessTiming {
+  public:
+    enum class Status { exhausted, blocked, ready };
+
+    explicit ProcessTiming(std::string name, unsigned index) : name_(std::move(name)), index_(index) {}
+
+    /// Ports in program order of a step. Return the port's number; at most 8.
+    unsigned add_reads(FifoTiming& fifo);
+    unsigned add_writes(FifoTiming& fifo);
+    unsigned add_loop(LoopShape shape);
+
+    OperationLog& log() { return log_; }
+
+    /// Moves over everything that accesses nothing, up to the next step. `blocked`: an access of that step has no known
+    /// earliest cycle yet, because the other side of its FIFO (blocking_port()) has not got there.
+    Status front();
+    /// The cycle in which the front step happens; front() said `ready`.
+    Cycles front_cycle() const;
+    std::uint8_t front_ports() const { return front_ports_; }
+    void commit_front();
+
+    /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
+    std::uint32_t advance();
+    /// Tells which process is at the other end of a port, as a bit for advance().
+    void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
+
+    std::string const& name() const { return name_; }
+    unsigned index() const { return index_; }
+    Cycles local_time() const { return time_; }
+    bool finished() const { return log_.exhausted(); }
+    std::vector<Cycles> const& stamps() const { return stamps_; }
+    ProcessCounters const& counters() const { return counters_; }
+    std::size_t port_count() const { return ports_.size(); }
+    FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
+    bool writes(unsigned port) const { return ports_[port].writes; }
+    std::vector<LoopShape> const& loops() const { return loops_; }
+    LoopCounters const& loop_counters(unsigned loop) const { return loop_counters_[loop]; }
+    /// The port that front() found blocked.
+    unsigned blocking_port() const { return blocking_port_; }
+    /// The port whose next token the process itself waits for before it can say what it does next; -1: none.
+    int starving_port() const { return starving_port_; }
+    void set_starving(int port) { starving_port_ = port; }
+    /// Where the process is, for people: "scan, iteration 12".
+    std::string position() const;
+
+  private:
+    struct Port {
+        FifoTiming* fifo;
+        bool writes;
+        std::uint32_t neighbour = 0;
+    };
+    /// Accesses of a loop that share a sub-step of an iteration.
+    struct Phase {
+        Cycles offset = 0;                                      ///< steps after the iteration's first, below II
+        std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
+    };
+    /// How a loop's steps are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
+    /// needs no memory; otherwise the delay line holds what the last iterations have yet to write.
+    struct LoopPlan {
+        Cycles ii = 1;
+        Cycles fill = 0;         ///< steps before the first access of the first iteration
+        std::int64_t drain = 0;  ///< steps after the last iteration's II, in two's complement: may be negative
+        bool aligned = true;
+        std::uint64_t longest_lag = 0;  ///< iterations
+        std::vector<Phase> phases;
+        std::vector<std::uint8_t> delay_line;  ///< port masks of the last iterations, a ring
+    };
+    /// Where the process stands in an unaligned loop.
+    struct PipelinePosition {
+        std::uint64_t iteration = 0;
+        bool open = false;  ///< inside an iteration
+        std::size_t phase = 0;
+        Cycles offset = 0;
+        std::uint32_t gap_left = 0;
+        std::uint64_t drain_left = 0;
+    };
+
+    /// Iterations of an aligned loop that all access the same ports, all in one direction: the hot path.
+    struct Run {
+        bool active = false;
+        unsigned size = 0;  ///< ports
+        FifoTiming* fifos[4] = {};
+        bool writes = false;
+        Cycles stride = 1;  ///< cycles from one access to the next
+        std::uint32_t neighbours = 0;
+        std::uint32_t (ProcessTiming::*accesses)(std::uint32_t count) = nullptr;
+    };
+
+    unsigned add_port(FifoTiming& fifo, bool writes);
+    void move(std::int64_t cycles) { time_ += static_cast<Cycles>(cycles); }
+    LoopPlan& plan() { return plans_[current_loop_]; }
+    bool find_step();
+    bool find_step_in_iterations(Operation& operation);
+    bool find_step_in_pipeline(std::uint8_t ports);
+    bool find_step_while_draining();
+    void open_iteration(std::uint8_t ports);
+    void enter_loop(unsigned loop);
+    void count_loop();
+    void perform(std::uint8_t ports);
+    void end_iterations(std::uint32_t count);
+    void start_run(Operation const& operation);
+    template <bool Writes>
+    void choose_accesses();
+    template <unsigned N, bool Writes>
+    std::uint32_t run_accesses(std::uint32_t count);
+
+    std::string name_;
+    unsigned index_;
+    std::vector<Port> ports_;
+    std::vector<LoopShape> loops_;
+    std::vector<LoopPlan> plans_;
+    std::vector<LoopCounters> loop_counters_;
+    OperationLog log_;
+    Cycles time_ = 0;
+    ProcessCounters counters_;
+    std::vector<Cycles> stamps_;
+
+    std::uint8_t front_ports_ = 0;  ///< accesses of the step at hand; 0: none found yet
+    unsigned blocking_port_ = 0;
+    int starving_port_ = -1;
+    unsigned current_loop_ = 0;
+    std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
+    Run run_;
+    PipelinePosition pipeline_;
+    friend class SteadyState;
+};
+
+}  // namespace faster::timing

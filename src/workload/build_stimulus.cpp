@@ -1,0 +1,103 @@
+#include "workload/build_stimulus.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "common/input_error.hpp"
+#include "workload/object_mesh.hpp"
+#include "workload/object_pose.hpp"
+#include "workload/observed_edges.hpp"
+#include "workload/sample_poses.hpp"
+#include "workload/scene_renderer.hpp"
+#include "workload/sensor_noise.hpp"
+
+namespace faster::workload {
+namespace {
+
+/// SPEC section 2, sample header.
+constexpr double nearest_origin_m = 0.1;
+
+/// The table stands `table_height_m` below the camera's axis at the object's distance and slopes towards the camera.
+Plane table_plane(SceneConfig const& scene, Pose const& target) {
+    double const tilt = scene.table_tilt_deg * radians_per_degree;
+    return {{0, scene.table_height_m, target.translation.z()}, {0, -std::cos(tilt), -std::sin(tilt)}};
+}
+
+DepthImage rendered_scene(SceneConfig const& scene, Mesh const& target_mesh, Pose const& target, Camera const& camera) {
+    DepthImage depth(camera.height, camera.width);
+    draw_mesh(target_mesh, target, camera, depth);
+    for (std::size_t index = 0; index < scene.objects.size(); ++index) {
+        SceneObjectConfig const& object = scene.objects[index];
+        Mesh const mesh = object_mesh(object.object, fmt::format("workload.scene.objects[{}].object", index));
+        draw_mesh(mesh, configured_pose(object), camera, depth);
+    }
+    if (scene.table) {
+        draw_plane(table_plane(scene, target), camera, depth);
+    }
+    add_sensor_noise(depth, scene.noise, scene.seed);
+    return depth;
+}
+
+DepthImage observed_scene(WorkloadConfig const& config, Mesh const& target_mesh, Pose const& target) {
+    SceneConfig const& scene = config.scene;
+    if (!scene.depth_image.empty()) {
+        return load_depth_image(scene.depth_image, scene.depth_unit_m, config.camera, scene.downscale);
+    }
+    return rendered_scene(scene, target_mesh, target, downscaled(config.camera, scene.downscale));
+}
+
+/// Pixel coordinate of a projection, as an integer; `place` says whose it is.
+std::int32_t centre_pixel(double pixel, std::string const& place) {
+    double const floored = std::floor(pixel);
+    if (!(std::abs(floored) <= std::numeric_limits<std::int32_t>::max())) {
+        throw InputError(fmt::format("{} has its origin at pixel {}, expected one that fits 32 bits", place, pixel));
+    }
+    return static_cast<std::int32_t>(floored);
+}
+
+void require_in_front(double origin_z_m, std::string const& place, std::string const& hint) {
+    if (!(origin_z_m >= nearest_origin_m)) {
+        throw InputError(fmt::format("{} has its origin at z = {} m, expected at least {} m{}", place, origin_z_m,
+                                     nearest_origin_m, hint));
+    }
+}
+
+SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t index, std::size_t triangles) {
+    std::string const place = fmt::format("workload.samples: sample {}", index);
+    Eigen::Vector3d const& origin = pose.translation;
+    require_in_front(origin.z(), place, " (reduce workload.samples.translation_sigma_m)");
+    SampleInput sample;
+    sample.centre_row = centre_pixel(camera.fy * origin.y() / origin.z() + camera.cy, place);
+    sample.centre_col = centre_pixel(camera.fx * origin.x() / origin.z() + camera.cx, place);
+    sample.triangle_count = static_cast<std::uint32_t>(triangles);
+    return sample;
+}
+
+}  // namespace
+
+Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction) {
+    Pose const target = configured_pose(config.target);
+    require_in_front(target.translation.z(), "workload.pose.translation_m: the object", "");
+    Mesh const mesh = object_mesh(config.target.object, "workload.object");
+    DepthImage const depth = observed_scene(config, mesh, target);
+
+    Stimulus stimulus;
+    stimulus.posed.camera = downscaled(config.camera, config.scene.downscale);
+    stimulus.posed.mesh = simplified(mesh, config.max_triangles);
+    stimulus.posed.poses = sample_poses(target, config.samples);
+    stimulus.width = stimulus.posed.camera.width;
+    stimulus.height = stimulus.posed.camera.height;
+    stimulus.window = window;
+    stimulus.fraction = fraction;
+    for (std::size_t index = 0; index < stimulus.posed.poses.size(); ++index) {
+        stimulus.samples.push_back(
+            sample_input(stimulus.posed.poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size()));
+    }
+    stimulus.observed_depth = depth_codes(depth, fraction.depth_buffer);
+    stimulus.observed_edges = observed_edges(depth, stimulus.posed.camera, config.observed_edges);
+    return stimulus;
+}
+
+}  // namespace faster::workload

@@ -1,0 +1,42 @@
+#include "workload/depth_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/fixed_point.hpp"
+#include "io/png_image.hpp"
+
+namespace faster::workload {
+
+Camera downscaled(Camera const& camera, int n) {
+    return {(camera.width + n - 1) / n,
+            (camera.height + n - 1) / n,
+            camera.fx / n,
+            camera.fy / n,
+            camera.cx / n,
+            camera.cy / n};
+}
+
+DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale) {
+    Image<std::uint16_t> const raw = io::read_png16(path);
+    io::require_size(path, raw.width(), raw.height(), camera.width, camera.height, "workload.camera");
+    Camera const kept = downscaled(camera, downscale);
+    DepthImage depth(kept.height, kept.width);
+    for (int row = 0; row < kept.height; ++row) {
+        for (int column = 0; column < kept.width; ++column) {
+            depth.at(row, column) = unit_m * raw.at(row * downscale, column * downscale);
+        }
+    }
+    return depth;
+}
+
+Image<std::uint16_t> depth_codes(DepthImage const& depth, int fraction_bits) {
+    Image<std::uint16_t> codes(depth.height(), depth.width());
+    double const codes_per_m = std::ldexp(1.0, fraction_bits);  // a power of two: the product is exact
+    std::transform(depth.pixels().begin(), depth.pixels().end(), codes.pixels().begin(), [&](double depth_m) {
+        return static_cast<std::uint16_t>(std::clamp(depth_m * codes_per_m, 0.0, 1.0 * far_depth_code));
+    });
+    return codes;
+}
+
+}  // namespace faster::workload

@@ -1,0 +1,100 @@
+#include "workload/object_mesh.hpp"
+
+#include <fmt/format.h>
+#include <limits>
+#include <meshoptimizer.h>
+#include <vector>
+
+#include "common/input_error.hpp"
+#include "common/nearest_name.hpp"
+#include "io/mesh_file.hpp"
+#include "workload/models/builtin_models.hpp"
+
+namespace faster::workload {
+namespace {
+
+using Indices = std::vector<unsigned>;
+
+/// Relative to the size of the mesh: the number of triangles decides, not the error.
+constexpr float any_error = 1.0F;
+
+/// A mesh as meshoptimizer takes it.
+struct FlatMesh {
+    std::vector<float> positions;
+    Indices indices;
+
+    explicit FlatMesh(Mesh const& mesh) {
+        for (auto const& vertex : mesh.vertices) {
+            for (double const coordinate : {vertex.x(), vertex.y(), vertex.z()}) {
+                positions.push_back(static_cast<float>(coordinate));
+            }
+        }
+        for (auto const& face : mesh.faces) {
+            indices.insert(indices.end(), face.begin(), face.end());
+        }
+    }
+    std::size_t vertex_count() const { return positions.size() / 3; }
+    static constexpr std::size_t stride = 3 * sizeof(float);
+};
+
+Indices collapsed(FlatMesh const& mesh, std::size_t target_indices) {
+    Indices result(mesh.indices.size());
+    result.resize(meshopt_simplify(result.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions.data(),
+                                   mesh.vertex_count(), FlatMesh::stride, target_indices, any_error));
+    return result;
+}
+
+Indices clustered(FlatMesh const& mesh, std::size_t target_indices) {
+    Indices result(mesh.indices.size());
+    result.resize(meshopt_simplifySloppy(result.data(), mesh.indices.data(), mesh.indices.size(), mesh.positions.data(),
+                                         mesh.vertex_count(), FlatMesh::stride, target_indices, any_error));
+    return result;
+}
+
+/// The triangles named by `indices`, with only the vertices they use, in order of first use.
+Mesh compacted(Mesh const& mesh, Indices const& indices) {
+    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> new_index(mesh.vertices.size(), unused);
+    Mesh result;
+    result.faces.resize(indices.size() / 3);
+    for (std::size_t position = 0; position < indices.size(); ++position) {
+        std::uint32_t& index = new_index[indices[position]];
+        if (index == unused) {
+            index = static_cast<std::uint32_t>(result.vertices.size());
+            result.vertices.push_back(mesh.vertices[indices[position]]);
+        }
+        result.faces[position / 3][position % 3] = index;
+    }
+    return result;
+}
+
+}  // namespace
+
+Mesh object_mesh(std::string const& name, std::string const& key) {
+    if (name.find('/') != std::string::npos || io::has_mesh_extension(name)) {
+        return io::load_mesh(name);
+    }
+    if (!models::contains(name)) {
+        throw InputError(fmt::format("{} = {}, expected a built-in class or a mesh file{}", key, name,
+                                     did_you_mean(name, models::names())));
+    }
+    return models::make(name);
+}
+
+Mesh simplified(Mesh const& mesh, std::uint64_t max_triangles) {
+    if (max_triangles == 0 || mesh.faces.size() <= max_triangles) {
+        return mesh;
+    }
+    FlatMesh const flat(mesh);
+    std::size_t const target_indices = 3 * static_cast<std::size_t>(max_triangles);
+    Indices indices = collapsed(flat, target_indices);
+    if (indices.size() > target_indices + target_indices / 10) {
+        Indices const coarser = clustered(flat, target_indices);
+        if (!coarser.empty()) {
+            indices = coarser;
+        }
+    }
+    return compacted(mesh, indices);
+}
+
+}  // namespace faster::workload

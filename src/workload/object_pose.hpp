@@ -1,0 +1,12 @@
+#pragma once
+#include "common/mesh.hpp"
+#include "config/workload_config.hpp"
+
+namespace faster::workload {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+
+/// Object to camera frame as configured: rotation about the camera's x, then y, then z axis, then the translation.
+Pose configured_pose(SceneObjectConfig const& object);
+
+}  // namespace faster::workload

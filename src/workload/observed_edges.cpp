@@ -1,0 +1,121 @@
+#include "workload/observed_edges.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace faster::workload {
+namespace {
+
+/// Sum of points, and how many they are. A pixel without reading is the empty sum.
+struct PointSum {
+    double x = 0, y = 0, z = 0, points = 0;
+
+    PointSum& operator+=(PointSum const& other) { return add(other, 1); }
+    PointSum& operator-=(PointSum const& other) { return add(other, -1); }
+
+  private:
+    PointSum& add(PointSum const& other, double sign) {
+        x += sign * other.x;
+        y += sign * other.y;
+        z += sign * other.z;
+        points += sign * other.points;
+        return *this;
+    }
+};
+
+Image<PointSum> back_projected(DepthImage const& depth, Camera const& camera) {
+    Image<PointSum> cloud(depth.height(), depth.width());
+    for (int row = 0; row < depth.height(); ++row) {
+        double const y_per_z = (row - camera.cy) / camera.fy;
+        for (int column = 0; column < depth.width(); ++column) {
+            if (double const z = depth.at(row, column); z > 0) {
+                cloud.at(row, column) = {(column - camera.cx) / camera.fx * z, y_per_z * z, z, 1};
+            }
+        }
+    }
+    return cloud;
+}
+
+/// `square` includes the point itself, which adds nothing to the sum of differences but one to the count. Compares
+/// squares, to do without roots.
+bool is_edge(PointSum const& point, PointSum const& square, double threshold) {
+    double const neighbours = square.points - 1;
+    if (point.points == 0 || neighbours < 1) {
+        return false;
+    }
+    double const dx = square.x - square.points * point.x;
+    double const dy = square.y - square.points * point.y;
+    double const dz = square.z - square.points * point.z;
+    double const limit = threshold * neighbours;
+    double const distance_squared = point.x * point.x + point.y * point.y + point.z * point.z;
+    return dx * dx + dy * dy + dz * dz > limit * limit * distance_squared;
+}
+
+/// Sums over the rows within `radius` of `row`, per column, sliding down with it.
+class ColumnSums {
+  public:
+    ColumnSums(Image<PointSum> const& cloud, int radius)
+        : cloud_(cloud), radius_(radius), sums_(static_cast<std::size_t>(cloud.width())) {
+        for (int row = 0; row < std::min(radius, cloud.height()); ++row) {
+            add_row(row);
+        }
+    }
+
+    std::vector<PointSum> const& slide_to(int row) {
+        if (row + radius_ < cloud_.height()) {
+            add_row(row + radius_);
+        }
+        if (row - radius_ - 1 >= 0) {
+            PointSum const* const leaving = cloud_.row(row - radius_ - 1);
+            for (std::size_t column = 0; column < sums_.size(); ++column) {
+                sums_[column] -= leaving[column];
+            }
+        }
+        return sums_;
+    }
+
+  private:
+    void add_row(int row) {
+        PointSum const* const entering = cloud_.row(row);
+        for (std::size_t column = 0; column < sums_.size(); ++column) {
+            sums_[column] += entering[column];
+        }
+    }
+
+    Image<PointSum> const& cloud_;
+    int radius_;
+    std::vector<PointSum> sums_;
+};
+
+void mark_row(PointSum const* points, std::vector<PointSum> const& column_sums, int radius, double threshold,
+              std::uint8_t* edges) {
+    int const width = static_cast<int>(column_sums.size());
+    PointSum square;
+    for (int column = 0; column < std::min(radius, width); ++column) {
+        square += column_sums[static_cast<std::size_t>(column)];
+    }
+    for (int column = 0; column < width; ++column) {
+        if (column + radius < width) {
+            square += column_sums[static_cast<std::size_t>(column + radius)];
+        }
+        if (column - radius - 1 >= 0) {
+            square -= column_sums[static_cast<std::size_t>(column - radius - 1)];
+        }
+        edges[column] = is_edge(points[column], square, threshold) ? 1 : 0;
+    }
+}
+
+}  // namespace
+
+Image<std::uint8_t> observed_edges(DepthImage const& depth, Camera const& camera, ObservedEdgesConfig const& config) {
+    Image<std::uint8_t> edges(depth.height(), depth.width());
+    Image<PointSum> const cloud = back_projected(depth, camera);
+    int const radius = config.neighbourhood / 2;
+    ColumnSums column_sums(cloud, radius);
+    for (int row = 0; row < depth.height(); ++row) {
+        mark_row(cloud.row(row), column_sums.slide_to(row), radius, config.threshold, edges.row(row));
+    }
+    return edges;
+}
+
+}  // namespace faster::workload

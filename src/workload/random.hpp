@@ -1,0 +1,30 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace faster::workload {
+
+/// Seeded random numbers that are the same with every compiler and library: the engine is fixed by the standard, the
+/// distributions, which the standard leaves open, are written here. Each call takes a fixed number of engine outputs,
+/// so draws that come later do not depend on values drawn before.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    /// Uniform in [0, 1), a multiple of 2^-53.
+    double uniform() { return 0x1p-53 * static_cast<double>(engine_() >> 11); }
+
+    /// Standard normal, by Box and Muller; the second value of the pair is dropped.
+    double normal() {
+        double const radius = std::sqrt(-2 * std::log(1 - uniform()));
+        return radius * std::cos(2 * pi * uniform());
+    }
+
+    static constexpr double pi = 3.14159265358979323846;
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+}  // namespace faster::workload

@@ -1,0 +1,392 @@
+#include "support/cycle_twin.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "support/twin_programs.hpp"
+
+namespace faster::testing {
+namespace {
+
+constexpr Cycles never = std::numeric_limits<Cycles>::max();
+
+Cycles ceil_div(Cycles dividend, Cycles divisor) { return (dividend + divisor - 1) / divisor; }
+
+/// A FIFO that remembers the cycle of every access. What it calls legal in a cycle follows from accesses of earlier
+/// cycles alone (every rule has a `+ 1` or a `+ Lf`), so the order in which processes try does not matter.
+class FifoModel {
+  public:
+    FifoModel(FifoConfig const& config, Cycles pipeline_stages) : pipeline_stages_(pipeline_stages) {
+        bool const is_shift_register =
+            config.kind == FifoKind::shift_register || (config.kind == FifoKind::automatic && config.depth <= 2);
+        capacity_ = is_shift_register ? config.depth : config.depth + 1;
+        read_latency_ = is_shift_register ? 1 : 2;
+    }
+
+    /// First cycle in which the next access is legal; `never` unless some other process moves first.
+    Cycles legal_from(AccessKind kind) const {
+        return kind == AccessKind::Write ? write_legal_from() : read_legal_from();
+    }
+
+    void access(AccessKind kind, Cycles cycle) {
+        (kind == AccessKind::Write ? write_cycles_ : read_cycles_).push_back(cycle);
+    }
+
+    void count_stall(AccessKind kind) {
+        ++(kind == AccessKind::Write ? stats_.full_stall_cycles : stats_.empty_stall_cycles);
+    }
+
+    /// Tokens on their way through the pipeline are not in the FIFO yet.
+    void end_cycle(Cycles cycle) {
+        while (arrived_ < write_cycles_.size() && write_cycles_[arrived_] + pipeline_stages_ <= cycle) {
+            ++arrived_;
+        }
+        std::uint64_t const occupancy = std::min<std::uint64_t>(arrived_ - read_cycles_.size(), capacity_);
+        stats_.max_occupancy = std::max(stats_.max_occupancy, occupancy);
+    }
+
+    std::vector<Cycles> const& read_cycles() const { return read_cycles_; }
+
+    TwinFifo stats() const {
+        TwinFifo stats = stats_;
+        stats.writes = write_cycles_.size();
+        stats.reads = read_cycles_.size();
+        return stats;
+    }
+
+  private:
+    Cycles write_legal_from() const {
+        std::size_t const n = write_cycles_.size();
+        std::size_t const slots = capacity_ + pipeline_stages_;
+        if (n < slots) {
+            return 0;
+        }
+        return n - slots < read_cycles_.size() ? read_cycles_[n - slots] + 1 : never;
+    }
+
+    Cycles read_legal_from() const {
+        std::size_t const n = read_cycles_.size();
+        return n < write_cycles_.size() ? write_cycles_[n] + pipeline_stages_ + read_latency_ : never;
+    }
+
+    std::uint64_t capacity_ = 0;
+    Cycles read_latency_ = 0;
+    Cycles const pipeline_stages_;  ///< between the write and the FIFO: area_reciprocal's Lw, else 0
+    std::vector<Cycles> write_cycles_;
+    std::vector<Cycles> read_cycles_;
+    std::size_t arrived_ = 0;
+    TwinFifo stats_;
+};
+
+using Fifos = std::vector<FifoModel>;  // [FifoId]
+
+Fifos make_fifos(AcceleratorConfig const& config) {
+    Fifos fifos;
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        bool const is_pipelined = i == index_of(FifoId::area_reciprocal);
+        fifos.emplace_back(config.fifos[i], is_pipelined ? config.fifos[i].write_latency : 0);
+    }
+    return fifos;
+}
+
+struct BramUse {
+    BramId bram;
+    std::uint64_t accesses;
+};
+
+std::vector<BramUse> bram_uses(LoopId loop) {
+    switch (loop) {
+        case LoopId::edge_clear:
+            return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
+        case LoopId::token:
+            return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+        case LoopId::output:
+            return {{BramId::edge_map, 1}};
+        case LoopId::depth_clear:
+            return {{BramId::depth_buffer, 1}};
+        case LoopId::fragment:
+            return {{BramId::depth_buffer, 2}};
+        case LoopId::sweep:
+            return {{BramId::depth_buffer, 5}};
+        case LoopId::vertex:
+        case LoopId::scan:
+        case LoopId::read:
+            break;
+    }
+    return {};
+}
+
+/// What SPEC section 3 says of one loop before anything runs.
+struct LoopRules {
+    Cycles ii = 1;
+    Cycles port_conflicts_per_iteration = 0;
+    Cycles recurrence_per_iteration = 0;
+    std::string limited_by;
+};
+
+LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
+    LoopConfig const& loop = config.loop(id);
+    Cycles ports_ii = 0;
+    std::string tightest;
+    for (BramUse const& use : bram_uses(id)) {
+        Cycles const demanded = ceil_div(use.accesses, config.bram(use.bram).ports);
+        if (demanded > ports_ii) {
+            ports_ii = demanded;
+            tightest = name_of(use.bram);
+        }
+    }
+    LoopRules rules;
+    Cycles const without_ports = std::max(loop.ii, loop.recurrence_ii);
+    rules.ii = std::max(without_ports, ports_ii);
+    rules.port_conflicts_per_iteration = ports_ii > without_ports ? ports_ii - without_ports : 0;
+    rules.recurrence_per_iteration = loop.recurrence_ii > loop.ii ? loop.recurrence_ii - loop.ii : 0;
+    if (ports_ii > without_ports) {
+        rules.limited_by = tightest;
+    } else if (loop.recurrence_ii > loop.ii) {
+        rules.limited_by = "recurrence";
+    }
+    return rules;
+}
+
+std::array<TwinLoop, loop_count> make_loops(AcceleratorConfig const& config) {
+    std::array<TwinLoop, loop_count> loops;
+    for (std::size_t i = 0; i < loop_count; ++i) {
+        LoopRules const rules = rules_of(config, static_cast<LoopId>(i));
+        loops[i].ii = rules.ii;
+        loops[i].limited_by = rules.limited_by;
+    }
+    return loops;
+}
+
+/// One process: where it is in its program, and since when.
+class ProcessModel {
+  public:
+    ProcessModel(AcceleratorConfig const& config, TwinProgram program, Fifos& fifos,
+                 std::array<TwinLoop, loop_count>& loops)
+        : config_(config), program_(std::move(program)), fifos_(fifos), loops_(loops) {}
+
+    bool is_finished() const { return state_ == program_.size(); }
+
+    /// Does what it can do in this cycle.
+    ///
+    /// A step that cannot happen now charges this cycle to the first of its accesses, in program order, that is not
+    /// legal now. That is the rule of SPEC section 3: access j moves T from the latest of the step's arrival and
+    /// e_1..e_(j-1) to its own earliest legal cycle e_j, if that is later, and is charged the cycles between. So a
+    /// cycle c belongs to the j with e_i <= c for all i < j and e_j > c: all accesses before j are legal at c (once
+    /// legal, an access of this process stays so: nobody else can take its token or its place), and j is not.
+    void run_cycle(Cycles cycle) {
+        while (!is_finished() && local_time_ <= cycle) {
+            std::vector<TwinAccess> const accesses = current_accesses();
+            for (TwinAccess const& access : accesses) {
+                if (fifo(access).legal_from(access.kind) > cycle) {
+                    fifo(access).count_stall(access.kind);
+                    ++(access.kind == AccessKind::Write ? stats_.full_stall : stats_.empty_stall);
+                    return;
+                }
+            }
+            for (TwinAccess const& access : accesses) {
+                fifo(access).access(access.kind, cycle);
+            }
+            finish_step(cycle);
+        }
+    }
+
+    /// Whether its current step can never happen unless another process moves first.
+    bool is_stuck() const {
+        if (is_finished()) {
+            return false;
+        }
+        std::vector<TwinAccess> const accesses = current_accesses();
+        return std::any_of(accesses.begin(), accesses.end(),
+                           [this](TwinAccess const& access) { return fifo(access).legal_from(access.kind) == never; });
+    }
+
+    /// When it reached its current step.
+    Cycles local_time() const { return local_time_; }
+
+    TwinProcess stats() const {
+        TwinProcess stats = stats_;
+        stats.end_cycle = local_time_;
+        return stats;
+    }
+
+  private:
+    FifoModel& fifo(TwinAccess const& access) const { return fifos_[index_of(access.fifo)]; }
+
+    /// Steps of a loop: p = 0 .. (n - 1) * II + L - 1.
+    Cycles last_loop_step(TwinState const& state) const {
+        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + config_.loop(*state.loop).depth - 1;
+    }
+
+    std::vector<TwinAccess> current_accesses() const {
+        TwinState const& state = program_[state_];
+        if (!state.loop) {
+            return state.accesses;
+        }
+        Cycles const ii = loops_[index_of(*state.loop)].ii;
+        std::vector<TwinAccess> accesses;
+        for (std::size_t k = 0; k < state.accesses.size(); ++k) {
+            TwinAccess const& access = state.accesses[k];
+            Cycles const stage = access.kind == AccessKind::Write ? config_.fifo(access.fifo).write_latency : 0;
+            if (loop_step_ < stage || (loop_step_ - stage) % ii != 0) {
+                continue;
+            }
+            Cycles const iteration = (loop_step_ - stage) / ii;
+            if (iteration < state.iterations.size() && ((state.iterations[iteration] >> k) & 1U) != 0) {
+                accesses.push_back(access);
+            }
+        }
+        return accesses;
+    }
+
+    void finish_step(Cycles cycle) {
+        TwinState const& state = program_[state_];
+        if (!state.loop) {
+            local_time_ = cycle + state.advance;
+            ++state_;
+            return;
+        }
+        if (loop_step_ == 0) {
+            count_loop_entry(*state.loop, state.iterations.size());
+        }
+        local_time_ = cycle + 1;
+        if (loop_step_ == last_loop_step(state)) {
+            loop_step_ = 0;
+            ++state_;
+        } else {
+            ++loop_step_;
+        }
+    }
+
+    void count_loop_entry(LoopId id, std::uint64_t iterations) {
+        LoopRules const rules = rules_of(config_, id);
+        TwinLoop& loop = loops_[index_of(id)];
+        ++loop.entries;
+        loop.iterations += iterations;
+        loop.port_conflict_cycles += iterations * rules.port_conflicts_per_iteration;
+        loop.recurrence_cycles += iterations * rules.recurrence_per_iteration;
+    }
+
+    AcceleratorConfig const& config_;
+    TwinProgram const program_;
+    Fifos& fifos_;
+    std::array<TwinLoop, loop_count>& loops_;
+    std::size_t state_ = 0;
+    Cycles loop_step_ = 0;   ///< p, inside a loop
+    Cycles local_time_ = 0;  ///< T
+    TwinProcess stats_;
+};
+
+/// Writes of loops must leave the pipeline before its end, else the steps above would lose them.
+void check_write_latency(AcceleratorConfig const& config, LoopId loop, FifoId fifo) {
+    if (config.fifo(fifo).write_latency >= config.loop(loop).depth) {
+        throw std::invalid_argument(std::string("write latency of ") + name_of(fifo) +
+                                    " is beyond the end of its loop");
+    }
+}
+
+void check(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    if (stimulus.is_posed()) {
+        throw std::invalid_argument("the cycle twin has no vertex transform: give it triangles");
+    }
+    if (config.raster_cores == 0) {
+        throw std::invalid_argument("the cycle twin needs at least one core");
+    }
+    check_write_latency(config, LoopId::vertex, FifoId::vertex);
+    for (FifoId const fifo : {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index, FifoId::edge_token}) {
+        check_write_latency(config, LoopId::scan, fifo);
+    }
+    check_write_latency(config, LoopId::output, FifoId::edge_map);
+    check_write_latency(config, LoopId::read, FifoId::observed_depth);
+    check_write_latency(config, LoopId::read, FifoId::observed_edge);
+}
+
+struct SampleRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+SampleRange samples_of_core(std::size_t samples, std::size_t cores, std::size_t core) {
+    std::size_t const per_core = ceil_div(samples, cores);
+    return SampleRange{std::min(samples, core * per_core), std::min(samples, (core + 1) * per_core)};
+}
+
+/// Cores share nothing, so each has its own cycles 0, 1, 2, ...
+void run_core(AcceleratorConfig const& config, Stimulus const& stimulus, SampleRange const& range, TwinResult& result) {
+    std::array<TwinProgram, module_count> programs;
+    for (std::size_t sample = range.begin; sample < range.end; ++sample) {
+        TwinSamplePrograms of_sample = programs_of_sample(config, stimulus, sample);
+        result.samples[sample].counters = of_sample.counters;
+        for (std::size_t i = 0; i < module_count; ++i) {
+            for (TwinState& state : of_sample.programs[i]) {
+                programs[i].push_back(std::move(state));
+            }
+        }
+    }
+    Fifos fifos = make_fifos(config);
+    std::array<TwinLoop, loop_count> loops = make_loops(config);
+    std::vector<ProcessModel> processes;
+    processes.reserve(module_count);
+    for (TwinProgram& program : programs) {
+        processes.emplace_back(config, std::move(program), fifos, loops);
+    }
+
+    auto const finished = [](ProcessModel const& process) { return process.is_finished(); };
+    auto const at_rest = [](ProcessModel const& process) { return process.is_finished() || process.is_stuck(); };
+    for (Cycles cycle = 0; !std::all_of(processes.begin(), processes.end(), finished); ++cycle) {
+        for (ProcessModel& process : processes) {
+            process.run_cycle(cycle);
+        }
+        for (FifoModel& fifo : fifos) {
+            fifo.end_cycle(cycle);
+        }
+        // All unfinished processes wait for one another: a process that only lets time pass, or waits for a token that
+        // is already under way, is not stuck.
+        if (std::all_of(processes.begin(), processes.end(), at_rest) &&
+            !std::all_of(processes.begin(), processes.end(), finished)) {
+            result.deadlock = true;
+            for (ProcessModel const& process : processes) {
+                if (!process.is_finished()) {
+                    result.deadlock_cycle = std::max(result.deadlock_cycle, process.local_time());
+                }
+            }
+            break;
+        }
+    }
+
+    std::vector<Cycles> const& starts = fifos[index_of(FifoId::sample_raster)].read_cycles();
+    std::vector<Cycles> const& ends = fifos[index_of(FifoId::result)].read_cycles();
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        result.samples[range.begin + i].start_cycle = starts[i];
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        result.samples[range.begin + i].end_cycle = ends[i];
+        result.total_cycles = std::max(result.total_cycles, ends[i] + 1);
+    }
+    result.loops.push_back(loops);
+    auto& fifo_table = result.fifos.emplace_back();
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        fifo_table[i] = fifos[i].stats();
+    }
+    auto& process_table = result.processes.emplace_back();
+    for (std::size_t i = 0; i < module_count; ++i) {
+        process_table[i] = processes[i].stats();
+    }
+}
+
+}  // namespace
+
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    check(config, stimulus);
+    TwinResult result;
+    result.samples.resize(stimulus.samples.size());
+    std::size_t const cores = config.raster_cores;
+    for (std::size_t core = 0; core < cores; ++core) {
+        run_core(config, stimulus, samples_of_core(stimulus.samples.size(), cores, core), result);
+    }
+    return result;
+}
+
+}  // namespace faster::testing

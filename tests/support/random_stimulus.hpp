@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "common/cycles.hpp"
+#include "common/stimulus.hpp"
+#include "config/accelerator_config.hpp"
+
+namespace faster::testing {
+
+/// A closed range of whole numbers; `{n, n}` fixes the number.
+struct IntRange {
+    int low = 0;
+    int high = 0;
+};
+
+/// What a random triangle is there to provoke.
+enum class TriangleKind {
+    Tiny,         ///< about a pixel, often without a fragment
+    Small,        ///< a few pixels, near the window's centre
+    Huge,         ///< across most of the image
+    Sliver,       ///< long and less than a few pixels wide
+    Degenerate,   ///< area 0: collinear or coinciding vertices
+    BackFacing,   ///< area < 0
+    Border,       ///< touches an image border from inside
+    OffWindow,    ///< inside the image, anywhere
+    OutOfImage,   ///< at least one vertex beyond the image
+    Rejected,     ///< what the vertex transform makes of a vertex it cannot express: x = y = -32768, z = 0
+    WholePixels,  ///< corners on pixels, so that edges run through pixels
+};
+constexpr int triangle_kind_count = 11;
+
+struct RandomStimulusOptions {
+    IntRange width{24, 96};
+    IntRange height{24, 96};
+    IntRange window{8, 40};
+    IntRange samples{0, 12};
+    IntRange triangles{0, 20};          ///< per sample
+    std::optional<TriangleKind> kind;   ///< all triangles of this kind; otherwise mixed
+    bool random_fraction_bits = false;  ///< otherwise the defaults of SPEC section 2
+    bool share_triangles = true;        ///< now and then a sample reuses the triangles of the one before
+};
+
+/// A trace (no posed mesh), valid by SPEC section 4 and reproducible: equal seeds and options give equal stimuli with
+/// every compiler. Depths are drawn around one distance per stimulus, so that depth tests go both ways.
+Stimulus random_stimulus(std::uint64_t seed, RandomStimulusOptions const& options = {});
+
+struct RandomConfigOptions {
+    IntRange cores{1, 12};
+    IntRange fifo_depth{1, 64};
+    Cycles max_target_ii = 4;
+    Cycles max_recurrence_ii = 4;
+    std::uint64_t max_ports = 3;
+    /// Makes the FIFOs that are written and read side by side (command, fragment_depth, fragment_index; observed_depth,
+    /// observed_edge) deep enough for their write latencies; else many a configuration deadlocks, as it should.
+    bool is_deadlock_free = true;
+};
+
+/// A valid configuration of every timing key. Window and fraction bits stay at their defaults: with a trace they are
+/// the trace's, so a caller copies them from its stimulus.
+AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& options = {});
+
+}  // namespace faster::testing

@@ -1,0 +1,294 @@
+#include "support/twin_function.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "common/fixed_point.hpp"
+#include "common/image.hpp"
+
+namespace faster::testing {
+namespace {
+
+__extension__ typedef __int128 WideInt;
+
+/// A point in vertex_xy codes.
+struct Point {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+/// Eq. 2.6, exact; its unit is the square of the vertex_xy unit.
+std::int64_t edge_value(Point const& a, Point const& b, Point const& p) {
+    return (p.x - a.x) * (b.y - a.y) - (b.x - a.x) * (p.y - a.y);
+}
+
+/// floor(value / 2^bits); a negative number of bits multiplies. Values here are never negative.
+WideInt scaled_down(WideInt value, int bits) {
+    return bits >= 0 ? value / (WideInt{1} << bits) : value * (WideInt{1} << -bits);
+}
+
+struct Fragment {
+    TwinPixel pixel;
+    std::int64_t depth_code = 0;  ///< in fragment_depth codes
+};
+
+/// Rasterizer (A.1): one object per sample, draws triangle after triangle.
+class Scanner {
+  public:
+    Scanner(Stimulus const& stimulus, SampleInput const& sample)
+        : stimulus_(stimulus),
+          pixel_(std::int64_t{1} << stimulus.fraction.vertex_xy),
+          row_offset_(sample.centre_row - stimulus.window / 2),
+          col_offset_(sample.centre_col - stimulus.window / 2) {}
+
+    TwinTriangle draw(TriangleCode const& triangle) {
+        TwinTriangle result;
+        Point v[3];
+        for (int i = 0; i < 3; ++i) {
+            v[i] = Point{triangle.vertex[i].x, triangle.vertex[i].y};
+        }
+        int const col_min = pixel_of(std::min({v[0].x, v[1].x, v[2].x}));
+        int const col_max = pixel_of(std::max({v[0].x, v[1].x, v[2].x}));
+        int const row_min = pixel_of(std::min({v[0].y, v[1].y, v[2].y}));
+        int const row_max = pixel_of(std::max({v[0].y, v[1].y, v[2].y}));
+        if (col_min < 0 || row_min < 0 || col_max >= stimulus_.width || row_max >= stimulus_.height) {
+            return result;
+        }
+        result.area_code = edge_value(v[0], v[1], v[2]);
+        result.is_drawn = result.area_code > 0;
+        if (!result.is_drawn) {
+            return result;
+        }
+
+        int start = 0;
+        for (int i = 1; i < 3; ++i) {
+            if (v[i].y < v[start].y) {
+                start = i;
+            }
+        }
+        int r = pixel_of(v[start].y);
+        int c = pixel_of(v[start].x);
+        int const left_wall = col_min;
+        int const right_wall = col_max + 1;
+        int const bottom = row_max;
+        int direction = c == col_min ? 1 : -1;
+        int line_start = c;
+        bool prev_inside = is_inside(v, r, c);
+        int prev_r = r;
+        int prev_c = c;
+        bool is_pending = false;
+        TwinPixel pending;
+
+        for (bool is_done = false; !is_done;) {
+            TwinScanIteration iteration;
+            if (is_pending) {
+                send_edge_token(pending, false, iteration);
+                is_pending = false;
+                result.scan.push_back(iteration);
+                continue;
+            }
+            bool const inside = is_inside(v, r, c);
+            if (inside) {
+                fragments_.push_back(Fragment{relative(r, c), depth_at(triangle, v, result.area_code, r, c)});
+                iteration.sends_fragment = true;
+                ++result.fragments;
+            }
+            if (inside && !prev_inside) {
+                send_edge_token(relative(r, c), true, iteration);
+                pending = relative(prev_r, prev_c);
+                is_pending = true;
+            } else if (!inside && prev_inside) {
+                send_edge_token(relative(r, c), false, iteration);
+            } else if (inside && prev_inside) {
+                send_edge_token(relative(r, c), true, iteration);
+            }
+            prev_r = r;
+            prev_c = c;
+            prev_inside = inside;
+            if ((c == left_wall || c == right_wall) && c != line_start) {
+                if (r == bottom) {
+                    is_done = true;
+                } else {
+                    ++r;
+                    direction = -direction;
+                    line_start = c;
+                }
+            } else {
+                c += direction;
+            }
+            result.scan.push_back(iteration);
+        }
+        return result;
+    }
+
+    std::vector<Fragment> const& fragments() const { return fragments_; }
+    std::vector<TwinEdgeToken> const& edge_tokens() const { return edge_tokens_; }
+
+  private:
+    /// floor(code / 2^xy): codes may be negative.
+    int pixel_of(std::int64_t code) const {
+        std::int64_t quotient = code / pixel_;
+        if (code % pixel_ < 0) {
+            --quotient;
+        }
+        return static_cast<int>(quotient);
+    }
+
+    TwinPixel relative(int r, int c) const { return TwinPixel{r - row_offset_, c - col_offset_}; }
+
+    void send_edge_token(TwinPixel const& pixel, bool is_object, TwinScanIteration& iteration) {
+        edge_tokens_.push_back(TwinEdgeToken{pixel, is_object});
+        iteration.sends_edge_token = true;
+    }
+
+    bool is_inside(Point const (&v)[3], int r, int c) const {
+        Point const p{c * pixel_, r * pixel_};
+        return edge_value(v[1], v[2], p) >= 0 && edge_value(v[2], v[0], p) >= 0 && edge_value(v[0], v[1], p) >= 0;
+    }
+
+    std::int64_t depth_at(TriangleCode const& triangle, Point const (&v)[3], std::int64_t area_code, int r,
+                          int c) const {
+        FractionBits const& bits = stimulus_.fraction;
+        Point const p{c * pixel_, r * pixel_};
+        WideInt const z_sum = WideInt{edge_value(v[1], v[2], p)} * triangle.vertex[0].z +
+                              WideInt{edge_value(v[2], v[0], p)} * triangle.vertex[1].z +
+                              WideInt{edge_value(v[0], v[1], p)} * triangle.vertex[2].z;
+        WideInt const reciprocal = (WideInt{1} << (bits.area_reciprocal + 2 * bits.vertex_xy)) / area_code;
+        int const shift = 2 * bits.vertex_xy + bits.vertex_z + bits.area_reciprocal - bits.fragment_depth;
+        return static_cast<std::int64_t>(scaled_down(z_sum * reciprocal, shift));
+    }
+
+    Stimulus const& stimulus_;
+    std::int64_t const pixel_;  ///< code of one pixel
+    int const row_offset_;
+    int const col_offset_;
+    std::vector<Fragment> fragments_;
+    std::vector<TwinEdgeToken> edge_tokens_;
+};
+
+/// EdgeMapBuilder (A.2), written with the look-ahead of the printed loop. Appends to `iteration_reads`.
+Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int window, bool flush_last,
+                                   std::vector<bool>& iteration_reads) {
+    Image<std::uint8_t> edge(window, window, 0);
+    Image<std::uint8_t> object(window, window, 0);
+    bool is_second_due = false;
+    bool is_edge_below = false;
+    bool is_edge_above = false;
+    TwinPixel due;
+    auto const run_second = [&] {
+        object.at(due.row, due.col) = 1;
+        if (is_edge_below) {
+            edge.at(due.row + 1, due.col) = 1;
+        }
+        if (is_edge_above) {
+            edge.at(due.row - 1, due.col) = 1;
+        }
+        is_second_due = false;
+        iteration_reads.push_back(false);
+    };
+
+    std::size_t next = 0;  // tokens[next] has been read; next == size: that was the end token
+    while (next != tokens.size()) {
+        if (is_second_due) {
+            run_second();
+            continue;
+        }
+        TwinPixel const p = tokens[next].pixel;
+        if (edge.contains(p.row, p.col)) {
+            if (tokens[next].is_object) {
+                edge.at(p.row, p.col) = 0;
+                is_edge_below = p.row != window - 1 && object.at(p.row + 1, p.col) == 0;
+                is_edge_above = p.row != 0 && object.at(p.row - 1, p.col) == 0;
+                is_second_due = true;
+                due = p;
+            } else if (object.at(p.row, p.col) == 0) {
+                edge.at(p.row, p.col) = 1;
+            }
+        }
+        ++next;
+        iteration_reads.push_back(true);
+    }
+    if (is_second_due && flush_last) {
+        run_second();
+    }
+    return edge;
+}
+
+/// InlierUnit (A.3).
+SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::vector<Fragment> const& fragments,
+                     Image<std::uint8_t> const& edge_map) {
+    int const window = stimulus.window;
+    int const buffer_bits = stimulus.fraction.depth_buffer;
+    int const fragment_bits = stimulus.fraction.fragment_depth;
+    SampleCounters counters;
+
+    Image<std::uint16_t> buffer(window, window, far_depth_code);
+    for (Fragment const& fragment : fragments) {
+        if (!buffer.contains(fragment.pixel.row, fragment.pixel.col)) {
+            continue;
+        }
+        std::uint16_t& stored = buffer.at(fragment.pixel.row, fragment.pixel.col);
+        WideInt const two = WideInt{2} << fragment_bits;
+        // depth / 2^fragment_bits <= stored / 2^buffer_bits, multiplied out
+        bool const is_nearer = (WideInt{fragment.depth_code} << buffer_bits) <= (WideInt{stored} << fragment_bits);
+        if (fragment.depth_code <= two && is_nearer) {
+            stored = static_cast<std::uint16_t>(scaled_down(fragment.depth_code, fragment_bits - buffer_bits));
+            ++counters.valid_raster;
+        }
+    }
+
+    int const two = 2 << buffer_bits;
+    int const three = 3 << buffer_bits;
+    for (int r = 1; r < window - 1; ++r) {
+        for (int c = 1; c < window - 1; ++c) {
+            int const image_row = sample.centre_row - window / 2 + r;
+            int const image_col = sample.centre_col - window / 2 + c;
+            bool const is_seen =
+                image_row >= 0 && image_row < stimulus.height && image_col >= 0 && image_col < stimulus.width;
+            int const observed = is_seen ? stimulus.observed_depth.at(image_row, image_col) : 0;
+            bool const observed_edge = is_seen && stimulus.observed_edges.at(image_row, image_col) != 0;
+            bool const edge = edge_map.at(r, c) != 0;
+            int z = 0;
+            if (edge) {
+                ++counters.valid_edge;
+                for (int const neighbour :
+                     {buffer.at(r + 1, c), buffer.at(r - 1, c), buffer.at(r, c + 1), buffer.at(r, c - 1)}) {
+                    if (neighbour < two) {
+                        z = neighbour;
+                        break;
+                    }
+                }
+            } else {
+                z = buffer.at(r, c);
+            }
+            // |z - observed| / 2^buffer_bits <= 2 / 256, multiplied out
+            if (z < two && std::abs(z - observed) * 256 <= two) {
+                ++counters.inlier;
+                if (edge && observed_edge) {
+                    ++counters.edge_inlier;
+                }
+            }
+            if (observed <= three) {
+                ++counters.valid_depth;
+            }
+        }
+    }
+    return counters;
+}
+
+}  // namespace
+
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, bool flush_last) {
+    SampleInput const& input = stimulus.samples.at(sample);
+    TwinSampleFunction result;
+    Scanner scanner(stimulus, input);
+    for (std::uint32_t i = 0; i < input.triangle_count; ++i) {
+        result.triangles.push_back(scanner.draw(stimulus.triangles.at(input.first_triangle + i)));
+    }
+    Image<std::uint8_t> const edge_map =
+        build_edge_map(scanner.edge_tokens(), stimulus.window, flush_last, result.token_iteration_reads);
+    result.counters = score(stimulus, input, scanner.fragments(), edge_map);
+    return result;
+}
+
+}  // namespace faster::testing

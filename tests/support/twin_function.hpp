@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "common/tokens.hpp"
+
+namespace faster::testing {
+
+/// A pixel relative to the window; may lie outside it.
+struct TwinPixel {
+    int row = 0;
+    int col = 0;
+};
+
+struct TwinEdgeToken {
+    TwinPixel pixel;
+    bool is_object = false;
+};
+
+/// One iteration of the rasterizer's scan: a flush sends an edge token only, a visit sends a fragment, an edge token,
+/// both or nothing.
+struct TwinScanIteration {
+    bool sends_fragment = false;
+    bool sends_edge_token = false;
+};
+
+struct TwinTriangle {
+    std::int64_t area_code = 0;  ///< 0 for a rejected one
+    bool is_drawn = false;
+    std::vector<TwinScanIteration> scan;  ///< empty unless drawn
+    std::uint64_t fragments = 0;
+};
+
+/// The function of SPEC section 2 for one sample, from triangle codes to counters, with the counts that decide the
+/// control flow of section 3.
+struct TwinSampleFunction {
+    std::vector<TwinTriangle> triangles;
+    std::vector<bool>
+        token_iteration_reads;  ///< one per iteration of the token loop; false for A.2's second iterations
+    SampleCounters counters;
+};
+
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, bool flush_last);
+
+}  // namespace faster::testing

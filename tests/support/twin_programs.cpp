@@ -1,0 +1,178 @@
+#include "support/twin_programs.hpp"
+
+#include <utility>
+
+#include "support/twin_function.hpp"
+
+namespace faster::testing {
+namespace {
+
+TwinAccess read_of(FifoId fifo) { return TwinAccess{AccessKind::Read, fifo}; }
+TwinAccess write_of(FifoId fifo) { return TwinAccess{AccessKind::Write, fifo}; }
+
+void step(TwinProgram& program, std::vector<TwinAccess> accesses, Cycles advance = 1) {
+    TwinState state;
+    state.accesses = std::move(accesses);
+    state.advance = advance;
+    program.push_back(std::move(state));
+}
+
+void pass(TwinProgram& program, Cycles cycles) { step(program, {}, cycles); }
+
+void loop(TwinProgram& program, LoopId id, std::vector<TwinAccess> accesses, std::vector<std::uint8_t> iterations) {
+    TwinState state;
+    state.accesses = std::move(accesses);
+    state.loop = id;
+    state.iterations = std::move(iterations);
+    program.push_back(std::move(state));
+}
+
+/// A loop whose iterations all make all accesses.
+void uniform_loop(TwinProgram& program, LoopId id, std::vector<TwinAccess> accesses, std::size_t iterations) {
+    unsigned const all = (1U << accesses.size()) - 1U;
+    loop(program, id, std::move(accesses), std::vector<std::uint8_t>(iterations, static_cast<std::uint8_t>(all)));
+}
+
+TwinProgram sample_dispatcher() {
+    TwinProgram program;
+    step(program,
+         {write_of(FifoId::sample_vertex), write_of(FifoId::sample_raster), write_of(FifoId::sample_observation)});
+    return program;
+}
+
+TwinProgram vertex_transform(TwinSampleFunction const& sample) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::sample_vertex)});
+    if (sample.triangles.empty()) {
+        pass(program, 1);
+    } else {
+        uniform_loop(program, LoopId::vertex, {write_of(FifoId::vertex)}, 3 * sample.triangles.size());
+    }
+    return program;
+}
+
+TwinProgram rasterizer(TwinSampleFunction const& sample, Cycles setup_depth) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::sample_raster)});
+    for (TwinTriangle const& triangle : sample.triangles) {
+        for (int vertex = 0; vertex < 3; ++vertex) {
+            step(program, {read_of(FifoId::vertex)});
+        }
+        pass(program, setup_depth);
+        if (!triangle.is_drawn) {
+            step(program, {write_of(FifoId::area)});
+            continue;
+        }
+        step(program, {write_of(FifoId::area), write_of(FifoId::command)});
+        std::vector<std::uint8_t> iterations;
+        for (TwinScanIteration const& iteration : triangle.scan) {
+            unsigned const fragment = iteration.sends_fragment ? 0b0111U : 0U;
+            unsigned const edge_token = iteration.sends_edge_token ? 0b1000U : 0U;
+            iterations.push_back(static_cast<std::uint8_t>(fragment | edge_token));
+        }
+        loop(program, LoopId::scan,
+             {write_of(FifoId::command), write_of(FifoId::fragment_depth), write_of(FifoId::fragment_index),
+              write_of(FifoId::edge_token)},
+             std::move(iterations));
+    }
+    pass(program, 1);
+    step(program, {write_of(FifoId::command), write_of(FifoId::edge_token)});
+    return program;
+}
+
+/// The write is a step of its own that may fall in the cycle of the read; that it enters a pipeline of Lw stages is a
+/// property of the FIFO model.
+TwinProgram area_reciprocal(TwinSampleFunction const& sample) {
+    TwinProgram program;
+    for (TwinTriangle const& triangle : sample.triangles) {
+        if (triangle.area_code > 0) {
+            step(program, {read_of(FifoId::area)}, 0);
+            step(program, {write_of(FifoId::area_reciprocal)});
+        } else {
+            step(program, {read_of(FifoId::area)});
+        }
+    }
+    return program;
+}
+
+TwinProgram edge_map_builder(TwinSampleFunction const& sample, std::size_t pixels) {
+    TwinProgram program;
+    pass(program, 1);
+    uniform_loop(program, LoopId::edge_clear, {}, pixels);
+    step(program, {read_of(FifoId::edge_token)});
+    if (sample.token_iteration_reads.empty()) {
+        pass(program, 1);
+    } else {
+        std::vector<std::uint8_t> iterations;
+        for (bool const reads : sample.token_iteration_reads) {
+            iterations.push_back(reads ? 1 : 0);
+        }
+        loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
+    }
+    pass(program, 1);
+    uniform_loop(program, LoopId::output, {write_of(FifoId::edge_map)}, pixels);
+    return program;
+}
+
+TwinProgram observation_reader(std::size_t pixels) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::sample_observation)});
+    uniform_loop(program, LoopId::read, {write_of(FifoId::observed_depth), write_of(FifoId::observed_edge)}, pixels);
+    return program;
+}
+
+TwinProgram inlier_unit(TwinSampleFunction const& sample, std::size_t pixels) {
+    TwinProgram program;
+    pass(program, 1);
+    uniform_loop(program, LoopId::depth_clear, {}, pixels);
+    step(program, {read_of(FifoId::command)});
+    for (TwinTriangle const& triangle : sample.triangles) {
+        if (!triangle.is_drawn) {
+            continue;  // sends no command and no reciprocal
+        }
+        step(program, {read_of(FifoId::area_reciprocal), read_of(FifoId::command)});
+        if (triangle.fragments == 0) {
+            pass(program, 1);
+        } else {
+            uniform_loop(program, LoopId::fragment,
+                         {read_of(FifoId::fragment_depth), read_of(FifoId::fragment_index), read_of(FifoId::command)},
+                         triangle.fragments);
+        }
+    }
+    pass(program, 1);
+    uniform_loop(program, LoopId::sweep,
+                 {read_of(FifoId::edge_map), read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)}, pixels);
+    step(program, {write_of(FifoId::result)});
+    return program;
+}
+
+TwinProgram result_collector() {
+    TwinProgram program;
+    step(program, {read_of(FifoId::result)});
+    return program;
+}
+
+}  // namespace
+
+TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample) {
+    TwinSampleFunction const function = evaluate_sample(stimulus, sample, config.flush_last);
+    std::size_t const side = static_cast<std::size_t>(stimulus.window);
+    std::size_t const pixels = side * side;
+
+    TwinSamplePrograms result;
+    result.counters = function.counters;
+    auto const set = [&result](ModuleId id, TwinProgram program) {
+        result.programs[index_of(id)] = std::move(program);
+    };
+    set(ModuleId::sample_dispatcher, sample_dispatcher());
+    set(ModuleId::vertex_transform, vertex_transform(function));
+    set(ModuleId::rasterizer, rasterizer(function, config.setup_depth));
+    set(ModuleId::area_reciprocal, area_reciprocal(function));
+    set(ModuleId::edge_map_builder, edge_map_builder(function, pixels));
+    set(ModuleId::observation_reader, observation_reader(pixels));
+    set(ModuleId::inlier_unit, inlier_unit(function, pixels));
+    set(ModuleId::result_collector, result_collector());
+    return result;
+}
+
+}  // namespace faster::testing

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/cycles.hpp"
+#include "common/stimulus.hpp"
+#include "common/tokens.hpp"
+#include "config/accelerator_config.hpp"
+#include "config/machine.hpp"
+
+namespace faster::testing {
+
+enum class AccessKind { Read, Write };
+
+struct TwinAccess {
+    AccessKind kind = AccessKind::Read;
+    FifoId fifo = FifoId::vertex;
+};
+
+/// One line of the process table of SPEC section 3, in one of two shapes:
+///  - a step (`loop` empty): `accesses` happen together, then `advance` cycles pass. A mere `T += n` has no accesses.
+///  - a pipelined loop: iteration i makes accesses[k] if bit k of iterations[i] is set. At least one iteration.
+struct TwinState {
+    std::vector<TwinAccess> accesses;  ///< in program order
+    Cycles advance = 1;
+    std::optional<LoopId> loop;
+    std::vector<std::uint8_t> iterations;
+};
+
+using TwinProgram = std::vector<TwinState>;
+
+/// What every process of a core does for one sample. Data decide only which states there are, never when they happen,
+/// so the whole function of SPEC section 2 is computed before the first cycle.
+struct TwinSamplePrograms {
+    std::array<TwinProgram, module_count> programs;  ///< [ModuleId]
+    SampleCounters counters;
+};
+
+TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample);
+
+}  // namespace faster::testing

@@ -1,0 +1,519 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "common/input_error.hpp"
+#include "config/key_names.hpp"
+#include "config/keys.hpp"
+#include "config/keys_as_markdown.hpp"
+#include "config/load_config.hpp"
+#include "config/resolved_config.hpp"
+
+using faster::LoadedConfig;
+using faster::RunConfig;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of this process to write into. It is the current one while it exists, so that messages name "test.yaml".
+class Scratch {
+  public:
+    Scratch()
+        : before_(fs::current_path()),
+          folder_(fs::temp_directory_path() / ("faster_config_test_" + std::to_string(::getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_ / "sub");
+        fs::current_path(folder_);
+    }
+    ~Scratch() {
+        fs::current_path(before_);
+        fs::remove_all(folder_);
+    }
+    Scratch(Scratch const&) = delete;
+    Scratch& operator=(Scratch const&) = delete;
+
+  private:
+    fs::path before_;
+    fs::path folder_;
+};
+
+void write(fs::path const& path, std::string const& content) { std::ofstream(path, std::ios::binary) << content; }
+
+std::string read(fs::path const& path) {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
+}
+
+LoadedConfig loaded(std::string const& content, std::vector<std::string> const& overrides = {}) {
+    Scratch const scratch;
+    write("test.yaml", content);
+    return faster::load_config("test.yaml", overrides);
+}
+
+template <class Action> std::string error_of(Action action) {
+    try {
+        action();
+    } catch (faster::InputError const& error) {
+        return error.what();
+    }
+    return "(no error)";
+}
+
+std::string file_error(std::string const& content) {
+    return error_of([&] { loaded(content); });
+}
+
+std::string set_error(std::string const& setting) {
+    return error_of([&] { loaded("", {setting}); });
+}
+
+bool all_default(RunConfig const& config) {
+    for (auto const& entry : faster::resolved_keys(config)) {
+        if (!entry.is_default) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The current value of every key, as text.
+std::string values_of(RunConfig const& config) {
+    std::string values;
+    for (auto const& entry : faster::resolved_keys(config)) {
+        values += entry.key + '=' + faster::json_text(entry.value) + '\n';
+    }
+    return values;
+}
+
+std::string table_of_readme() {
+    std::string const readme = read(fs::path(FASTER_SOURCE_DIR) / "configs" / "README.md");
+    std::string const begin = "<!-- keys: begin -->\n";
+    std::size_t const start = readme.find(begin) + begin.size();
+    return readme.substr(start, readme.find("\n<!-- keys: end -->") - start);
+}
+
+}  // namespace
+
+TEST_CASE("An empty configuration is the default machine", "[config]") {
+    std::string const content = GENERATE("", "\n# nothing\n", "{}\n", "---\n", "accelerator:\nworkload:\n  # scene:\n");
+    LoadedConfig const config = loaded(content);
+    CHECK(all_default(config.config));
+    CHECK(config.origins.all().empty());
+    CHECK(values_of(config.config) == values_of(RunConfig{}));
+}
+
+TEST_CASE("The defaults are those of the thesis and SPEC section 3", "[config]") {
+    RunConfig const config = loaded("").config;
+    CHECK(config.accelerator.raster_cores == 10);
+    CHECK(config.accelerator.window == 200);
+    CHECK(config.accelerator.clock_mhz == 200.0);
+    CHECK(config.accelerator.fraction_bits == faster::FractionBits{4, 14, 30, 18, 9});
+    CHECK(config.accelerator.fifo(faster::FifoId::vertex).write_latency == 40);
+    CHECK(config.accelerator.fifo(faster::FifoId::area_reciprocal).write_latency == 36);
+    CHECK(config.accelerator.loop(faster::LoopId::fragment).depth == 10);
+    CHECK(config.workload.samples.count == 620);
+}
+
+TEST_CASE("Every kind of key can be set in a file", "[config]") {
+    RunConfig const config = loaded(R"(
+accelerator:
+  raster_cores: 3
+  clock_mhz: 2.5e2
+  edge_map: {flush_last: true}
+  fifos:
+    area: {depth: 16, kind: memory}
+    area_reciprocal: {write_latency: 50}
+  loops:
+    rasterizer: {setup: {depth: 20}, scan: {ii: 2, recurrence_ii: 3, depth: 9}}
+  brams: {object_map: {ports: 4}}
+workload:
+  object: mug
+  pose: {translation_m: [0.1, -0.2, 1], rotation_deg: [.5, 1e1, +3]}
+  camera: {width: 320, cx: -1}
+  scene:
+    table: false
+    objects:
+      - {object: banana, translation_m: [1, 2, 3]}
+      - object: "bowl"
+        translation_m: [4, 5, 6]
+        rotation_deg: [7, 8, 9]
+  samples: {seed: 9223372036854775807}
+simulation: {engine: lockstep}
+)")
+                                 .config;
+    CHECK(config.accelerator.raster_cores == 3);
+    CHECK(config.accelerator.clock_mhz == 250.0);
+    CHECK(config.accelerator.flush_last);
+    CHECK(config.accelerator.fifo(faster::FifoId::area).depth == 16);
+    CHECK(config.accelerator.fifo(faster::FifoId::area).kind == faster::FifoKind::memory);
+    CHECK(config.accelerator.fifo(faster::FifoId::area_reciprocal).write_latency == 50);
+    CHECK(config.accelerator.setup_depth == 20);
+    CHECK(config.accelerator.loop(faster::LoopId::scan).ii == 2);
+    CHECK(config.accelerator.loop(faster::LoopId::scan).recurrence_ii == 3);
+    CHECK(config.accelerator.loop(faster::LoopId::scan).depth == 9);
+    CHECK(config.accelerator.bram(faster::BramId::object_map).ports == 4);
+    CHECK(config.workload.target.object == "mug");
+    CHECK(config.workload.target.translation_m == std::array<double, 3>{0.1, -0.2, 1});
+    CHECK(config.workload.target.rotation_deg == std::array<double, 3>{0.5, 10, 3});
+    CHECK(config.workload.camera.width == 320);
+    CHECK(config.workload.camera.cx == -1);
+    CHECK_FALSE(config.workload.scene.table);
+    REQUIRE(config.workload.scene.objects.size() == 2);
+    CHECK(config.workload.scene.objects[0].object == "banana");
+    CHECK(config.workload.scene.objects[0].rotation_deg == std::array<double, 3>{0, 0, 0});
+    CHECK(config.workload.scene.objects[1].rotation_deg == std::array<double, 3>{7, 8, 9});
+    CHECK(config.workload.samples.seed == 9223372036854775807U);
+    CHECK(config.simulation.engine == faster::Engine::lockstep);
+}
+
+TEST_CASE("An override wins over the file, and a later one over an earlier", "[config]") {
+    LoadedConfig const config = loaded("accelerator:\n  window: 100\n  raster_cores: 2\n",
+                                       {"accelerator.window=64", "accelerator.window=32", "workload.object=bowl",
+                                        "workload.pose.translation_m=[0, 0, 0.7]", "simulation.engine=lockstep",
+                                        "workload.scene.objects=[{object: mug, translation_m: [0, 1, 2]}]"});
+    CHECK(config.config.accelerator.window == 32);
+    CHECK(config.config.accelerator.raster_cores == 2);
+    CHECK(config.config.workload.target.object == "bowl");
+    CHECK(config.config.workload.target.translation_m[2] == 0.7);
+    CHECK(config.config.simulation.engine == faster::Engine::lockstep);
+    CHECK(config.config.workload.scene.objects.at(0).translation_m[2] == 2);
+}
+
+TEST_CASE("The loader remembers where a key was set", "[config]") {
+    LoadedConfig const config = loaded("accelerator:\n  window: 100\n  raster_cores: 2\n", {"accelerator.window=64"});
+    CHECK(config.origins.of("accelerator.window").place == "--set accelerator.window=64");
+    CHECK(config.origins.of("accelerator.window").source == faster::KeySource::command_line);
+    CHECK(config.origins.of("accelerator.raster_cores").place == "test.yaml:3");
+    CHECK(config.origins.of("accelerator.raster_cores").source == faster::KeySource::file);
+    CHECK_FALSE(config.origins.is_explicit("accelerator.clock_mhz"));
+}
+
+TEST_CASE("Paths of a file are relative to its folder, those of an override to the current one", "[config]") {
+    Scratch const scratch;
+    write("sub/test.yaml",
+          "workload:\n  object: ../meshes/box.obj\n  trace: traces/a\n"
+          "  scene: {depth_image: /data/1.png, objects: [{object: cup.ply, translation_m: [0, 0, 1]}]}\n");
+    RunConfig const from_file = faster::load_config("sub/test.yaml").config;
+    CHECK(from_file.workload.target.object == "meshes/box.obj");
+    CHECK(from_file.workload.trace == "sub/traces/a");
+    CHECK(from_file.workload.scene.depth_image == "/data/1.png");
+    CHECK(from_file.workload.scene.objects.at(0).object == "sub/cup.ply");
+
+    RunConfig const overridden =
+        faster::load_config("sub/test.yaml", {"workload.object=box.obj", "workload.trace="}).config;
+    CHECK(overridden.workload.target.object == "box.obj");
+    CHECK(overridden.workload.trace.empty());
+}
+
+TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  windwo: 3\n") ==
+          "test.yaml:2: accelerator.windwo: unknown key, did you mean accelerator.window?");
+    CHECK(file_error("acelerator:\n  window: 3\n") ==
+          "test.yaml:1: acelerator: unknown key, did you mean accelerator?");
+    CHECK(file_error("accelerator:\n  fifos:\n    comand: {depth: 2}\n") ==
+          "test.yaml:3: accelerator.fifos.comand: unknown key, did you mean accelerator.fifos.command?");
+    CHECK(file_error("raster_cores: 3\n") ==
+          "test.yaml:1: raster_cores: unknown key, did you mean accelerator.raster_cores?");
+    CHECK(file_error("accelerator:\n  cheese: 3\n") ==
+          "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of raster_cores, window, "
+          "clock_mhz, fraction_bits, edge_map, fifos, loops, brams");
+    CHECK(file_error("accelerator.window: 3\n") ==
+          "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
+}
+
+TEST_CASE("An override of an unknown key names the nearest valid one", "[config][errors]") {
+    CHECK(set_error("accelerator.fifo.command.depth=4") ==
+          "--set accelerator.fifo.command.depth=4: unknown key, did you mean accelerator.fifos.command.depth?");
+    CHECK(set_error("accelerator.loops.rasterizer.setup.ii=4") ==
+          "--set accelerator.loops.rasterizer.setup.ii=4: unknown key, expected in accelerator.loops.rasterizer.setup "
+          "one of depth");
+    CHECK(set_error("accelerator.fifos.area.write_latency=4") ==
+          "--set accelerator.fifos.area.write_latency=4: unknown key, expected in accelerator.fifos.area one of depth, "
+          "kind");
+    CHECK(set_error("accelerator.window.size=4") ==
+          "--set accelerator.window.size=4: unknown key, accelerator.window has one value and nothing below it");
+    CHECK(
+        set_error("accelerator.fifos.vertex=4") ==
+        "--set accelerator.fifos.vertex=4: accelerator.fifos.vertex is a section, expected a key in it, one of depth, "
+        "kind, write_latency");
+}
+
+TEST_CASE("An override is a key, an equals sign and a value", "[config][errors]") {
+    CHECK(set_error("accelerator.window") == "--set accelerator.window: expected KEY=VALUE");
+    CHECK(set_error("=3") == "--set =3: expected KEY=VALUE");
+    CHECK(set_error("") == "--set : expected KEY=VALUE");
+    CHECK(set_error("workload.object=\xFF") == "--set workload.object=\xFF: expected printable UTF-8 text");
+}
+
+TEST_CASE("A key that stands twice in one map is an error", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  window: 3\n  raster_cores: 1\n  window: 4\n") ==
+          "test.yaml:4: accelerator.window: stands twice, expected once (first in line 2)");
+    CHECK(file_error("accelerator: {window: 3}\naccelerator: {raster_cores: 3}\n") ==
+          "test.yaml:2: accelerator: stands twice, expected once (first in line 1)");
+    CHECK(file_error("[1, 2]: 3\n") == "test.yaml:1: a list of 2: not a name, expected a key");
+}
+
+TEST_CASE("An integer is a plain decimal number", "[config][errors]") {
+    std::string const value = GENERATE("2.0", "0x2", "0o2", "010", "yes", "true", "2e1", "1_000", "+2", "\"2\"", ".inf",
+                                       "99999999999999999999", "-1", "0", "4097");
+    CHECK(file_error("accelerator:\n  window: " + value + "\n") ==
+          "test.yaml:2: accelerator.window = " + value + ", expected an integer from 1 to 4096");
+    CHECK(set_error("accelerator.window=" + value) ==
+          "--set accelerator.window=" + value + ": expected an integer from 1 to 4096");
+}
+
+TEST_CASE("No value and a null are wrong wherever a value is expected", "[config][errors]") {
+    std::string const value = GENERATE("", "~", "null");
+    CHECK(file_error("accelerator:\n  window: " + value + "\n") ==
+          "test.yaml:2: accelerator.window = nothing, expected an integer from 1 to 4096");
+    CHECK(file_error("workload: {trace: " + value + "}\n") == "test.yaml:1: workload.trace = nothing, expected a path");
+    CHECK(set_error("accelerator.window=" + value) ==
+          "--set accelerator.window=" + value + ": expected an integer from 1 to 4096");
+    CHECK(set_error("workload.pose.rotation_deg=" + value) ==
+          "--set workload.pose.rotation_deg=" + value + ": expected a list of 3 numbers");
+}
+
+TEST_CASE("A boolean is true or false and nothing else", "[config][errors]") {
+    std::string const value = GENERATE("yes", "on", "True", "FALSE", "1", "\"true\"");
+    CHECK(file_error("workload:\n  scene:\n    table: " + value + "\n") ==
+          "test.yaml:3: workload.scene.table = " + value + ", expected true or false");
+    CHECK(set_error("workload.scene.table=" + value) ==
+          "--set workload.scene.table=" + value + ": expected true or false");
+}
+
+TEST_CASE("A number is finite and decimal", "[config][errors]") {
+    std::string const value = GENERATE("fast", ".inf", ".nan", "0x10", "1e999", "+-5", "0", "-2", "\"200\"");
+    CHECK(file_error("accelerator:\n  clock_mhz: " + value + "\n") ==
+          "test.yaml:2: accelerator.clock_mhz = " + value + ", expected a number above 0");
+}
+
+TEST_CASE("Text is not a number, a boolean or a list", "[config][errors]") {
+    CHECK(file_error("workload: {object: 7}\n") ==
+          "test.yaml:1: workload.object = 7, expected an object class or the path of a mesh file");
+    CHECK(file_error("workload: {object: \"\"}\n") ==
+          "test.yaml:1: workload.object = \"\", expected an object class or the path of a mesh file");
+    CHECK(file_error("workload: {trace: [a, b]}\n") == "test.yaml:1: workload.trace = a list of 2, expected a path");
+    CHECK(file_error("simulation: {engine: fast}\n") ==
+          "test.yaml:1: simulation.engine = fast, expected one of lockstep, decoupled");
+    CHECK(set_error("accelerator.fifos.area.kind=fifo") ==
+          "--set accelerator.fifos.area.kind=fifo: expected one of auto, shift_register, memory");
+    CHECK(file_error("workload: {trace: !!str 7}\n") ==
+          "test.yaml:1: workload.trace = tag:yaml.org,2002:str 7, expected a path");
+}
+
+TEST_CASE("A list of the wrong length or with a wrong element is an error", "[config][errors]") {
+    CHECK(file_error("workload:\n  pose:\n    translation_m: [1, 2]\n") ==
+          "test.yaml:3: workload.pose.translation_m = a list of 2, expected a list of 3 numbers");
+    CHECK(file_error("workload:\n  pose:\n    translation_m: 3\n") ==
+          "test.yaml:3: workload.pose.translation_m = 3, expected a list of 3 numbers");
+    CHECK(file_error("workload:\n  pose:\n    translation_m:\n      - 1\n      - x\n      - 2\n") ==
+          "test.yaml:5: workload.pose.translation_m[1] = x, expected a number");
+    CHECK(set_error("workload.pose.translation_m=[1, x, 2]") ==
+          "--set workload.pose.translation_m=[1, x, 2]: workload.pose.translation_m[1] = x, expected a number");
+    CHECK(set_error("workload.pose.translation_m=[1, 2, 3], 4") ==
+          "--set workload.pose.translation_m=[1, 2, 3], 4: expected a list of 3 numbers (a second document)");
+    CHECK(set_error("workload.pose.translation_m=[1, 2") ==
+          "--set workload.pose.translation_m=[1, 2: expected a list of 3 numbers (end of sequence flow not found)");
+}
+
+TEST_CASE("An object of the scene has a class, a place and nothing unknown", "[config][errors]") {
+    CHECK(file_error("workload:\n  scene:\n    objects:\n      - mug\n") ==
+          "test.yaml:4: workload.scene.objects[0] = mug, expected a map");
+    CHECK(file_error("workload:\n  scene:\n    objects:\n      - {object: mug}\n") ==
+          "test.yaml:4: workload.scene.objects[0]: no key translation_m, expected one");
+    CHECK(file_error("workload:\n  scene:\n    objects:\n"
+                     "      - object: mug\n        translation_m: [0, 0, 1]\n        colour: red\n") ==
+          "test.yaml:6: workload.scene.objects[0].colour: unknown key, expected one of object, translation_m, "
+          "rotation_deg");
+    CHECK(file_error("workload:\n  scene:\n    objects:\n"
+                     "      - object: mug\n        translation_m: [0, 0]\n        object: cup\n") ==
+          "test.yaml:6: workload.scene.objects[0].object: stands twice, expected once (first in line 4) (and 1 more)");
+    CHECK(file_error("workload: {scene: {objects: {object: mug}}}\n") ==
+          "test.yaml:1: workload.scene.objects = a map, expected a list of maps");
+}
+
+TEST_CASE("A section is a map and a key is not", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  edge_map: true\n") ==
+          "test.yaml:2: accelerator.edge_map = true, expected a map with flush_last");
+    CHECK(file_error("accelerator:\n  window: {size: 3}\n") ==
+          "test.yaml:2: accelerator.window = a map, expected an integer from 1 to 4096");
+    CHECK(file_error("- accelerator\n") ==
+          "test.yaml:1: the file is a list, expected a map with accelerator, workload, simulation");
+    CHECK(file_error("accelerator\n") ==
+          "test.yaml:1: the file is accelerator, expected a map with accelerator, workload, simulation");
+}
+
+TEST_CASE("A file that is no YAML text is an error", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  window: [1, 2\n") ==
+          "test.yaml:3: end of sequence flow not found, expected well-formed YAML, one document");
+    CHECK(file_error("accelerator:\n  window: \"\xC3(\"\n") == "test.yaml:2: byte 0xC3, expected printable UTF-8 text");
+    CHECK(file_error(std::string("accelerator:\0", 13)) == "test.yaml:1: byte 0x00, expected printable UTF-8 text");
+    CHECK(file_error("accelerator:\n---\nworkload:\n") ==
+          "test.yaml:2: a second document, expected well-formed YAML, one document");
+    CHECK(file_error("accelerator: {window: 3}\n...\n") == "(no error)");
+    CHECK(file_error(", 620 samples\n") == "test.yaml:1: a second document, expected well-formed YAML, one document");
+}
+
+TEST_CASE("A missing file and a folder are errors", "[config][errors]") {
+    Scratch const scratch;
+    CHECK(error_of([] { faster::load_config("none.yaml"); }) ==
+          "none.yaml: no such file, expected a configuration file");
+    CHECK(error_of([] { faster::load_config("sub"); }) == "sub: is a folder, expected a configuration file");
+}
+
+TEST_CASE("Several faults are one line: the first, and how many more", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  window: 0\n  raster_cores: 0\nworkload: 3\n") ==
+          "test.yaml:2: accelerator.window = 0, expected an integer from 1 to 4096 (and 2 more)");
+    CHECK(error_of([] { loaded("accelerator: {window: 0}", {"nothing"}); }) ==
+          "test.yaml:1: accelerator.window = 0, expected an integer from 1 to 4096 (and 1 more)");
+    CHECK(file_error("accelerator:\n  window: \"a\\nb\"\n") ==
+          "test.yaml:2: accelerator.window = \"a b\", expected an integer from 1 to 4096");
+}
+
+TEST_CASE("Every integer key takes both ends of its range and nothing beyond", "[config]") {
+    for (faster::Key const& key : faster::all_keys()) {
+        if (key.kind != faster::KeyKind::integer) {
+            continue;
+        }
+        RunConfig config;
+        for (auto const end : {key.integers.min, key.integers.max}) {
+            key.write(config, end);
+            INFO(key.name());
+            CHECK(faster::json_text(key.read(config)) == std::to_string(end));
+        }
+        CHECK(set_error(key.name() + '=' + std::to_string(key.integers.min - 1)) ==
+              "--set " + key.name() + '=' + std::to_string(key.integers.min - 1) + ": expected " +
+                  faster::expectation(key));
+    }
+}
+
+TEST_CASE("A write latency stays below the depth of the loop that writes", "[config][errors]") {
+    CHECK(set_error("accelerator.fifos.edge_map.write_latency=3") ==
+          "--set accelerator.fifos.edge_map.write_latency=3: expected at most 2, one less than "
+          "accelerator.loops.edge_map_builder.output.depth = 3 (default)");
+    CHECK(file_error("accelerator:\n  fifos:\n    vertex:\n      write_latency: 41\n") ==
+          "test.yaml:4: accelerator.fifos.vertex.write_latency = 41, expected at most 40, one less than "
+          "accelerator.loops.vertex_transform.vertex.depth = 41 (default)");
+    CHECK(set_error("accelerator.fifos.area_reciprocal.write_latency=1000000") == "(no error)");
+}
+
+TEST_CASE("A loop that gets too short for a default write latency asks to set that too", "[config][errors]") {
+    CHECK(file_error("accelerator:\n  loops:\n    edge_map_builder:\n      output:\n        depth: 2\n") ==
+          "test.yaml:5: accelerator.loops.edge_map_builder.output.depth = 2, expected at least 3 because of "
+          "accelerator.fifos.edge_map.write_latency = 2 (default): set that too, to at most 1");
+    CHECK(set_error("accelerator.loops.rasterizer.scan.depth=7") ==
+          "--set accelerator.loops.rasterizer.scan.depth=7: expected at least 8 because of "
+          "accelerator.fifos.command.write_latency = 7 (default): set that too, to at most 6 (and 3 more)");
+    CHECK(error_of([] {
+              loaded("", {"accelerator.loops.edge_map_builder.output.depth=2",
+                          "accelerator.fifos.edge_map.write_latency=1"});
+          }) == "(no error)");
+}
+
+TEST_CASE("Every FIFO that a loop writes is checked against that loop", "[config][errors]") {
+    RunConfig const defaults;
+    for (std::size_t index = 0; index < faster::fifo_count; ++index) {
+        faster::FifoId const id{index};
+        auto const loop = faster::loop_that_writes(id);
+        if (!loop) {
+            continue;
+        }
+        std::string const setting = faster::fifo_key_name(id, "write_latency") + '=';
+        auto const depth = defaults.accelerator.loop(*loop).depth;
+        INFO(setting);
+        CHECK(set_error(setting + std::to_string(depth - 1)) == "(no error)");
+        CHECK(set_error(setting + std::to_string(depth)) != "(no error)");
+    }
+}
+
+TEST_CASE("The reciprocal and the area fit 62 bits together", "[config][errors]") {
+    CHECK(set_error("accelerator.fraction_bits.area_reciprocal=54") == "(no error)");
+    CHECK(set_error("accelerator.fraction_bits.area_reciprocal=55") ==
+          "--set accelerator.fraction_bits.area_reciprocal=55: expected at most 54, which is 62 minus twice "
+          "accelerator.fraction_bits.vertex_xy = 4 (default)");
+    CHECK(error_of([] { loaded("accelerator: {fraction_bits: {vertex_xy: 15, area_reciprocal: 33}}"); }) ==
+          "test.yaml:1: accelerator.fraction_bits.area_reciprocal = 33, expected at most 32, which is 62 minus twice "
+          "accelerator.fraction_bits.vertex_xy = 15");
+}
+
+TEST_CASE("The neighbourhood of an observed edge has a middle", "[config][errors]") {
+    CHECK(set_error("workload.observed_edges.neighbourhood=4") ==
+          "--set workload.observed_edges.neighbourhood=4: expected an odd number");
+}
+
+TEST_CASE("A trace replaces what the file says", "[config][trace]") {
+    LoadedConfig config = loaded("accelerator: {window: 100}\nworkload: {camera: {width: 100}}\n");
+    faster::adopt_trace(config, 320, 240, 64, {3, 12, 20, 16, 8});
+    CHECK(config.config.accelerator.window == 64);
+    CHECK(config.config.accelerator.fraction_bits == faster::FractionBits{3, 12, 20, 16, 8});
+    CHECK(config.config.workload.camera.width == 320);
+    CHECK(config.config.workload.camera.height == 240);
+    CHECK(config.origins.of("accelerator.window").source == faster::KeySource::trace);
+}
+
+TEST_CASE("A trace and an override that say the same agree", "[config][trace]") {
+    LoadedConfig config = loaded("", {"accelerator.window=64", "workload.camera.width=320"});
+    CHECK_NOTHROW(faster::adopt_trace(config, 320, 240, 64, {}));
+}
+
+TEST_CASE("A trace that contradicts an override is an error and changes nothing", "[config][trace][errors]") {
+    LoadedConfig config = loaded("", {"accelerator.window=64", "accelerator.fraction_bits.depth_buffer=8"});
+    std::string const before = values_of(config.config);
+    CHECK(error_of([&] { faster::adopt_trace(config, 320, 240, 200, {}); }) ==
+          "--set accelerator.window=64: expected 200, as in the trace (and 1 more)");
+    CHECK(values_of(config.config) == before);
+}
+
+TEST_CASE("The resolved configuration loads to the same values", "[config]") {
+    std::vector<std::string> const settings{
+        "accelerator.clock_mhz=199.99999999999997", "accelerator.fifos.area.kind=memory",
+        "workload.trace=a \"folder\" # with \\", "workload.pose.rotation_deg=[0.1, -1e-7, 1e300]",
+        "workload.scene.objects=[{object: a b.obj, translation_m: [1, 2, 3]}]"};
+    RunConfig const config = loaded("", settings).config;
+    RunConfig const again = loaded(faster::to_yaml(config)).config;
+    CHECK(values_of(again) == values_of(config));
+    CHECK(again.workload.trace == "a \"folder\" # with \\");
+    CHECK(values_of(loaded(faster::to_yaml(RunConfig{})).config) == values_of(RunConfig{}));
+}
+
+TEST_CASE("The resolved configuration marks what differs from the defaults", "[config]") {
+    RunConfig const config = loaded("accelerator: {window: 100, raster_cores: 10}").config;
+    for (auto const& entry : faster::resolved_keys(config)) {
+        INFO(entry.key);
+        CHECK(entry.is_default == (entry.key != "accelerator.window"));
+    }
+    CHECK(faster::to_yaml(config).find("  window: 100  # default 200\n") != std::string::npos);
+}
+
+TEST_CASE("Every key is documented, once, and its default is legal", "[config]") {
+    for (faster::Key const& key : faster::all_keys()) {
+        INFO(key.name());
+        CHECK(faster::find_key(key.name()) == &key);
+        CHECK(!key.text.meaning.empty());
+        CHECK(key.text.meaning.back() == '.');
+        CHECK(!key.text.source.empty());
+        CHECK(!faster::is_section(key.name()));
+    }
+    CHECK(set_error("accelerator.window=200") == "(no error)");
+}
+
+TEST_CASE("The README of the configurations documents exactly the keys there are", "[config][documentation]") {
+    CHECK(table_of_readme() == faster::keys_as_markdown());
+}
+
+TEST_CASE("The configurations of this project load", "[config]") {
+    std::size_t files = 0;
+    for (auto const& entry : fs::directory_iterator(fs::path(FASTER_SOURCE_DIR) / "configs")) {
+        if (entry.path().extension() == ".yaml") {
+            ++files;
+            INFO(entry.path());
+            CHECK(error_of([&] { faster::load_config(entry.path()); }) == "(no error)");
+        }
+    }
+    CHECK(files >= 6);
+}

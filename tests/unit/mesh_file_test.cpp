@@ -1,0 +1,142 @@
+#include "io/mesh_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "support/input_error_text.hpp"
+#include "support/temp_folder.hpp"
+
+using faster::Mesh;
+using faster::io::load_mesh;
+using faster::test::input_error_text;
+using faster::test::TempFolder;
+
+namespace {
+
+std::string const tetrahedron_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+std::string const tetrahedron_faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+std::string ascii_ply(std::string const& vertices, std::string const& faces) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 2\nproperty list uchar int vertex_indices\nend_header\n" +
+           vertices + faces;
+}
+
+std::string load_error(std::filesystem::path const& path) {
+    std::string const text = input_error_text([&] { load_mesh(path); });
+    CHECK(text.find('\n') == std::string::npos);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("An OBJ mesh keeps its triangles, their order and their orientation", "[mesh_file]") {
+    TempFolder const folder;
+    Mesh const mesh = load_mesh(folder.write("t.obj", tetrahedron_vertices + tetrahedron_faces));
+    REQUIRE(mesh.vertices.size() == 4);
+    REQUIRE(mesh.faces.size() == 4);
+    auto const corner = [&](std::size_t face, std::size_t index) { return mesh.vertices[mesh.faces[face][index]]; };
+    CHECK(corner(0, 0) == Eigen::Vector3d(0, 0, 0));
+    CHECK(corner(0, 1) == Eigen::Vector3d(0, 1, 0));
+    CHECK(corner(0, 2) == Eigen::Vector3d(1, 0, 0));
+    CHECK(corner(3, 2) == Eigen::Vector3d(0, 0, 1));
+}
+
+TEST_CASE("PLY, STL and OFF meshes load like OBJ", "[mesh_file]") {
+    TempFolder const folder;
+    std::string const vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    CHECK(load_mesh(folder.write("t.ply", ascii_ply(vertices, "3 0 1 2\n3 0 2 3\n"))).vertices.size() == 4);
+    CHECK(load_mesh(folder.write("t.off", "OFF\n4 2 0\n" + vertices + "3 0 1 2\n3 0 2 3\n")).faces.size() == 2);
+    std::string const facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+    std::string const second = "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n";
+    Mesh const stl =
+        load_mesh(folder.write("T.STL", "solid s\n" + facet + "endfacet\n" + second + "endfacet\nendsolid s\n"));
+    CHECK(stl.faces.size() == 2);
+    CHECK(stl.vertices.size() == 4);  // an STL repeats shared vertices: they are joined
+}
+
+TEST_CASE("Vertices that differ only in their texture or normal are joined", "[mesh_file]") {
+    TempFolder const folder;
+    std::string const textures = "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n";
+    Mesh const mesh = load_mesh(
+        folder.write("t.obj", tetrahedron_vertices + textures + "f 1/1/1 2/2/1 3/3/1\nf 1/4/2 2/1/2 4/2/2\n"));
+    CHECK(mesh.vertices.size() == 4);
+}
+
+TEST_CASE("Close but different vertices stay apart", "[mesh_file]") {
+    TempFolder const folder;
+    Mesh const mesh = load_mesh(folder.write("t.obj", "v 0 0 0\nv 1e-6 0 0\nv 0 1e-6 0\nf 1 2 3\n"));
+    CHECK(mesh.vertices.size() == 3);
+}
+
+TEST_CASE("Several objects and groups become one mesh; polygons are cut, points and lines left out", "[mesh_file]") {
+    TempFolder const folder;
+    std::string const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    Mesh const mesh =
+        load_mesh(folder.write("t.obj", square + "o a\nf 1 2 3 4\no b\nv 0 0 1\nf 1 2 5\ng c\nl 1 2\np 3\n"));
+    CHECK(mesh.faces.size() == 3);
+    CHECK(mesh.vertices.size() == 5);
+}
+
+TEST_CASE("Triangles without area and edges shared by three triangles survive", "[mesh_file]") {
+    TempFolder const folder;
+    std::string const faces = "f 1 2 3\nf 1 2 4\nf 2 1 3\nf 1 1 2\nf 3 3 3\n";
+    CHECK(load_mesh(folder.write("t.obj", tetrahedron_vertices + faces)).faces.size() == 5);
+}
+
+TEST_CASE("A mesh file that is missing or a folder is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK(load_error(folder / "none.obj") ==
+          (folder / "none.obj").string() + ": no such file, expected a readable file");
+    CHECK_THAT(load_error(folder.path()), Catch::EndsWith(": is a folder, expected a file"));
+}
+
+TEST_CASE("A mesh file of an unknown format is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK_THAT(load_error(folder.write("t.step", "ISO-10303-21;")),
+               Catch::EndsWith("t.step: is of an unknown format, expected a mesh file (.obj, .ply, .stl, .off)"));
+}
+
+TEST_CASE("A mesh file that assimp cannot read is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    for (std::string const name : {"t.obj", "t.ply", "t.stl", "t.off"}) {
+        CAPTURE(name);
+        CHECK_THAT(load_error(folder.write(name, "hello world\n")),
+                   Catch::Contains(name + ": cannot be read as a mesh (") &&
+                       Catch::EndsWith("), expected a valid " + name.substr(2) + " file"));
+        CHECK_THAT(load_error(folder.write(name, "")), Catch::Contains(name + ": cannot be read as a mesh ("));
+    }
+}
+
+TEST_CASE("A face that names a vertex beyond the last is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK_THAT(load_error(folder.write("t.obj", tetrahedron_vertices + "f 1 2 9\n")),
+               Catch::Contains("vertex index out of range"));
+    CHECK_THAT(load_error(folder.write("t.ply", ascii_ply("0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "3 0 1 2\n4 0 1 2 9\n"))),
+               Catch::Contains("face 1 (counted from 0) names a vertex that does not exist"));
+}
+
+TEST_CASE("A PLY file that ends early is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK_THAT(load_error(folder.write("t.ply", ascii_ply("0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "3 0 1 2\n"))),
+               Catch::Contains("t.ply: cannot be read as a mesh ("));
+}
+
+TEST_CASE("A mesh file without triangles is an input error", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK_THAT(load_error(folder.write("t.obj", tetrahedron_vertices)),
+               Catch::EndsWith("t.obj: has no triangles, expected at least one"));
+}
+
+TEST_CASE("A coordinate that is not finite is an input error that names the vertex of the file", "[mesh_file]") {
+    TempFolder const folder;
+    std::string const faces = "f 1 3 2\nf 1 2 4\n";
+    CHECK_THAT(load_error(folder.write("t.obj", "# nan\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 1\n" + faces)),
+               Catch::EndsWith("t.obj:5: vertex 3 (counted from 0) is (0, nan, 1), expected finite coordinates"));
+    CHECK_THAT(load_error(folder.write("t.obj", "v 0 0 0\nv inf 0 0\nv 0 1 0\nv 0 0 1\n" + faces)),
+               Catch::Contains("t.obj:2: vertex 1 (counted from 0) is (inf, 0, 0)"));
+    CHECK_THAT(load_error(folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1e999\n" + faces)),
+               Catch::Contains("t.obj:4: vertex 3"));
+    CHECK_THAT(load_error(folder.write("t.ply", ascii_ply("0 0 0\n1 0 0\n0 nan 0\n0 0 1\n", "3 0 1 2\n3 0 2 3\n"))),
+               Catch::Contains("t.ply: vertex 2 (counted from 0) is (0, nan, 0)"));
+}

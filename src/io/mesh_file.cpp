@@ -13,6 +13,7 @@
 
 #include "common/input_error.hpp"
 #include "io/obj_vertices.hpp"
+#include "io/ply_length.hpp"
 #include "io/text_file.hpp"
 #include "io/vertex_joiner.hpp"
 
@@ -89,6 +90,9 @@ void check_faces(fs::path const& path, aiScene const& scene) {
 
 /// The scene as it is in the file, checked, polygons cut into triangles.
 aiScene const* import_scene(fs::path const& path, Assimp::Importer& importer) {
+    if (lower_case_extension(path) == ".ply" && is_truncated_ply(read_file(path))) {
+        fail_unreadable(path, "it ends early");
+    }
     aiScene const* scene = importer.ReadFile(path.string(), 0);
     if (scene == nullptr) {
         fail_unreadable(path, importer.GetErrorString());

@@ -111,7 +111,7 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
         auto const col = static_cast<unsigned>(int{index[n].col});
         if (row < side && col < side) {
             std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum[n]), reciprocal);
-            drawn += depth_unit_.draw(depth, depth_buffer_[std::size_t{row} * side + col]) ? 1 : 0;
+            drawn += depth_unit_.draw(depth, depth_buffer_[std::size_t{row} * side + col]) ? 1U : 0U;
         }
         command = next[n];
     }

@@ -116,10 +116,24 @@ TEST_CASE("A face that names a vertex beyond the last is an input error", "[mesh
                Catch::Contains("face 1 (counted from 0) names a vertex that does not exist"));
 }
 
-TEST_CASE("A PLY file that ends early is an input error", "[mesh_file]") {
+TEST_CASE("A PLY file that ends early is an input error, in text and in binary", "[mesh_file]") {
     TempFolder const folder;
-    CHECK_THAT(load_error(folder.write("t.ply", ascii_ply("0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "3 0 1 2\n"))),
-               Catch::Contains("t.ply: cannot be read as a mesh ("));
+    std::string const vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    CHECK_THAT(load_error(folder.write("t.ply", ascii_ply(vertices, "3 0 1 2\n"))),
+               Catch::EndsWith("t.ply: cannot be read as a mesh (it ends early), expected a valid ply file"));
+
+    std::string binary = ascii_ply("", "");
+    binary.replace(binary.find("ascii"), 5, "binary_big_endian");
+    std::string const zero(4, '\0'), one{"\x3f\x80\0\0", 4};
+    binary += zero + zero + zero + one + zero + zero + zero + one + zero + zero + zero + one;
+    for (std::string const& face :
+         {std::string{"\3\0\0\0\0\0\0\0\1\0\0\0\2", 13}, std::string{"\3\0\0\0\0\0\0\0\2\0\0\0\3", 13}}) {
+        CHECK_THAT(load_error(folder.write("t.ply", binary)), Catch::Contains("(it ends early)"));
+        binary += face;
+    }
+    CHECK(load_mesh(folder.write("t.ply", binary)).faces.size() == 2);
+    CHECK_THAT(load_error(folder.write("t.ply", binary.substr(0, binary.size() - 1))),
+               Catch::Contains("(it ends early)"));
 }
 
 TEST_CASE("A mesh file without triangles is an input error", "[mesh_file]") {

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the release preset and runs one configuration.
+#   scripts/run.sh                     the main job, configs/faster_zcu102.yaml, into out/main
+#   scripts/run.sh CONFIG [OPTIONS]    another configuration, into out/<its name>; OPTIONS go to faster-sim run
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+config=${1:-}
+if (($# > 0)); then
+    shift
+fi
+
+if [[ -z "$config" ]]; then
+    config=$root/configs/faster_zcu102.yaml
+    out=$root/out/main
+else
+    if [[ ! -e "$config" && -e "$root/$config" ]]; then
+        config=$root/$config
+    fi
+    name=$(basename "$config")
+    out=$root/out/${name%.*}
+fi
+
+bash "$root/scripts/setup.sh"
+cd "$root"
+cmake --preset release
+cmake --build --preset release
+cd - >/dev/null # paths among OPTIONS are the caller's
+exec "$root/build/release/bin/faster-sim" run "$config" --out "$out" --images 6 "$@"

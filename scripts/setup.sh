@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that faster-sim needs, and only those that are missing.
+#   scripts/setup.sh          what building, testing and running need
+#   scripts/setup.sh --dev    also clang-format and clang-tidy
+set -euo pipefail
+
+packages=(
+    g++ cmake ninja-build ccache pkg-config git
+    libsystemc-dev libeigen3-dev libassimp-dev libopencv-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
+    libspdlog-dev nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev
+)
+
+for argument in "$@"; do
+    case "$argument" in
+        --dev) packages+=(clang-format clang-tidy) ;;
+        -h | --help)
+            echo "usage: setup.sh [--dev]"
+            exit 0
+            ;;
+        *)
+            echo "setup: unknown argument '$argument'; expected --dev" >&2
+            exit 2
+            ;;
+    esac
+done
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "setup: not a Debian system; nothing installed. faster-sim needs the equivalents of: ${packages[*]}" >&2
+    exit 0
+fi
+
+is_installed() {
+    [[ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" == installed ]]
+}
+
+missing=()
+for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+done
+
+if ((${#missing[@]} == 0)); then
+    echo "setup: all ${#packages[@]} packages are installed"
+    exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+        echo "setup: neither root nor sudo; please have these packages installed: ${missing[*]}" >&2
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+
+echo "setup: installing ${#missing[@]} of ${#packages[@]} packages: ${missing[*]}"
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q </dev/null
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
+echo "setup: done"

@@ -1,0 +1,154 @@
+#include "report/text_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "report/csv.hpp"
+
+namespace faster::report {
+
+namespace {
+
+template <class... Arguments>
+void line(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
+    text += '\n';
+}
+
+double percent(Cycles part, Cycles whole) {
+    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void headline(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
+    line(text, "{} samples on {} raster cores, window {} x {} px, {:g} MHz", run.samples.size(), run.cores.size(),
+         config.window, config.window, config.clock_mhz);
+    line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, milliseconds(run.total_cycles, config));
+}
+
+ProcessStatistics process_sum(RunStatistics const& run, std::size_t i) {
+    ProcessStatistics sum;
+    for (CoreStatistics const& core : run.cores) {
+        ProcessStatistics const& p = core.processes[i];
+        sum.busy_cycles += p.busy_cycles;
+        sum.empty_stall_cycles += p.empty_stall_cycles;
+        sum.full_stall_cycles += p.full_stall_cycles;
+        sum.port_conflict_cycles += p.port_conflict_cycles;
+        sum.recurrence_cycles += p.recurrence_cycles;
+        sum.idle_cycles += p.idle_cycles;
+    }
+    return sum;
+}
+
+void module_table(std::string& text, RunStatistics const& run) {
+    Cycles const lane_cycles = run.total_cycles * run.cores.size();
+    line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
+    line(text, "  {:<19} {:>7} {:>12} {:>11} {:>14} {:>11} {:>7}", "module", "busy", "empty stall", "full stall",
+         "port conflict", "recurrence", "idle");
+    for (std::size_t i = 0; i < module_count; ++i) {
+        ProcessStatistics const p = process_sum(run, i);
+        line(text, "  {:<19} {:>7.2f} {:>12.2f} {:>11.2f} {:>14.2f} {:>11.2f} {:>7.2f}", module_names[i],
+             percent(p.busy_cycles, lane_cycles), percent(p.empty_stall_cycles, lane_cycles),
+             percent(p.full_stall_cycles, lane_cycles), percent(p.port_conflict_cycles, lane_cycles),
+             percent(p.recurrence_cycles, lane_cycles), percent(p.idle_cycles, lane_cycles));
+    }
+}
+
+/// Sums one figure of a FIFO or loop over all cores.
+template <class Figure>
+std::uint64_t over_cores(RunStatistics const& run, Figure figure) {
+    std::uint64_t sum = 0;
+    for (CoreStatistics const& core : run.cores)
+        sum += figure(core);
+    return sum;
+}
+
+void loop_table(std::string& text, RunStatistics const& run) {
+    line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
+    line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", "loop", "II target", "II achieved",
+         "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
+    for (std::size_t i = 0; i < loop_count; ++i) {
+        LoopStatistics const& l = run.cores.front().loops[i];
+        auto const entries = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].entries; });
+        auto const iterations = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].iterations; });
+        auto const conflicts = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].port_conflict_cycles; });
+        std::string const trips =
+            entries == 0 ? "-" : fmt::format("{:.1f}", static_cast<double>(iterations) / static_cast<double>(entries));
+        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}",
+             fmt::format("{}.{}", name_of(loop_names[i].module), loop_names[i].name), l.ii_target, l.ii,
+             l.limited_by.empty() ? "-" : l.limited_by, l.depth, entries, iterations, trips, conflicts);
+    }
+}
+
+void fifo_table(std::string& text, RunStatistics const& run) {
+    line(text, "\nFIFOs: stalls in lane-cycles; occupancy is the largest of any core [tokens]");
+    line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
+         "full stall", "empty stall");
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        FifoStatistics const& f = run.cores.front().fifos[i];
+        std::uint64_t occupancy = 0;
+        for (CoreStatistics const& core : run.cores)
+            occupancy = std::max(occupancy, core.fifos[i].max_occupancy);
+        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", fifo_names[i], kind_name(f.kind), f.depth, occupancy,
+             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].writes; }),
+             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].full_stall_cycles; }),
+             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].empty_stall_cycles; }));
+    }
+}
+
+void latency_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
+    std::vector<Cycles> latencies;
+    for (SampleStatistics const& sample : run.samples)
+        latencies.push_back(sample.latency_cycles());
+    if (latencies.empty())
+        return;
+    std::sort(latencies.begin(), latencies.end());
+    auto const at = [&latencies](double share) {
+        return latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))];
+    };
+    line(text, "\nSample latency, queueing included [cycles]");
+    line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}", "min", "10 %", "median", "90 %", "max");
+    line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
+         milliseconds(at(0.5), config));
+}
+
+void host_speed(std::string& text, RunStatistics const& run, HostTime const& host) {
+    double const lane_cycles = static_cast<double>(run.total_cycles * run.cores.size());
+    line(text, "\nHost: workload {:.2f} s, simulation {:.2f} s, {:.1f} million lane-cycles/s", host.build_seconds,
+         host.simulate_seconds, host.simulate_seconds > 0 ? lane_cycles / host.simulate_seconds / 1e6 : 0.0);
+}
+
+std::string describe(StuckProcess const& p) {
+    return fmt::format("core {}: {} ({}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}", p.core, p.process,
+                       p.position, p.waits_for, p.to_write ? "read from" : "write to", p.fifo, p.occupancy, p.capacity,
+                       p.since_cycle);
+}
+
+}  // namespace
+
+std::string text_report(AcceleratorConfig const& config, RunStatistics const& run, HostTime const& host) {
+    std::string text;
+    headline(text, config, run);
+    module_table(text, run);
+    loop_table(text, run);
+    fifo_table(text, run);
+    latency_table(text, config, run);
+    host_speed(text, run, host);
+    return text;
+}
+
+std::string deadlock_report(RunStatistics const& run) {
+    std::string text;
+    line(text, "deadlock at cycle {}: nothing can move", run.deadlock_cycle());
+    std::vector<StuckProcess> const circle = run.wait_cycle();
+    line(text, "wait-for cycle:");
+    for (StuckProcess const& process : circle)
+        line(text, "  {}", describe(process));
+    line(text, "all stuck processes:");
+    for (StuckProcess const& process : run.stuck)
+        line(text, "  {}", describe(process));
+    return text;
+}
+
+}  // namespace faster::report

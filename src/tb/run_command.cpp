@@ -1,0 +1,127 @@
+#include "tb/run_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+#include "common/input_error.hpp"
+#include "config/load_config.hpp"
+#include "config/resolved_config.hpp"
+#include "io/atomic_folder.hpp"
+#include "io/trace.hpp"
+#include "report/csv.hpp"
+#include "report/summary.hpp"
+#include "report/text_report.hpp"
+#include "simulation/simulate.hpp"
+#include "tb/sample_pictures.hpp"
+#include "tb/workload_source.hpp"
+
+namespace faster {
+
+namespace {
+
+using HostClock = std::chrono::steady_clock;
+
+double seconds_since(HostClock::time_point start) { return std::chrono::duration<double>(HostClock::now() - start).count(); }
+
+io::FolderKind const results_folder{"run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "images"}};
+
+void write_file(std::filesystem::path const& path, std::string const& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+        throw InputError(path.string() + ": cannot be written");
+}
+
+/// Samples done so far, on the terminal's last line; silent when stdout is no terminal.
+class ProgressLine {
+  public:
+    explicit ProgressLine(std::size_t samples) : samples_(samples), visible_(isatty(STDOUT_FILENO) != 0) {}
+    ~ProgressLine() {
+        if (shown_)
+            fmt::print("\r\033[K");
+    }
+    void show(std::uint64_t done) {
+        if (!visible_ || seconds_since(last_) < 0.1)
+            return;
+        last_ = HostClock::now();
+        shown_ = true;
+        constexpr std::uint64_t width = 40;
+        std::uint64_t const filled = done * width / samples_;
+        fmt::print("\r[{:<{}}] {}/{} samples", std::string(filled, '#'), width, done, samples_);
+        std::fflush(stdout);
+    }
+
+  private:
+    std::size_t samples_;
+    bool visible_;
+    bool shown_ = false;
+    HostClock::time_point last_ = HostClock::now();
+};
+
+void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run,
+                   report::HostTime const& host, SamplePictures const& pictures, bool with_pictures) {
+    write_file(folder.path() / "summary.json",
+               report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, host));
+    write_file(folder.path() / "samples.csv", report::samples_csv(run));
+    write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
+    write_file(folder.path() / "loops.csv", report::loops_csv(run));
+    if (with_pictures)
+        pictures.write(folder.path() / "images");
+    folder.commit();
+}
+
+}  // namespace
+
+int run(RunRequest const& request) {
+    std::vector<std::string> overrides = request.overrides;
+    if (!request.trace.empty())
+        overrides.push_back("workload.trace=" + request.trace);
+    LoadedConfig loaded = load_config(request.config, overrides);
+    // Before the work whose results would be lost.
+    std::unique_ptr<io::AtomicFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, results_folder);
+
+    report::HostTime host;
+    auto start = HostClock::now();
+    Stimulus const stimulus = load_stimulus(loaded);
+    host.build_seconds = seconds_since(start);
+
+    SamplePictures pictures(stimulus, request.images);
+    start = HostClock::now();
+    RunStatistics statistics;
+    {
+        ProgressLine progress(stimulus.samples.size());
+        SimulationOptions options;
+        options.probe = request.images > 0 ? &pictures : nullptr;
+        options.progress = [&progress](std::uint64_t done) { progress.show(done); };
+        statistics = simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine, options);
+    }
+    host.simulate_seconds = seconds_since(start);
+
+    if (statistics.deadlocked()) {
+        fmt::print(stderr, "{}", report::deadlock_report(statistics));
+        return exit_deadlock;
+    }
+    if (folder)
+        write_results(*folder, loaded, statistics, host, pictures, request.images > 0);
+    fmt::print("{}", report::text_report(loaded.config.accelerator, statistics, host));
+    if (folder)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+int record(RecordRequest const& request) {
+    LoadedConfig loaded = load_config(request.config, request.overrides);
+    Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
+    io::write_trace(stimulus, request.out);
+    fmt::print("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
+    return exit_done;
+}
+
+}  // namespace faster

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace faster {
+
+/// The process's exit codes (SPEC section 4).
+enum ExitCode : int { exit_done = 0, exit_failed_check = 1, exit_bad_input = 2, exit_deadlock = 3 };
+
+/// `faster-sim run`.
+struct RunRequest {
+    std::string config;
+    std::vector<std::string> overrides;  ///< KEY=VALUE
+    std::string trace;                   ///< folder; empty: as configured
+    std::string out;                     ///< folder; empty: print only
+    std::size_t images = 0;              ///< samples to write pictures of
+};
+
+/// `faster-sim record`.
+struct RecordRequest {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::string out;
+};
+
+/// Both return the exit code, and throw InputError on bad input.
+int run(RunRequest const& request);
+int record(RecordRequest const& request);
+
+}  // namespace faster

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <systemc>
+
+#include "common/input_error.hpp"
+#include "config/keys_as_markdown.hpp"
+#include "tb/run_command.hpp"
+
+namespace {
+
+/// SystemC prints its banner before sc_main runs; a tool's output starts with its own.
+bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+    command.add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.vertex.depth=16")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, faster::RunRequest& request) {
+    CLI::App& command = *app.add_subcommand("run", "Simulate a configuration and print its report");
+    command.add_option("config", request.config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+    command.add_option("--out", request.out, "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
+        ->type_name("DIR");
+    command.add_option("--trace", request.trace, "Replay a stimulus trace instead of the configured workload")
+        ->type_name("DIR");
+    command.add_option("--images", request.images, "Write pictures of the first K samples to DIR/images (needs --out)")
+        ->type_name("K");
+    add_overrides(command, request.overrides);
+}
+
+void add_record(CLI::App& app, faster::RecordRequest& request) {
+    CLI::App& command = *app.add_subcommand("record", "Write a configuration's workload as a stimulus trace");
+    command.add_option("config", request.config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+    command.add_option("--out", request.out, "Folder of the trace")->required()->type_name("DIR");
+    add_overrides(command, request.overrides);
+}
+
+int one_line_error(std::string text) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    fmt::print(stderr, "faster-sim: {}\n", text);
+    return faster::exit_bad_input;
+}
+
+int run_tool(int argc, char** argv) {
+    CLI::App app{"Cycle-approximate model of the FASTER pose-scoring accelerator", "faster-sim"};
+    app.set_version_flag("--version", FASTER_VERSION);
+    app.require_subcommand(1);
+    faster::RunRequest run_request;
+    faster::RecordRequest record_request;
+    add_run(app, run_request);
+    add_record(app, record_request);
+    app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
+    try {
+        app.parse(argc, argv);
+    } catch (CLI::ParseError const& error) {
+        if (error.get_exit_code() == 0)
+            return app.exit(error);  // --help, --version
+        return one_line_error(std::string(error.what()) + " (see faster-sim --help)");
+    }
+    if (app.got_subcommand("keys")) {
+        fmt::print("{}", faster::keys_as_markdown());
+        return faster::exit_done;
+    }
+    if (app.got_subcommand("record"))
+        return record(record_request);
+    if (run_request.images > 0 && run_request.out.empty())
+        return one_line_error("--images " + std::to_string(run_request.images) + ": expected --out DIR as well");
+    return run(run_request);
+}
+
+}  // namespace
+
+int sc_main(int argc, char** argv) {
+    try {
+        return run_tool(argc, argv);
+    } catch (faster::InputError const& error) {
+        return one_line_error(error.what());
+    } catch (std::exception const& error) {
+        return one_line_error(std::string("unexpected error: ") + error.what());
+    }
+}

@@ -1,0 +1,33 @@
+#include "tb/workload_source.hpp"
+
+#include "datapath/vertex_transform.hpp"
+#include "io/trace.hpp"
+#include "workload/build_stimulus.hpp"
+
+namespace faster {
+
+Stimulus load_stimulus(LoadedConfig& loaded) {
+    RunConfig& config = loaded.config;
+    if (config.workload.trace.empty())
+        return workload::build_stimulus(config.workload, config.accelerator.window, config.accelerator.fraction_bits);
+    Stimulus stimulus = io::read_trace(config.workload.trace);
+    adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
+    return stimulus;
+}
+
+Stimulus with_explicit_triangles(Stimulus stimulus) {
+    if (!stimulus.is_posed())
+        return stimulus;
+    datapath::VertexTransformer transformer(stimulus.posed, stimulus.fraction);
+    std::vector<TriangleCode> triangles;
+    for (std::size_t i = 0; i < stimulus.samples.size(); ++i) {
+        transformer.transform(i, triangles);
+        stimulus.samples[i].first_triangle = static_cast<std::uint32_t>(stimulus.triangles.size());
+        stimulus.samples[i].triangle_count = static_cast<std::uint32_t>(triangles.size());
+        stimulus.triangles.insert(stimulus.triangles.end(), triangles.begin(), triangles.end());
+    }
+    stimulus.posed = PosedMesh{};
+    return stimulus;
+}
+
+}  // namespace faster

@@ -145,9 +145,18 @@ std::string deadlock_report(RunStatistics const& run) {
     line(text, "wait-for cycle:");
     for (StuckProcess const& process : circle)
         line(text, "  {}", describe(process));
-    line(text, "all stuck processes:");
-    for (StuckProcess const& process : run.stuck)
-        line(text, "  {}", describe(process));
+    std::uint64_t const first_core = run.stuck.front().core;
+    line(text, "all stuck processes of core {}:", first_core);
+    std::uint64_t last_core = first_core;
+    std::size_t stuck_cores = 1;
+    for (StuckProcess const& process : run.stuck) {
+        if (process.core == first_core)
+            line(text, "  {}", describe(process));
+        stuck_cores += process.core != last_core ? 1U : 0U;
+        last_core = process.core;
+    }
+    if (stuck_cores > 1)
+        line(text, "{} of {} cores are stuck", stuck_cores, run.cores.size());
     return text;
 }
 

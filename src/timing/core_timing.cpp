@@ -39,6 +39,7 @@ void CoreTiming::resolve() {
         // Downstream processes first: what they read is what makes room for those before them.
         auto const index = 31U - static_cast<unsigned>(__builtin_clz(runnable));
         runnable &= ~(1U << index);
+        steady_state_.observe(processes_[index], processes_);
         runnable |= processes_[index].advance();
     }
     for (ProcessTiming& process : processes_)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "timing/process_timing.hpp"
+#include "timing/steady_state.hpp"
 
 namespace faster::timing {
 
@@ -46,6 +47,7 @@ class CoreTiming {
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;  // by FIFO
+    SteadyState steady_state_;
 };
 
 }  // namespace faster::timing

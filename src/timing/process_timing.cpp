@@ -311,6 +311,7 @@ void ProcessTiming::choose_accesses() {
 
 void ProcessTiming::start_run(Operation const& operation) {
     run_.active = true;
+    ++run_.number;
     run_.size = 0;
     run_.neighbours = 0;
     for_each_port(operation.ports, [this](unsigned number) {

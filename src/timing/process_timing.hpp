@@ -120,6 +120,7 @@ class ProcessTiming {
     /// Iterations of an aligned loop that all access the same ports, all in one direction: the hot path.
     struct Run {
         bool active = false;
+        std::uint64_t number = 0;
         unsigned size = 0;  ///< ports
         FifoTiming* fifos[4] = {};
         bool writes = false;

@@ -1,0 +1,33 @@
+include(Catch)
+
+# Real meshes and depth images (tests that want them warn and pass without).
+set(faster_test_environment)
+if(EXISTS ${PROJECT_SOURCE_DIR}/../shared/data)
+  cmake_path(SET faster_shared_data NORMALIZE ${PROJECT_SOURCE_DIR}/../shared/data)
+  set(faster_test_environment ENVIRONMENT FASTER_SHARED_DATA=${faster_shared_data})
+endif()
+
+# faster_add_test_library(NAME <STATIC|OBJECT> SOURCES... [LIBRARIES...])
+function(faster_add_test_library name type)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(${name} ${type} ${ARG_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${name} PUBLIC faster_options Catch2::Catch2 ${ARG_LIBRARIES})
+endfunction()
+
+# faster_add_test(NAME LABEL <unit|golden|engine|cli> TIMEOUT seconds SOURCES... LIBRARIES...)
+# One executable; each of its test cases is one CTest test NAME.CASE with the label, and the timeout for itself.
+function(faster_add_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  foreach(required LABEL TIMEOUT SOURCES LIBRARIES)
+    if(NOT ARG_${required})
+      message(FATAL_ERROR "faster_add_test(${name}): ${required} is missing")
+    endif()
+  endforeach()
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})
+  catch_discover_tests(${name} TEST_PREFIX "${name}." PROPERTIES
+    LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ${faster_test_environment})
+endfunction()

@@ -1,0 +1,205 @@
+#include "support/forked_simulation.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "datapath/edge_maps.hpp"
+#include "simulation/simulate.hpp"
+#include "support/byte_stream.hpp"
+
+namespace faster::testing {
+
+namespace {
+
+constexpr unsigned longest_run_seconds = 120;
+
+/// Keeps the maps of every sample.
+class MapCollector : public SampleProbe {
+  public:
+    MapCollector(std::size_t samples, int window) : maps_(samples), window_(window) {}
+
+    void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) override {
+        maps_[sample].edge_map = picture(maps.edge());
+        maps_[sample].object_map = picture(maps.object());
+    }
+    void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override {
+        maps_[sample].depth_buffer = Image<std::uint16_t>(window_, window_);
+        maps_[sample].depth_buffer.pixels() = depth_buffer;
+    }
+
+    std::vector<SampleMaps> const& maps() const { return maps_; }
+
+  private:
+    Image<std::uint8_t> picture(datapath::Bitmap const& bitmap) const {
+        Image<std::uint8_t> image(window_, window_);
+        for (int row = 0; row < window_; ++row)
+            for (int col = 0; col < window_; ++col)
+                image.at(row, col) = bitmap.test(row, col) ? 1 : 0;
+        return image;
+    }
+
+    std::vector<SampleMaps> maps_;
+    int window_;
+};
+
+/// Sends or receives the fields of one row: `Stream` is a ByteWriter::put or ByteReader::get, so that both sides have one
+/// list of fields.
+template <class Visit, class Row>
+void visit_sample(Visit visit, Row& row) {
+    auto& counters = row.counters;
+    visit(row.sample, row.core, row.start_cycle, row.end_cycle, counters.valid_raster, counters.valid_depth,
+          counters.inlier, counters.valid_edge, counters.edge_inlier);
+}
+
+template <class Visit, class Row>
+void visit_core(Visit visit, Row& core) {
+    visit(core.samples, core.end_cycle);
+    for (auto& row : core.fifos)
+        visit(row.kind, row.depth, row.capacity, row.write_latency, row.writes, row.reads, row.full_stall_cycles,
+              row.empty_stall_cycles, row.max_occupancy);
+    for (auto& row : core.loops)
+        visit(row.ii_target, row.ii_recurrence, row.ii, row.depth, row.entries, row.iterations,
+              row.port_conflict_cycles, row.recurrence_cycles, row.limited_by, row.bram);
+    for (auto& row : core.processes)
+        visit(row.busy_cycles, row.empty_stall_cycles, row.full_stall_cycles, row.port_conflict_cycles,
+              row.recurrence_cycles, row.idle_cycles);
+}
+
+template <class Visit, class Row>
+void visit_stuck(Visit visit, Row& row) {
+    visit(row.core, row.process, row.position, row.fifo, row.to_write, row.occupancy, row.capacity, row.since_cycle,
+          row.waits_for);
+}
+
+std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
+    ByteWriter writer;
+    auto const put = [&writer](auto const&... values) { writer.put(values...); };
+    put(std::string{}, run.total_cycles, run.samples.size(), run.cores.size(), run.stuck.size(), maps.size());
+    for (auto const& row : run.samples)
+        visit_sample(put, row);
+    for (auto const& row : run.cores)
+        visit_core(put, row);
+    for (auto const& row : run.stuck)
+        visit_stuck(put, row);
+    for (auto const& row : maps)
+        put(row.edge_map.pixels(), row.object_map.pixels(), row.depth_buffer.pixels());
+    return writer.bytes();
+}
+
+template <class Pixel>
+void get_image(ByteReader& reader, int window, Image<Pixel>& image) {
+    std::vector<Pixel> pixels;
+    reader.get(pixels);
+    if (pixels.empty())
+        return;
+    image = Image<Pixel>(window, window);
+    image.pixels() = std::move(pixels);
+}
+
+ForkedRun from_bytes(std::string bytes, int window) {
+    ByteReader reader(std::move(bytes));
+    auto const get = [&reader](auto&... values) { reader.get(values...); };
+    std::string error;
+    get(error);
+    if (!error.empty())
+        throw std::runtime_error("simulate: " + error);
+    ForkedRun run;
+    get(run.statistics.total_cycles);
+    run.statistics.samples.resize(reader.get_size());
+    run.statistics.cores.resize(reader.get_size());
+    run.statistics.stuck.resize(reader.get_size());
+    run.maps.resize(reader.get_size());
+    for (auto& row : run.statistics.samples)
+        visit_sample(get, row);
+    for (auto& row : run.statistics.cores)
+        visit_core(get, row);
+    for (auto& row : run.statistics.stuck)
+        visit_stuck(get, row);
+    for (auto& row : run.maps) {
+        get_image(reader, window, row.edge_map);
+        get_image(reader, window, row.object_map);
+        get_image(reader, window, row.depth_buffer);
+    }
+    return run;
+}
+
+std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps) {
+    try {
+        MapCollector collector(with_maps ? stimulus.samples.size() : 0, stimulus.window);
+        SimulationOptions options;
+        options.probe = with_maps ? &collector : nullptr;
+        RunStatistics const run = simulate(config, stimulus, engine, options);
+        return to_bytes(run, collector.maps());
+    } catch (std::exception const& error) {
+        ByteWriter writer;
+        writer.put(std::string("threw: ") + error.what());
+        return writer.bytes();
+    }
+}
+
+/// Never returns. The test framework's handlers are taken off, or a crash would report the tests so far once more.
+[[noreturn]] void run_child(int pipe, AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                            bool with_maps) {
+    for (int const signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGTERM, SIGINT})
+        std::signal(signal, SIG_DFL);
+    alarm(longest_run_seconds);
+    std::string const bytes = simulated_bytes(config, stimulus, engine, with_maps);
+    for (std::size_t done = 0; done < bytes.size();) {
+        ssize_t const count = write(pipe, bytes.data() + done, bytes.size() - done);
+        if (count < 0)
+            _exit(EXIT_FAILURE);
+        done += static_cast<std::size_t>(count);
+    }
+    _exit(EXIT_SUCCESS);
+}
+
+std::string read_all(int pipe) {
+    std::string bytes;
+    std::vector<char> buffer(1U << 16);
+    for (;;) {
+        ssize_t const count = read(pipe, buffer.data(), buffer.size());
+        if (count > 0)
+            bytes.append(buffer.data(), static_cast<std::size_t>(count));
+        else if (count == 0 || errno != EINTR)
+            return bytes;
+    }
+}
+
+void check_status(int status) {
+    if (WIFSIGNALED(status))
+        throw std::runtime_error("simulate: ended by signal " + std::to_string(WTERMSIG(status)));
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
+        throw std::runtime_error("simulate: exit status " + std::to_string(WEXITSTATUS(status)));
+}
+
+}  // namespace
+
+ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps) {
+    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
+    int ends[2];
+    if (pipe(ends) != 0)
+        throw std::runtime_error("run_forked: no pipe");
+    pid_t const child = fork();
+    if (child < 0)
+        throw std::runtime_error("run_forked: no process");
+    if (child == 0) {
+        close(ends[0]);
+        run_child(ends[1], config, stimulus, engine, with_maps);
+    }
+    close(ends[1]);
+    std::string bytes = read_all(ends[0]);
+    close(ends[0]);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    check_status(status);
+    return from_bytes(std::move(bytes), stimulus.window);
+}
+
+}  // namespace faster::testing

@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "config/run_config.hpp"
+#include "stats/run_statistics.hpp"
+
+namespace faster::testing {
+
+struct ForkedRun {
+    RunStatistics statistics;
+    std::vector<SampleMaps> maps;  ///< one per sample if asked for, else empty; of a deadlocked run some are empty
+};
+
+/// simulate() in a child process, because the SystemC kernel elaborates once per process. Throws std::runtime_error
+/// with the reason if the child throws, crashes or takes longer than two minutes.
+ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps = false);
+
+}  // namespace faster::testing

@@ -1,0 +1,207 @@
+#include "support/run_cells.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace faster::testing {
+
+namespace {
+
+/// Collects cells under a common prefix.
+class CellList {
+  public:
+    void at(std::string prefix) { prefix_ = std::move(prefix); }
+    void add(char const* name, std::uint64_t value) { cells_.push_back({prefix_ + name, std::to_string(value)}); }
+    void add(char const* name, std::string const& value) { cells_.push_back({prefix_ + name, value}); }
+    Cells take() { return std::move(cells_); }
+
+  private:
+    std::string prefix_;
+    Cells cells_;
+};
+
+std::string in_core(std::size_t core, std::string const& what) { return "core " + std::to_string(core) + ", " + what; }
+std::string in_loop(std::size_t core, std::size_t loop) {
+    return in_core(core, std::string("loop ") + name_of(loop_names[loop].module) + "." + loop_names[loop].name + ", ");
+}
+std::string in_fifo(std::size_t core, std::size_t fifo) {
+    return in_core(core, std::string("fifo ") + fifo_names[fifo] + ", ");
+}
+std::string in_process(std::size_t core, std::size_t process) {
+    return in_core(core, std::string("process ") + module_names[process] + ", ");
+}
+
+template <class Sample>
+void add_sample(CellList& cells, std::size_t index, Sample const& sample) {
+    cells.at("sample " + std::to_string(index) + ", ");
+    cells.add("start_cycle", sample.start_cycle);
+    cells.add("end_cycle", sample.end_cycle);
+    cells.add("valid_raster", sample.counters.valid_raster);
+    cells.add("valid_depth", sample.counters.valid_depth);
+    cells.add("inlier", sample.counters.inlier);
+    cells.add("valid_edge", sample.counters.valid_edge);
+    cells.add("edge_inlier", sample.counters.edge_inlier);
+}
+
+template <class Fifo>
+void add_fifo(CellList& cells, Fifo const& fifo) {
+    cells.add("writes", fifo.writes);
+    cells.add("reads", fifo.reads);
+    cells.add("full_stall_cycles", fifo.full_stall_cycles);
+    cells.add("empty_stall_cycles", fifo.empty_stall_cycles);
+    cells.add("max_occupancy", fifo.max_occupancy);
+}
+
+template <class Loop>
+void add_loop(CellList& cells, Loop const& loop) {
+    cells.add("ii", loop.ii);
+    cells.add("entries", loop.entries);
+    cells.add("iterations", loop.iterations);
+    cells.add("port_conflict_cycles", loop.port_conflict_cycles);
+    cells.add("recurrence_cycles", loop.recurrence_cycles);
+    cells.add("limited_by", loop.limited_by);
+}
+
+void add_stalls(CellList& cells, ProcessStatistics const& process, Cycles) {
+    cells.add("empty_stall", process.empty_stall_cycles);
+    cells.add("full_stall", process.full_stall_cycles);
+    cells.add("idle", process.idle_cycles);
+}
+void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles) {
+    cells.add("empty_stall", process.empty_stall);
+    cells.add("full_stall", process.full_stall);
+    cells.add("idle", total_cycles - std::min(process.end_cycle, total_cycles));
+}
+
+template <class Fifos>
+void add_fifos(CellList& cells, std::size_t core, Fifos const& fifos) {
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        cells.at(in_fifo(core, i));
+        add_fifo(cells, fifos[i]);
+    }
+}
+template <class Loops>
+void add_loops(CellList& cells, std::size_t core, Loops const& loops) {
+    for (std::size_t i = 0; i < loop_count; ++i) {
+        cells.at(in_loop(core, i));
+        add_loop(cells, loops[i]);
+    }
+}
+template <class Processes>
+void add_processes(CellList& cells, std::size_t core, Processes const& processes, Cycles total_cycles) {
+    for (std::size_t i = 0; i < module_count; ++i) {
+        cells.at(in_process(core, i));
+        add_stalls(cells, processes[i], total_cycles);
+    }
+}
+
+}  // namespace
+
+Cells cells_of(RunStatistics const& run, Part part) {
+    CellList cells;
+    if (part == Part::Samples) {
+        cells.add("total_cycles", run.total_cycles);
+        for (std::size_t i = 0; i < run.samples.size(); ++i)
+            add_sample(cells, run.samples[i].sample, run.samples[i]);
+    }
+    for (std::size_t k = 0; k < run.cores.size(); ++k) {
+        if (part == Part::Fifos)
+            add_fifos(cells, k, run.cores[k].fifos);
+        if (part == Part::Loops)
+            add_loops(cells, k, run.cores[k].loops);
+        if (part == Part::Stalls)
+            add_processes(cells, k, run.cores[k].processes, run.total_cycles);
+    }
+    return cells.take();
+}
+
+Cells cells_of(TwinResult const& twin, Part part) {
+    CellList cells;
+    if (part == Part::Samples) {
+        cells.add("total_cycles", twin.total_cycles);
+        for (std::size_t i = 0; i < twin.samples.size(); ++i)
+            add_sample(cells, i, twin.samples[i]);
+    }
+    for (std::size_t k = 0; k < twin.fifos.size(); ++k) {
+        if (part == Part::Fifos)
+            add_fifos(cells, k, twin.fifos[k]);
+        if (part == Part::Loops)
+            add_loops(cells, k, twin.loops[k]);
+        if (part == Part::Stalls)
+            add_processes(cells, k, twin.processes[k], twin.total_cycles);
+    }
+    return cells.take();
+}
+
+Cells all_cells(RunStatistics const& run) {
+    Cells cells;
+    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
+        for (Cell& cell : cells_of(run, part))
+            cells.push_back(std::move(cell));
+    CellList more;
+    for (SampleStatistics const& sample : run.samples) {
+        more.at("sample " + std::to_string(sample.sample) + ", ");
+        more.add("core", sample.core);
+    }
+    for (std::size_t k = 0; k < run.cores.size(); ++k) {
+        more.at(in_core(k, ""));
+        more.add("samples", run.cores[k].samples);
+        more.add("end_cycle", run.cores[k].end_cycle);
+        for (std::size_t i = 0; i < fifo_count; ++i) {
+            FifoStatistics const& fifo = run.cores[k].fifos[i];
+            more.at(in_fifo(k, i));
+            more.add("kind", static_cast<std::uint64_t>(fifo.kind));
+            more.add("depth", fifo.depth);
+            more.add("capacity", fifo.capacity);
+            more.add("write_latency", fifo.write_latency);
+        }
+        for (std::size_t i = 0; i < loop_count; ++i) {
+            LoopStatistics const& loop = run.cores[k].loops[i];
+            more.at(in_loop(k, i));
+            more.add("ii_target", loop.ii_target);
+            more.add("ii_recurrence", loop.ii_recurrence);
+            more.add("depth", loop.depth);
+            more.add("bram", loop.bram);
+        }
+        for (std::size_t i = 0; i < module_count; ++i) {
+            ProcessStatistics const& process = run.cores[k].processes[i];
+            more.at(in_process(k, i));
+            more.add("busy", process.busy_cycles);
+            more.add("port_conflict", process.port_conflict_cycles);
+            more.add("recurrence", process.recurrence_cycles);
+        }
+    }
+    for (Cell& cell : more.take())
+        cells.push_back(std::move(cell));
+    return cells;
+}
+
+Cells stuck_cells(RunStatistics const& run) {
+    CellList cells;
+    for (StuckProcess const& stuck : run.stuck) {
+        cells.at(in_core(stuck.core, stuck.process + ", "));
+        cells.add("position", stuck.position);
+        cells.add("fifo", stuck.fifo);
+        cells.add("to_write", std::uint64_t{stuck.to_write});
+        cells.add("occupancy", stuck.occupancy);
+        cells.add("capacity", stuck.capacity);
+        cells.add("since_cycle", stuck.since_cycle);
+        cells.add("waits_for", stuck.waits_for);
+    }
+    return cells.take();
+}
+
+std::string first_difference(Cells const& a, Cells const& b) {
+    std::size_t const common = std::min(a.size(), b.size());
+    for (std::size_t i = 0; i < common; ++i) {
+        if (a[i].name != b[i].name)
+            return a[i].name + " against " + b[i].name;
+        if (a[i].value != b[i].value)
+            return a[i].name + ": " + a[i].value + " against " + b[i].value;
+    }
+    if (a.size() != b.size())
+        return std::to_string(a.size()) + " figures against " + std::to_string(b.size());
+    return {};
+}
+
+}  // namespace faster::testing

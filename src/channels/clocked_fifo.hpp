@@ -8,9 +8,9 @@
 
 namespace faster {
 
-/// A FIFO whose accesses take place in cycles (SPEC section 3). Modules use it through plain sc_fifo_in/out ports; every
-/// read() or write() is then a step of the calling process, or part of its open Step. Hot loops move bursts of tokens
-/// with peek/consume and reserve/commit instead and tell their clock what they did.
+/// A FIFO whose accesses take place in cycles (SPEC section 3). Modules use it through plain sc_fifo_in/out ports;
+/// every read() or write() is then a step of the calling process, or part of its open Step. Hot loops move bursts of
+/// tokens with peek/consume and reserve/commit instead and tell their clock what they did.
 ///   order   first in, first out; one reader and one writer, both with a ProcessClock
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
 ///   errors  a non-blocking access in the decoupled engine is a fatal report: its outcome would depend on run-ahead
@@ -97,7 +97,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     }
 
   private:
-    /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its own.
+    /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
+    /// own.
     static std::size_t host_limit(timing::FifoShape const& shape) {
         return std::max<std::uint64_t>(4096, 2 * (shape.capacity + shape.write_latency) + 64);
     }
@@ -106,7 +107,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     }
     void require_lockstep(char const* call) const {
         if (!(reader_ ? reader_ : writer_)->lockstep())
-            SC_REPORT_FATAL("faster/nonblocking", (std::string(name()) + ": " + call + " needs simulation.engine lockstep").c_str());
+            SC_REPORT_FATAL("faster/nonblocking",
+                            (std::string(name()) + ": " + call + " needs simulation.engine lockstep").c_str());
     }
 
     TokenQueue<Token> tokens_;

@@ -16,8 +16,8 @@ constexpr std::uint64_t longest_count = std::numeric_limits<std::uint32_t>::max(
 
 std::uint64_t TimeBase::ticks_per_cycle() const {
     double const seconds = 1e-6 / clock_mhz;
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(
-                                          std::llround(seconds / sc_core::sc_get_time_resolution().to_seconds())));
+    return std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(std::llround(seconds / sc_core::sc_get_time_resolution().to_seconds())));
 }
 
 ProcessClock::ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base)
@@ -38,7 +38,8 @@ void ProcessClock::connect_writes(FifoChannel& fifo) {
 
 unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written) {
     for (FifoChannel const* fifo : written)
-        shape.writes.push_back({static_cast<unsigned>(__builtin_ctz(fifo->write_port())), fifo->timing().shape().write_latency});
+        shape.writes.push_back(
+            {static_cast<unsigned>(__builtin_ctz(fifo->write_port())), fifo->timing().shape().write_latency});
     return timing_.add_loop(std::move(shape));
 }
 

@@ -17,10 +17,10 @@ struct TimeBase {
     std::uint64_t ticks_per_cycle() const;  ///< in units of the kernel's time resolution, rounded, at least 1
 };
 
-/// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says what
-/// it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes the
-/// SystemC kernel along before every access; in `decoupled` it notes the operations and lets the core's timing catch up
-/// later. The cycles are the same: both run through timing::ProcessTiming.
+/// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says
+/// what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes
+/// the SystemC kernel along before every access; in `decoupled` it notes the operations and lets the core's timing
+/// catch up later. The cycles are the same: both run through timing::ProcessTiming.
 class ProcessClock {
   public:
     ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base);
@@ -28,7 +28,8 @@ class ProcessClock {
     /// The process's end of a FIFO, in the program order of a step. Once, before simulation starts.
     void connect_reads(FifoChannel& fifo);
     void connect_writes(FifoChannel& fifo);
-    /// A pipelined loop of the process, and the FIFOs it writes (connected before). Returns its number for enter_loop().
+    /// A pipelined loop of the process, and the FIFOs it writes (connected before). Returns its number for
+    /// enter_loop().
     unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {});
 
     /// T += cycles.
@@ -58,7 +59,8 @@ class ProcessClock {
     /// Non-blocking accesses need the present: only lockstep has one.
     Cycles local_time() const { return timing_.local_time(); }
 
-    /// Suspends the calling thread until the FIFO's other side has done something; what for is told to deadlock reports.
+    /// Suspends the calling thread until the FIFO's other side has done something; what for is told to deadlock
+    /// reports.
     void wait_for_tokens(FifoChannel& fifo);
     void wait_for_room(FifoChannel& fifo);
 

@@ -5,10 +5,9 @@
 
 namespace faster {
 
-/// The tokens on their way through a channel, as the host holds them: contiguous for both sides, so that bursts are plain
-/// array accesses. Knows no time and no limit.
-template <class Token>
-class TokenQueue {
+/// The tokens on their way through a channel, as the host holds them: contiguous for both sides, so that bursts are
+/// plain array accesses. Knows no time and no limit.
+template <class Token> class TokenQueue {
   public:
     std::size_t size() const { return tail_ - head_; }
 
@@ -29,8 +28,8 @@ class TokenQueue {
 
   private:
     void make_room(std::size_t count) {
-        std::copy(tokens_.begin() + static_cast<std::ptrdiff_t>(head_), tokens_.begin() + static_cast<std::ptrdiff_t>(tail_),
-                  tokens_.begin());
+        std::copy(tokens_.begin() + static_cast<std::ptrdiff_t>(head_),
+                  tokens_.begin() + static_cast<std::ptrdiff_t>(tail_), tokens_.begin());
         tail_ -= head_;
         head_ = 0;
         if (tail_ + count > tokens_.size())

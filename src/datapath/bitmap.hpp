@@ -24,7 +24,8 @@ class Bitmap {
 
   private:
     std::size_t index(int row, int col) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(words_per_row_) + static_cast<std::size_t>(col >> 6);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(words_per_row_) +
+               static_cast<std::size_t>(col >> 6);
     }
     std::uint64_t& word(int row, int col) { return words_[index(row, col)]; }
     std::uint64_t word(int row, int col) const { return words_[index(row, col)]; }

@@ -4,7 +4,8 @@
 
 namespace faster::datapath {
 
-/// Thesis A.2's two maps: which pixels the object covers, and which lie on its contour (SPEC section 2, EdgeMapBuilder).
+/// Thesis A.2's two maps: which pixels the object covers, and which lie on its contour (SPEC section 2,
+/// EdgeMapBuilder).
 class EdgeMaps {
   public:
     explicit EdgeMaps(int window) : window_(window), edge_(window), object_(window) {}
@@ -27,7 +28,8 @@ class EdgeMaps {
             edge_.set(token.row, token.col);
     }
 
-    /// The iteration after it, for the same token. What it looks at was read one iteration earlier; nothing wrote in between.
+    /// The iteration after it, for the same token. What it looks at was read one iteration earlier; nothing wrote in
+    /// between.
     void take_second(EdgeToken const& token) {
         object_.set(token.row, token.col);
         mark_uncovered(token.row + 1, token.col);

@@ -10,8 +10,7 @@ namespace {
 constexpr double nearest_m = 0.1;
 constexpr double farthest_m = 3.99;
 
-template <class Code>
-bool fits(double code) {
+template <class Code> bool fits(double code) {
     return code >= std::numeric_limits<Code>::min() && code <= std::numeric_limits<Code>::max();
 }
 
@@ -22,7 +21,8 @@ TriangleCode rejected() {
 
 }  // namespace
 
-ProjectedVertex project(Eigen::Vector3d const& point, Pose const& pose, Camera const& camera, FractionBits const& bits) {
+ProjectedVertex project(Eigen::Vector3d const& point, Pose const& pose, Camera const& camera,
+                        FractionBits const& bits) {
     auto const& r = pose.rotation;
     auto const& t = pose.translation;
     // Spelled out, left to right: the order of the sums is part of the contract.

@@ -17,9 +17,9 @@ bool WindowSweep::agrees(unsigned depth, unsigned observed) const {
     return depth < near_limit_ && (depth > observed ? depth - observed : observed - depth) <= tolerance_;
 }
 
-void WindowSweep::sweep(std::size_t first, std::size_t count, std::uint16_t const* depth_buffer, std::uint8_t const* edge,
-                        std::uint16_t const* observed_depth, std::uint8_t const* observed_edge,
-                        SampleCounters& counters) const {
+void WindowSweep::sweep(std::size_t first, std::size_t count, std::uint16_t const* depth_buffer,
+                        std::uint8_t const* edge, std::uint16_t const* observed_depth,
+                        std::uint8_t const* observed_edge, SampleCounters& counters) const {
     auto const side = static_cast<std::size_t>(window_);
     std::size_t const end = first + count;
     for (std::size_t at = first; at < end;) {
@@ -53,7 +53,8 @@ void WindowSweep::sweep_row(std::size_t count, std::uint16_t const* depth, std::
             std::uint16_t const z = depth[i];
             std::uint16_t const o = observed[i];
             auto const distance = static_cast<std::uint16_t>(z > o ? z - o : o - z);
-            inliers = static_cast<std::uint16_t>(inliers + ((z < near_limit) & (distance <= tolerance) & (edge[i] == 0)));
+            inliers =
+                static_cast<std::uint16_t>(inliers + ((z < near_limit) & (distance <= tolerance) & (edge[i] == 0)));
             valid = static_cast<std::uint16_t>(valid + (o <= valid_limit));
             edges = static_cast<std::uint16_t>(edges + edge[i]);
         }

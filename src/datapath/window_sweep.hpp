@@ -6,8 +6,8 @@
 
 namespace faster::datapath {
 
-/// Thesis A.3's last loop: compares the drawn window with the observed one, pixel by pixel in row-major order, and counts
-/// (SPEC section 2, InlierUnit). Depths are codes with `depth_fraction` fractional bits.
+/// Thesis A.3's last loop: compares the drawn window with the observed one, pixel by pixel in row-major order, and
+/// counts (SPEC section 2, InlierUnit). Depths are codes with `depth_fraction` fractional bits.
 class WindowSweep {
   public:
     WindowSweep(int window, int depth_fraction);
@@ -19,14 +19,14 @@ class WindowSweep {
 
   private:
     bool agrees(unsigned depth, unsigned observed) const;
-    void sweep_row(std::size_t count, std::uint16_t const* depth, std::uint8_t const* edge, std::uint16_t const* observed,
-                   std::uint8_t const* observed_edge, SampleCounters& counters) const;
+    void sweep_row(std::size_t count, std::uint16_t const* depth, std::uint8_t const* edge,
+                   std::uint16_t const* observed, std::uint8_t const* observed_edge, SampleCounters& counters) const;
     void count_edge(std::uint16_t const* depth, unsigned observed, bool observed_edge, SampleCounters& counters) const;
 
     int window_;
-    unsigned near_limit_;      ///< 2.0 m: depths below it count as drawn
-    unsigned valid_limit_;     ///< 3.0 m
-    unsigned tolerance_;       ///< 2/256 m, in codes
+    unsigned near_limit_;   ///< 2.0 m: depths below it count as drawn
+    unsigned valid_limit_;  ///< 3.0 m
+    unsigned tolerance_;    ///< 2/256 m, in codes
 };
 
 }  // namespace faster::datapath

@@ -117,11 +117,14 @@ class Section {
 
 YAML::Node parse(std::filesystem::path const& path) {
     try {
-        std::vector<YAML::Node> const documents = YAML::LoadAll(read_file(path));
-        if (documents.size() != 1) {
-            throw InputError(fmt::format("{}: {} documents, expected one", path.string(), documents.size()));
+        std::string const text = read_file(path);
+        YAML::Node const document = YAML::Load(text);
+        // Not LoadAll: yaml-cpp 0.7 never returns from it on some malformed text. A manifest has no text blocks in
+        // which such a line could mean anything else.
+        if (text.find("\n---") != std::string::npos) {
+            throw InputError(fmt::format("{}: a second document, expected one", path.string()));
         }
-        return documents.front();
+        return document;
     } catch (YAML::Exception const& error) {
         throw InputError(fmt::format("{}:{}: {}, expected YAML", path.string(), error.mark.line + 1, error.msg));
     }

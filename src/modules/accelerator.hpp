@@ -11,7 +11,8 @@ namespace faster {
 class Accelerator : public sc_core::sc_module {
   public:
     /// `config` and `stimulus` must outlive the accelerator.
-    Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine);
+    Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
+                Engine engine);
 
     /// Which samples core `k` gets: equal shares in order, the last cores may get fewer, or none (SPEC section 1).
     static CoreShare share_of(std::size_t core, std::size_t cores, std::size_t samples);

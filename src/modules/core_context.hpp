@@ -30,7 +30,7 @@ struct CoreContext {
     std::size_t first_sample = 0;
     std::size_t sample_count = 0;
     timing::CoreTiming& timing;
-    SampleProbe* probe = nullptr;     ///< may be null
+    SampleProbe* probe = nullptr;    ///< may be null
     std::function<void()> progress;  ///< called after every sample; may be empty
 
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }

@@ -12,15 +12,22 @@ struct Access {
 /// SPEC section 3, "BRAM accesses per iteration": the worst branch, whatever the data.
 std::vector<Access> accesses_of(LoopId id) {
     switch (id) {
-        case LoopId::edge_clear: return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
-        case LoopId::token: return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
-        case LoopId::output: return {{BramId::edge_map, 1}};
-        case LoopId::depth_clear: return {{BramId::depth_buffer, 1}};
-        case LoopId::fragment: return {{BramId::depth_buffer, 2}};
-        case LoopId::sweep: return {{BramId::depth_buffer, 5}};
+        case LoopId::edge_clear:
+            return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
+        case LoopId::token:
+            return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+        case LoopId::output:
+            return {{BramId::edge_map, 1}};
+        case LoopId::depth_clear:
+            return {{BramId::depth_buffer, 1}};
+        case LoopId::fragment:
+            return {{BramId::depth_buffer, 2}};
+        case LoopId::sweep:
+            return {{BramId::depth_buffer, 5}};
         case LoopId::vertex:
         case LoopId::scan:
-        case LoopId::read: break;
+        case LoopId::read:
+            break;
     }
     return {};
 }

@@ -21,7 +21,8 @@ void InlierUnit::end_of_elaboration() {
     fragment_depth_ = &channel_of(fragment_depth_in);
     fragment_index_ = &channel_of(fragment_index_in);
     command_ = &channel_of(command_in);
-    // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's three.
+    // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
+    // three.
     clock_.connect_reads(channel_of(area_reciprocal_in));
     clock_.connect_reads(*fragment_depth_);
     clock_.connect_reads(*fragment_index_);
@@ -33,11 +34,11 @@ void InlierUnit::end_of_elaboration() {
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
     fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
     sweep_loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
-    fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() |
-                                                command_->read_port());
-    sweep_ports_ = static_cast<std::uint8_t>(channel_of(edge_map_in).read_port() |
-                                             channel_of(observed_depth_in).read_port() |
-                                             channel_of(observed_edge_in).read_port());
+    fragment_ports_ =
+        static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port());
+    sweep_ports_ =
+        static_cast<std::uint8_t>(channel_of(edge_map_in).read_port() | channel_of(observed_depth_in).read_port() |
+                                  channel_of(observed_edge_in).read_port());
 }
 
 void InlierUnit::run() {

@@ -50,7 +50,8 @@ void ObservationReader::send_window(SampleHeader const& header) {
 
 /// One row of the window; what lies outside the image reads as 0.
 template <class Pixel>
-void ObservationReader::copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, Pixel* out) const {
+void ObservationReader::copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col,
+                                 Pixel* out) const {
     std::int64_t const side = core_.stimulus.window;
     std::int64_t const from = std::clamp<std::int64_t>(-first_col, 0, side);
     std::int64_t const to = std::clamp<std::int64_t>(image.width() - first_col, from, side);

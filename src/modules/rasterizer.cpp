@@ -8,7 +8,8 @@
 namespace faster {
 
 namespace {
-/// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either way.
+/// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either
+/// way.
 int clamped_offset(std::int64_t offset) { return static_cast<int>(std::clamp<std::int64_t>(offset, -8192, 8192)); }
 }  // namespace
 
@@ -41,8 +42,8 @@ void Rasterizer::run() {
         start_sample();
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
             TriangleCode const triangle = receive_triangle();
-            datapath::TriangleSetup const setup = datapath::set_up(triangle, core_.stimulus.width, core_.stimulus.height,
-                                                                   core_.stimulus.fraction.vertex_xy);
+            datapath::TriangleSetup const setup = datapath::set_up(
+                triangle, core_.stimulus.width, core_.stimulus.height, core_.stimulus.fraction.vertex_xy);
             clock_.advance(core_.config.setup_depth);
             announce(setup);
             if (setup.drawn())

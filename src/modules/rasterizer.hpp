@@ -15,7 +15,8 @@ namespace faster {
 ///         fragment_depth_out  z sum of each fragment
 ///         fragment_index_out  its pixel in the window
 ///         edge_token_out      object and edge pixels, End per sample
-///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per iteration
+///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
+///   iteration
 /// Source: thesis 4.1.1 and A.1; SPEC sections 2 and 3.
 class Rasterizer : public sc_core::sc_module {
   public:

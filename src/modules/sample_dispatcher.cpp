@@ -18,8 +18,8 @@ void SampleDispatcher::end_of_elaboration() {
 void SampleDispatcher::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         SampleInput const& sample = core_.sample(i);
-        SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row, sample.centre_col,
-                                  sample.triangle_count};
+        SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row,
+                                  sample.centre_col, sample.triangle_count};
         {
             Step const step(clock_);
             sample_vertex_out.write(header);

@@ -1,7 +1,6 @@
 #include "report/csv.hpp"
 
 #include <fmt/format.h>
-
 #include <iterator>
 
 #include "config/machine.hpp"
@@ -10,9 +9,12 @@ namespace faster::report {
 
 char const* kind_name(FifoKind kind) {
     switch (kind) {
-        case FifoKind::automatic: return "auto";
-        case FifoKind::shift_register: return "shift_register";
-        case FifoKind::memory: return "memory";
+        case FifoKind::automatic:
+            return "auto";
+        case FifoKind::shift_register:
+            return "shift_register";
+        case FifoKind::memory:
+            return "memory";
     }
     return "";
 }

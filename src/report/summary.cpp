@@ -81,8 +81,8 @@ double milliseconds(Cycles cycles, AcceleratorConfig const& config) {
     return static_cast<double>(cycles) / (config.clock_mhz * 1e3);
 }
 
-std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config, RunStatistics const& run,
-                         HostTime const& host) {
+std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config,
+                         RunStatistics const& run, HostTime const& host) {
     Json summary;
     summary["format"] = "faster-summary";
     summary["version"] = 1;

@@ -9,13 +9,13 @@ namespace faster::report {
 
 /// What the host spent; kept apart from simulated figures, so that those compare equal from run to run.
 struct HostTime {
-    double build_seconds = 0;     ///< reading or making the workload
+    double build_seconds = 0;  ///< reading or making the workload
     double simulate_seconds = 0;
 };
 
 /// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
-std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config, RunStatistics const& run,
-                         HostTime const& host);
+std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config,
+                         RunStatistics const& run, HostTime const& host);
 
 /// Cycles at the configured clock [ms].
 double milliseconds(Cycles cycles, AcceleratorConfig const& config);

@@ -1,8 +1,7 @@
 #include "report/text_report.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <iterator>
 
 #include "report/csv.hpp"
@@ -56,8 +55,7 @@ void module_table(std::string& text, RunStatistics const& run) {
 }
 
 /// Sums one figure of a FIFO or loop over all cores.
-template <class Figure>
-std::uint64_t over_cores(RunStatistics const& run, Figure figure) {
+template <class Figure> std::uint64_t over_cores(RunStatistics const& run, Figure figure) {
     std::uint64_t sum = 0;
     for (CoreStatistics const& core : run.cores)
         sum += figure(core);
@@ -72,7 +70,8 @@ void loop_table(std::string& text, RunStatistics const& run) {
         LoopStatistics const& l = run.cores.front().loops[i];
         auto const entries = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].entries; });
         auto const iterations = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].iterations; });
-        auto const conflicts = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].port_conflict_cycles; });
+        auto const conflicts =
+            over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].port_conflict_cycles; });
         std::string const trips =
             entries == 0 ? "-" : fmt::format("{:.1f}", static_cast<double>(iterations) / static_cast<double>(entries));
         line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}",
@@ -90,8 +89,8 @@ void fifo_table(std::string& text, RunStatistics const& run) {
         std::uint64_t occupancy = 0;
         for (CoreStatistics const& core : run.cores)
             occupancy = std::max(occupancy, core.fifos[i].max_occupancy);
-        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", fifo_names[i], kind_name(f.kind), f.depth, occupancy,
-             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].writes; }),
+        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", fifo_names[i], kind_name(f.kind), f.depth,
+             occupancy, over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].writes; }),
              over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].full_stall_cycles; }),
              over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].empty_stall_cycles; }));
     }
@@ -120,9 +119,9 @@ void host_speed(std::string& text, RunStatistics const& run, HostTime const& hos
 }
 
 std::string describe(StuckProcess const& p) {
-    return fmt::format("core {}: {} ({}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}", p.core, p.process,
-                       p.position, p.waits_for, p.to_write ? "read from" : "write to", p.fifo, p.occupancy, p.capacity,
-                       p.since_cycle);
+    return fmt::format("core {}: {} ({}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}", p.core,
+                       p.process, p.position, p.waits_for, p.to_write ? "read from" : "write to", p.fifo, p.occupancy,
+                       p.capacity, p.since_cycle);
 }
 
 }  // namespace

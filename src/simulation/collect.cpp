@@ -47,7 +47,8 @@ LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, Accele
     return row;
 }
 
-/// A process that drains a deep pipeline may end after the last result was read; what lies beyond is not part of the run.
+/// A process that drains a deep pipeline may end after the last result was read; what lies beyond is not part of the
+/// run.
 ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycles total_cycles) {
     timing::ProcessCounters const& counters = process.counters();
     ProcessStatistics row;

@@ -9,7 +9,7 @@
 namespace faster {
 
 struct SimulationOptions {
-    SampleProbe* probe = nullptr;                       ///< sees the maps of every sample; may be null
+    SampleProbe* probe = nullptr;                      ///< sees the maps of every sample; may be null
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
 };
 

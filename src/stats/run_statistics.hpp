@@ -58,7 +58,8 @@ struct ProcessStatistics {
     Cycles idle_cycles = 0;           ///< after the process's last operation
 
     Cycles sum() const {
-        return busy_cycles + empty_stall_cycles + full_stall_cycles + port_conflict_cycles + recurrence_cycles + idle_cycles;
+        return busy_cycles + empty_stall_cycles + full_stall_cycles + port_conflict_cycles + recurrence_cycles +
+               idle_cycles;
     }
 };
 

@@ -1,12 +1,11 @@
 #include "tb/run_command.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
+#include <fmt/format.h>
 #include <fstream>
 #include <memory>
+#include <unistd.h>
 
 #include "common/input_error.hpp"
 #include "config/load_config.hpp"
@@ -26,9 +25,12 @@ namespace {
 
 using HostClock = std::chrono::steady_clock;
 
-double seconds_since(HostClock::time_point start) { return std::chrono::duration<double>(HostClock::now() - start).count(); }
+double seconds_since(HostClock::time_point start) {
+    return std::chrono::duration<double>(HostClock::now() - start).count();
+}
 
-io::FolderKind const results_folder{"run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "images"}};
+io::FolderKind const results_folder{
+    "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "images"}};
 
 void write_file(std::filesystem::path const& path, std::string const& text) {
     std::ofstream file(path, std::ios::binary);
@@ -92,7 +94,7 @@ int run(RunRequest const& request) {
     Stimulus const stimulus = load_stimulus(loaded);
     host.build_seconds = seconds_since(start);
 
-    SamplePictures pictures(stimulus, request.images);
+    SamplePictures pictures(stimulus, static_cast<std::size_t>(request.images));
     start = HostClock::now();
     RunStatistics statistics;
     {
@@ -120,7 +122,8 @@ int record(RecordRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
     Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
     io::write_trace(stimulus, request.out);
-    fmt::print("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
+    fmt::print("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(),
+               request.out);
     return exit_done;
 }
 

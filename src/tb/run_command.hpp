@@ -1,5 +1,5 @@
 #pragma once
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,7 @@ struct RunRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE
     std::string trace;                   ///< folder; empty: as configured
     std::string out;                     ///< folder; empty: print only
-    std::size_t images = 0;              ///< samples to write pictures of
+    std::int64_t images = 0;             ///< samples to write pictures of
 };
 
 /// `faster-sim record`.

@@ -48,7 +48,8 @@ void SamplePictures::write(std::filesystem::path const& folder) const {
     }
 }
 
-void SamplePictures::write_overlay(std::size_t sample, SampleMaps const& maps, std::filesystem::path const& file) const {
+void SamplePictures::write_overlay(std::size_t sample, SampleMaps const& maps,
+                                   std::filesystem::path const& file) const {
     constexpr int zoom = 3;
     SampleInput const& input = stimulus_.samples[sample];
     int const side = stimulus_.window;
@@ -58,10 +59,12 @@ void SamplePictures::write_overlay(std::size_t sample, SampleMaps const& maps, s
             int const r = row / zoom, c = col / zoom;
             std::int64_t const image_row = std::int64_t{input.centre_row} - side / 2 + r;
             std::int64_t const image_col = std::int64_t{input.centre_col} - side / 2 + c;
-            bool const on_image = image_row >= 0 && image_row < stimulus_.height && image_col >= 0 && image_col < stimulus_.width;
+            bool const on_image =
+                image_row >= 0 && image_row < stimulus_.height && image_col >= 0 && image_col < stimulus_.width;
             if (maps.edge_map.at(r, c) != 0)
                 picture.at(row, col) = {215, 25, 28};
-            else if (on_image && stimulus_.observed_edges.at(static_cast<int>(image_row), static_cast<int>(image_col)) != 0)
+            else if (on_image &&
+                     stimulus_.observed_edges.at(static_cast<int>(image_row), static_cast<int>(image_col)) != 0)
                 picture.at(row, col) = {43, 91, 200};
             else if (maps.object_map.at(r, c) != 0)
                 picture.at(row, col) = {150, 215, 140};

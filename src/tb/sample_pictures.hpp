@@ -16,8 +16,8 @@ class SamplePictures : public SampleProbe {
     void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) override;
     void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override;
 
-    /// sample_NNNN_{edges,object,depth}.png for programs, sample_NNNN_overlay.png for people: contour red, object green,
-    /// observed edges blue.
+    /// sample_NNNN_{edges,object,depth}.png for programs, sample_NNNN_overlay.png for people: contour red, object
+    /// green, observed edges blue.
     void write(std::filesystem::path const& folder) const;
 
   private:

@@ -1,10 +1,11 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <systemc>
 
 #include "common/input_error.hpp"
+#include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
 #include "tb/run_command.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
 
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-    command.add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.vertex.depth=16")
+    command
+        .add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.vertex.depth=16")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }
@@ -27,7 +29,8 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
     command.add_option("--trace", request.trace, "Replay a stimulus trace instead of the configured workload")
         ->type_name("DIR");
     command.add_option("--images", request.images, "Write pictures of the first K samples to DIR/images (needs --out)")
-        ->type_name("K");
+        ->type_name("K")
+        ->check(CLI::NonNegativeNumber);
     add_overrides(command, request.overrides);
 }
 
@@ -45,7 +48,19 @@ int one_line_error(std::string text) {
     return faster::exit_bad_input;
 }
 
+/// The parser would only say that some subcommand is missing.
+std::string unknown_subcommand(int argc, char** argv) {
+    std::vector<std::string> const known{"run", "record", "keys"};
+    std::string const given = argc > 1 ? argv[1] : "";
+    if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
+        return "";
+    return fmt::format("unknown command {}, expected run, record or keys{}", given,
+                       faster::did_you_mean(given, known));
+}
+
 int run_tool(int argc, char** argv) {
+    if (std::string const error = unknown_subcommand(argc, argv); !error.empty())
+        return one_line_error(error);
     CLI::App app{"Cycle-approximate model of the FASTER pose-scoring accelerator", "faster-sim"};
     app.set_version_flag("--version", FASTER_VERSION);
     app.require_subcommand(1);

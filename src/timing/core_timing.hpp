@@ -16,7 +16,7 @@ struct Wait {
     bool to_write = false;  ///< the FIFO is full; otherwise empty
     std::uint64_t occupancy = 0;
     std::uint64_t capacity = 0;
-    Cycles since = 0;  ///< local time of the process
+    Cycles since = 0;   ///< local time of the process
     std::string other;  ///< the process at the other end of the FIFO
 };
 

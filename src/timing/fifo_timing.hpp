@@ -46,8 +46,8 @@ class FifoTiming {
     void write(Cycles cycle) {
         readable_from_[writes_ & index_mask_] = cycle + shape_.issue_latency + shape_.read_latency;
         Cycles const written = cycle + shape_.issue_latency;
-        // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs whose
-        // read is not known yet are looked at when it is.
+        // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs
+        // whose read is not known yet are looked at when it is.
         if (max_occupancy_ < shape_.capacity && writes_ >= max_occupancy_ && writes_ - max_occupancy_ < reads_ &&
             free_from_[(writes_ - max_occupancy_) & index_mask_] > written + 1)
             ++max_occupancy_;

@@ -12,8 +12,7 @@ constexpr unsigned max_ports = 8;
 unsigned lowest_bit(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
 std::uint8_t bit(unsigned port) { return static_cast<std::uint8_t>(1U << port); }
 
-template <class Visit>
-void for_each_port(std::uint32_t mask, Visit visit) {
+template <class Visit> void for_each_port(std::uint32_t mask, Visit visit) {
     for (; mask != 0; mask &= mask - 1)
         visit(lowest_bit(mask));
 }
@@ -169,6 +168,7 @@ bool ProcessTiming::find_step() {
                 if (find_step_while_draining())
                     return true;
                 count_loop();
+                in_loop_ = false;
                 log_.consume();
                 break;
             case Operation::Kind::stamp:
@@ -249,6 +249,7 @@ bool ProcessTiming::find_step_while_draining() {
 
 void ProcessTiming::enter_loop(unsigned loop) {
     current_loop_ = loop;
+    in_loop_ = true;
     iterations_ = 0;
     time_ += plan().fill;
     pipeline_ = PipelinePosition{};
@@ -260,7 +261,8 @@ void ProcessTiming::count_loop() {
     LoopCounters& counters = loop_counters_[current_loop_];
     counters.entries += 1;
     counters.iterations += iterations_;
-    // A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop there.
+    // A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop
+    // there.
     Cycles const unstalled = (iterations_ - 1) * shape.interval.achieved + shape.depth;
     Cycles const recurrence = std::min(unstalled, iterations_ * shape.interval.recurrence_per_iteration);
     Cycles const conflicts = iterations_ * shape.interval.port_conflict_per_iteration;
@@ -269,8 +271,7 @@ void ProcessTiming::count_loop() {
 }
 
 /// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.
-template <unsigned N, bool Writes>
-std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
+template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
     FifoTiming* fifos[N];
     Cycles stalls[N] = {};
     std::uint64_t known = count;
@@ -298,14 +299,22 @@ std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
     return static_cast<std::uint32_t>(known);
 }
 
-template <bool Writes>
-void ProcessTiming::choose_accesses() {
+template <bool Writes> void ProcessTiming::choose_accesses() {
     switch (run_.size) {
-        case 1: run_.accesses = &ProcessTiming::run_accesses<1, Writes>; break;
-        case 2: run_.accesses = &ProcessTiming::run_accesses<2, Writes>; break;
-        case 3: run_.accesses = &ProcessTiming::run_accesses<3, Writes>; break;
-        case 4: run_.accesses = &ProcessTiming::run_accesses<4, Writes>; break;
-        default: throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
+        case 1:
+            run_.accesses = &ProcessTiming::run_accesses<1, Writes>;
+            break;
+        case 2:
+            run_.accesses = &ProcessTiming::run_accesses<2, Writes>;
+            break;
+        case 3:
+            run_.accesses = &ProcessTiming::run_accesses<3, Writes>;
+            break;
+        case 4:
+            run_.accesses = &ProcessTiming::run_accesses<4, Writes>;
+            break;
+        default:
+            throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
     }
 }
 
@@ -327,10 +336,7 @@ void ProcessTiming::start_run(Operation const& operation) {
 }
 
 std::string ProcessTiming::position() const {
-    if (log_.exhausted())
-        return "done";
-    Operation::Kind const kind = log_.front().kind;
-    if (kind != Operation::Kind::iterate && kind != Operation::Kind::leave)
+    if (!in_loop_)
         return "between loops";
     return "loop " + loops_[current_loop_].name + ", iteration " + std::to_string(iterations_);
 }

@@ -16,7 +16,8 @@ struct LoopWrite {
     Cycles write_latency = 0;  ///< Lw, below the loop's depth
 };
 
-/// One pipelined loop of a process (SPEC section 3). A loop that writes reads nothing: no loop of the machine does both.
+/// One pipelined loop of a process (SPEC section 3). A loop that writes reads nothing: no loop of the machine does
+/// both.
 struct LoopShape {
     std::string name;
     InitiationInterval interval;
@@ -38,8 +39,8 @@ struct ProcessCounters {
 };
 
 /// Gives every operation of one process its cycle. The local time T moves by what an operation takes and by waiting for
-/// accesses to become legal; nothing else. The only place where the timing contract's step and pipelined loop live: both
-/// engines drive it, `lockstep` one step at a time (front, commit_front), `decoupled` as far as it goes (advance).
+/// accesses to become legal; nothing else. The only place where the timing contract's step and pipelined loop live:
+/// both engines drive it, `lockstep` one step at a time (front, commit_front), `decoupled` as far as it goes (advance).
 class ProcessTiming {
   public:
     enum class Status { exhausted, blocked, ready };
@@ -142,10 +143,8 @@ class ProcessTiming {
     void perform(std::uint8_t ports);
     void end_iterations(std::uint32_t count);
     void start_run(Operation const& operation);
-    template <bool Writes>
-    void choose_accesses();
-    template <unsigned N, bool Writes>
-    std::uint32_t run_accesses(std::uint32_t count);
+    template <bool Writes> void choose_accesses();
+    template <unsigned N, bool Writes> std::uint32_t run_accesses(std::uint32_t count);
 
     std::string name_;
     unsigned index_;
@@ -162,6 +161,7 @@ class ProcessTiming {
     unsigned blocking_port_ = 0;
     int starving_port_ = -1;
     unsigned current_loop_ = 0;
+    bool in_loop_ = false;
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
     Run run_;
     PipelinePosition pipeline_;

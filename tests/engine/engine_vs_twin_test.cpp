@@ -1,0 +1,153 @@
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <string>
+
+#include "support/cycle_twin.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/run_cells.hpp"
+
+namespace faster::testing {
+namespace {
+
+/// A configuration and a stimulus of one seed, run by both engines and the twin.
+struct Trial {
+    TwinResult twin;
+    RunStatistics lockstep;
+    RunStatistics decoupled;
+};
+
+struct TrialOptions {
+    RandomConfigOptions config;
+    RandomStimulusOptions stimulus;
+};
+
+TrialOptions small_windows() {
+    TrialOptions options;
+    options.config.cores = {1, 4};
+    options.stimulus.width = {24, 64};
+    options.stimulus.height = {24, 64};
+    options.stimulus.window = {4, 24};
+    options.stimulus.samples = {0, 6};
+    return options;
+}
+
+Trial run_trial(std::uint64_t seed, TrialOptions options) {
+    options.stimulus.random_fraction_bits = seed % 3 == 0;
+    Stimulus const stimulus = random_stimulus(seed, options.stimulus);
+    AcceleratorConfig const config = random_config(seed, options.config);
+    return {run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
+            run_forked(config, stimulus, Engine::decoupled).statistics};
+}
+
+void check_figures(Trial const& trial) {
+    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls}) {
+        CHECK(first_difference(cells_of(trial.decoupled, part), cells_of(trial.twin, part)) == "");
+        CHECK(first_difference(cells_of(trial.lockstep, part), cells_of(trial.twin, part)) == "");
+    }
+}
+
+/// Every cycle of the run is in exactly one class of every process.
+void check_buckets(RunStatistics const& run) {
+    for (std::size_t core = 0; core < run.cores.size(); ++core) {
+        for (std::size_t i = 0; i < module_count; ++i) {
+            CAPTURE(core, module_names[i]);
+            ProcessStatistics const& process = run.cores[core].processes[i];
+            CHECK(process.sum() == run.total_cycles);
+            CHECK(process.busy_cycles <= run.total_cycles);  // unsigned: not below zero
+        }
+    }
+}
+
+void check_deadlock(Trial const& trial) {
+    REQUIRE(trial.decoupled.deadlocked() == trial.twin.deadlock);
+    REQUIRE(trial.lockstep.deadlocked() == trial.twin.deadlock);
+    if (!trial.twin.deadlock)
+        return;
+    CHECK(trial.decoupled.deadlock_cycle() == trial.twin.deadlock_cycle);
+    CHECK(trial.lockstep.deadlock_cycle() == trial.twin.deadlock_cycle);
+    CHECK(first_difference(stuck_cells(trial.decoupled), stuck_cells(trial.lockstep)) == "");
+    CHECK(first_difference(position_cells(trial.decoupled), position_cells(trial.lockstep)) == "");
+    CHECK_FALSE(trial.decoupled.wait_cycle().empty());
+}
+
+/// Runs the seeds first, first + 1, ...; returns how many deadlocked.
+int check_seeds(std::uint64_t first, std::uint64_t count, TrialOptions const& options) {
+    int deadlocks = 0;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        Trial const trial = run_trial(seed, options);
+        check_deadlock(trial);
+        CHECK(first_difference(all_cells(trial.decoupled), all_cells(trial.lockstep)) == "");
+        if (trial.twin.deadlock) {
+            ++deadlocks;
+            continue;
+        }
+        check_figures(trial);
+        check_buckets(trial.lockstep);
+        check_buckets(trial.decoupled);
+    }
+    return deadlocks;
+}
+
+}  // namespace
+
+TEST_CASE("Engines and twin agree: deadlock-free, seeds 1000 to 1119", "[engine_vs_twin]") {
+    CHECK(check_seeds(1000, 120, small_windows()) == 0);
+}
+
+TEST_CASE("Engines and twin agree: deadlock-free, seeds 1120 to 1239", "[engine_vs_twin]") {
+    CHECK(check_seeds(1120, 120, small_windows()) == 0);
+}
+
+TEST_CASE("Engines and twin agree: any configuration, seeds 2000 to 2119", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.is_deadlock_free = false;
+    int const deadlocks = check_seeds(2000, 120, options);
+    CHECK(deadlocks > 10);  // or the mixture tests nothing
+    CHECK(deadlocks < 110);
+}
+
+TEST_CASE("Engines and twin agree: shallow FIFOs, many deadlocks", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.is_deadlock_free = false;
+    options.config.fifo_depth = {1, 3};
+    CHECK(check_seeds(3000, 60, options) > 10);
+}
+
+TEST_CASE("Engines and twin agree: long intervals and few ports", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.max_target_ii = 12;
+    options.config.max_recurrence_ii = 12;
+    options.config.max_ports = 1;
+    options.stimulus.window = {1, 10};
+    options.stimulus.triangles = {0, 6};
+    check_seeds(4000, 40, options);
+}
+
+TEST_CASE("Engines and twin agree: many cores, deep FIFOs, larger windows", "[engine_vs_twin]") {
+    TrialOptions options;
+    options.config.fifo_depth = {1, 2000};
+    check_seeds(5000, 20, options);
+}
+
+TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {
+    for (int kind = 0; kind < triangle_kind_count; ++kind) {
+        CAPTURE(kind);
+        RandomStimulusOptions options;
+        options.kind = static_cast<TriangleKind>(kind);
+        options.samples = {3, 3};
+        options.triangles = {1, 12};
+        Stimulus const stimulus = random_stimulus(static_cast<std::uint64_t>(6000 + kind), options);
+        AcceleratorConfig config;
+        config.raster_cores = 2;
+        Trial const trial{run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
+                          run_forked(config, stimulus, Engine::decoupled).statistics};
+        REQUIRE_FALSE(trial.twin.deadlock);
+        check_deadlock(trial);
+        check_figures(trial);
+        check_buckets(trial.decoupled);
+    }
+}
+
+}  // namespace faster::testing

@@ -13,15 +13,11 @@ namespace faster::testing {
 /// string, or a vector of numbers.
 class ByteWriter {
   public:
-    template <class... Values>
-    void put(Values const&... values) {
-        (put_one(values), ...);
-    }
+    template <class... Values> void put(Values const&... values) { (put_one(values), ...); }
     std::string const& bytes() const { return bytes_; }
 
   private:
-    template <class Number>
-    void put_one(Number value) {
+    template <class Number> void put_one(Number value) {
         static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
         bytes_.append(reinterpret_cast<char const*>(&value), sizeof value);
     }
@@ -29,8 +25,7 @@ class ByteWriter {
         put_one(text.size());
         bytes_ += text;
     }
-    template <class Number>
-    void put_one(std::vector<Number> const& numbers) {
+    template <class Number> void put_one(std::vector<Number> const& numbers) {
         static_assert(std::is_arithmetic_v<Number>);
         put_one(numbers.size());
         bytes_.append(reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number));
@@ -44,10 +39,7 @@ class ByteReader {
   public:
     explicit ByteReader(std::string bytes) : bytes_(std::move(bytes)) {}
 
-    template <class... Values>
-    void get(Values&... values) {
-        (get_one(values), ...);
-    }
+    template <class... Values> void get(Values&... values) { (get_one(values), ...); }
     std::size_t get_size() {
         std::size_t size = 0;
         get_one(size);
@@ -62,8 +54,7 @@ class ByteReader {
             std::memcpy(to, bytes_.data() + next_, count);
         next_ += count;
     }
-    template <class Number>
-    void get_one(Number& value) {
+    template <class Number> void get_one(Number& value) {
         static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
         take(&value, sizeof value);
     }
@@ -71,8 +62,7 @@ class ByteReader {
         text.resize(get_size());
         take(text.data(), text.size());
     }
-    template <class Number>
-    void get_one(std::vector<Number>& numbers) {
+    template <class Number> void get_one(std::vector<Number>& numbers) {
         static_assert(std::is_arithmetic_v<Number>);
         numbers.resize(get_size());
         take(numbers.data(), numbers.size() * sizeof(Number));

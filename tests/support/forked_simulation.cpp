@@ -48,17 +48,14 @@ class MapCollector : public SampleProbe {
     int window_;
 };
 
-/// Sends or receives the fields of one row: `Stream` is a ByteWriter::put or ByteReader::get, so that both sides have one
-/// list of fields.
-template <class Visit, class Row>
-void visit_sample(Visit visit, Row& row) {
+/// Visits the fields of one row, to send or to receive them: both sides share the list.
+template <class Visit, class Row> void visit_sample(Visit visit, Row& row) {
     auto& counters = row.counters;
     visit(row.sample, row.core, row.start_cycle, row.end_cycle, counters.valid_raster, counters.valid_depth,
           counters.inlier, counters.valid_edge, counters.edge_inlier);
 }
 
-template <class Visit, class Row>
-void visit_core(Visit visit, Row& core) {
+template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
     visit(core.samples, core.end_cycle);
     for (auto& row : core.fifos)
         visit(row.kind, row.depth, row.capacity, row.write_latency, row.writes, row.reads, row.full_stall_cycles,
@@ -71,8 +68,7 @@ void visit_core(Visit visit, Row& core) {
               row.recurrence_cycles, row.idle_cycles);
 }
 
-template <class Visit, class Row>
-void visit_stuck(Visit visit, Row& row) {
+template <class Visit, class Row> void visit_stuck(Visit visit, Row& row) {
     visit(row.core, row.process, row.position, row.fifo, row.to_write, row.occupancy, row.capacity, row.since_cycle,
           row.waits_for);
 }
@@ -92,8 +88,7 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
     return writer.bytes();
 }
 
-template <class Pixel>
-void get_image(ByteReader& reader, int window, Image<Pixel>& image) {
+template <class Pixel> void get_image(ByteReader& reader, int window, Image<Pixel>& image) {
     std::vector<Pixel> pixels;
     reader.get(pixels);
     if (pixels.empty())

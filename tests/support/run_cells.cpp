@@ -31,8 +31,7 @@ std::string in_process(std::size_t core, std::size_t process) {
     return in_core(core, std::string("process ") + module_names[process] + ", ");
 }
 
-template <class Sample>
-void add_sample(CellList& cells, std::size_t index, Sample const& sample) {
+template <class Sample> void add_sample(CellList& cells, std::size_t index, Sample const& sample) {
     cells.at("sample " + std::to_string(index) + ", ");
     cells.add("start_cycle", sample.start_cycle);
     cells.add("end_cycle", sample.end_cycle);
@@ -43,8 +42,7 @@ void add_sample(CellList& cells, std::size_t index, Sample const& sample) {
     cells.add("edge_inlier", sample.counters.edge_inlier);
 }
 
-template <class Fifo>
-void add_fifo(CellList& cells, Fifo const& fifo) {
+template <class Fifo> void add_fifo(CellList& cells, Fifo const& fifo) {
     cells.add("writes", fifo.writes);
     cells.add("reads", fifo.reads);
     cells.add("full_stall_cycles", fifo.full_stall_cycles);
@@ -52,8 +50,7 @@ void add_fifo(CellList& cells, Fifo const& fifo) {
     cells.add("max_occupancy", fifo.max_occupancy);
 }
 
-template <class Loop>
-void add_loop(CellList& cells, Loop const& loop) {
+template <class Loop> void add_loop(CellList& cells, Loop const& loop) {
     cells.add("ii", loop.ii);
     cells.add("entries", loop.entries);
     cells.add("iterations", loop.iterations);
@@ -73,15 +70,13 @@ void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles
     cells.add("idle", total_cycles - std::min(process.end_cycle, total_cycles));
 }
 
-template <class Fifos>
-void add_fifos(CellList& cells, std::size_t core, Fifos const& fifos) {
+template <class Fifos> void add_fifos(CellList& cells, std::size_t core, Fifos const& fifos) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
         cells.at(in_fifo(core, i));
         add_fifo(cells, fifos[i]);
     }
 }
-template <class Loops>
-void add_loops(CellList& cells, std::size_t core, Loops const& loops) {
+template <class Loops> void add_loops(CellList& cells, std::size_t core, Loops const& loops) {
     for (std::size_t i = 0; i < loop_count; ++i) {
         cells.at(in_loop(core, i));
         add_loop(cells, loops[i]);
@@ -180,13 +175,21 @@ Cells stuck_cells(RunStatistics const& run) {
     CellList cells;
     for (StuckProcess const& stuck : run.stuck) {
         cells.at(in_core(stuck.core, stuck.process + ", "));
-        cells.add("position", stuck.position);
         cells.add("fifo", stuck.fifo);
         cells.add("to_write", std::uint64_t{stuck.to_write});
         cells.add("occupancy", stuck.occupancy);
         cells.add("capacity", stuck.capacity);
         cells.add("since_cycle", stuck.since_cycle);
         cells.add("waits_for", stuck.waits_for);
+    }
+    return cells.take();
+}
+
+Cells position_cells(RunStatistics const& run) {
+    CellList cells;
+    for (StuckProcess const& stuck : run.stuck) {
+        cells.at(in_core(stuck.core, stuck.process + ", "));
+        cells.add("position", stuck.position);
     }
     return cells.take();
 }

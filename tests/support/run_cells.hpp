@@ -23,8 +23,10 @@ Cells cells_of(TwinResult const& twin, Part part);
 
 /// All figures of a run, for comparing engines with each other.
 Cells all_cells(RunStatistics const& run);
-/// The stuck processes as they are printed.
+/// The stuck processes as they are printed, all but where in its program each stands, ...
 Cells stuck_cells(RunStatistics const& run);
+/// ... and that.
+Cells position_cells(RunStatistics const& run);
 
 /// "name: a against b" of the first cell that differs; empty if none does.
 std::string first_difference(Cells const& a, Cells const& b);

@@ -1,0 +1,454 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+namespace {
+
+constexpr int cores = 2;
+constexpr int samples = 3;
+constexpr int window = 120;
+
+Words operator+(Words left, Words const& right) {
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+}
+
+Words set(std::string const& key_value) { return {"--set", key_value}; }
+
+Words const two_cores = set("accelerator.raster_cores=" + std::to_string(cores));
+Words const small = two_cores + set("workload.samples.count=" + std::to_string(samples)) +
+                    set("accelerator.window=" + std::to_string(window));
+Words const engines{"decoupled", "lockstep"};
+
+Words engine_is(std::string const& engine) { return set("simulation.engine=" + engine); }
+
+/// A folder to run faster-sim in, with config.yaml: a built-in object in front of another.
+class Workspace {
+  public:
+    Workspace() {
+        write("config.yaml",
+              "workload:\n"
+              "  object: tomato_soup_can\n"
+              "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
+              "  scene:\n"
+              "    table_height_m: 0.059\n"
+              "    objects:\n"
+              "      - {object: gelatin_box, translation_m: [0.03, 0.079, 0.586], rotation_deg: [123.7, -25.7, "
+              "-16.1]}\n");
+    }
+
+    CommandResult operator()(Words const& arguments) const {
+        return run_command(FASTER_SIM_BINARY, arguments, folder_.path());
+    }
+    CommandResult run(Words const& arguments) const { return (*this)(Words{"run", "config.yaml"} + arguments); }
+    CommandResult record(Words const& arguments) const { return (*this)(Words{"record", "config.yaml"} + arguments); }
+
+    void write(std::string const& name, std::string const& content) const { folder_.write(name, content); }
+    fs::path operator/(std::string const& name) const { return folder_ / name; }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    nlohmann::ordered_json json(std::string const& name) const { return nlohmann::ordered_json::parse(text(name)); }
+
+    /// Paths of everything below a folder of the workspace, hidden files included, relative to that folder.
+    std::set<std::string> tree(std::string const& name = ".") const {
+        std::set<std::string> paths;
+        for (auto const& entry : fs::recursive_directory_iterator(folder_ / name))
+            paths.insert(entry.path().lexically_relative(folder_ / name).string());
+        return paths;
+    }
+
+  private:
+    TempFolder folder_;
+};
+
+void require_done(CommandResult const& result) {
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    REQUIRE(result.err.empty());
+}
+
+Words lines_of(std::string const& text) {
+    Words lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+Words fields_of(std::string const& line) {
+    Words fields;
+    std::istringstream stream(line + ",");
+    for (std::string field; std::getline(stream, field, ',');)
+        fields.push_back(field);
+    return fields;
+}
+
+/// A CSV table with this header; each row is its first `keys` fields, joined by commas.
+Words row_keys(std::string const& text, std::string const& header, std::size_t keys) {
+    Words lines = lines_of(text);
+    REQUIRE_FALSE(lines.empty());
+    CHECK(lines.front() == header);
+    CHECK(text.back() == '\n');
+    CHECK_THAT(text, !Contains("\r"));
+    std::size_t const columns = fields_of(header).size();
+    Words found;
+    for (std::size_t index = 1; index < lines.size(); ++index) {
+        Words const fields = fields_of(lines[index]);
+        CAPTURE(lines[index]);
+        REQUIRE(fields.size() == columns);
+        std::string key = fields[0];
+        for (std::size_t field = 1; field < keys; ++field)
+            key += "," + fields[field];
+        found.push_back(key);
+    }
+    return found;
+}
+
+Words per_core(Words const& names) {
+    Words rows;
+    for (int core = 0; core < cores; ++core)
+        for (std::string const& name : names)
+            rows.push_back(std::to_string(core) + "," + name);
+    return rows;
+}
+
+void check_same_tables(Workspace const& workspace, std::string const& found, std::string const& expected) {
+    for (std::string const table : {"samples.csv", "fifos.csv", "loops.csv"}) {
+        CAPTURE(table, found, expected);
+        std::string const text = workspace.text(expected + "/" + table);
+        CHECK_FALSE(text.empty());
+        CHECK(workspace.text(found + "/" + table) == text);
+    }
+}
+
+/// Expects exit code 2, one line on stderr that contains `parts`, nothing on stdout, and the folder as it was.
+void check_refused(Workspace const& workspace, Words const& arguments, Words const& parts) {
+    std::string command;
+    for (std::string const& word : arguments)
+        command += word + " ";
+    CAPTURE(command);
+    std::set<std::string> const before = workspace.tree();
+    CommandResult const result = workspace(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    CAPTURE(result.err);
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+    CHECK(result.err.find('\n') + 1 == result.err.size());
+    CHECK(result.err.rfind("faster-sim: ", 0) == 0);
+    for (std::string const& part : parts)
+        CHECK_THAT(result.err, Contains(part));
+    CHECK(workspace.tree() == before);
+}
+
+void check_run_refused(Workspace const& workspace, Words const& arguments, Words const& parts) {
+    check_refused(workspace, Words{"run", "config.yaml"} + small + arguments + Words{"--out", "out"}, parts);
+}
+
+/// A workspace with a trace of the small workload in "trace".
+void record_small_trace(Workspace const& workspace) { require_done(workspace.record(small + Words{"--out", "trace"})); }
+
+Words const replay = {"run", "config.yaml", "--trace", "trace", "--out", "out"};
+
+}  // namespace
+
+TEST_CASE("A run prints its report and without --out writes nothing") {
+    Workspace const workspace;
+    std::set<std::string> const before = workspace.tree();
+    CommandResult const result = workspace.run(small);
+    require_done(result);
+    CHECK_THAT(result.out, Contains("3 samples on 2 raster cores, window 120 x 120 px"));
+    for (std::string const part :
+         {"total", "Modules", "rasterizer", "Loops", "inlier_unit.sweep", "FIFOs", "edge_token"})
+        CHECK_THAT(result.out, Contains(part));
+    CHECK_THAT(result.out, !Contains("\r") && !Contains("\033"));
+    CHECK(workspace.tree() == before);
+}
+
+TEST_CASE("A run writes exactly its four files with their headers and rows in order") {
+    Workspace const workspace;
+    CommandResult const result = workspace.run(small + Words{"--out", "new/out"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("written: new/out"));
+    CHECK(workspace.tree() == std::set<std::string>{"config.yaml", "new", "new/out", "new/out/fifos.csv",
+                                                    "new/out/loops.csv", "new/out/samples.csv",
+                                                    "new/out/summary.json"});
+
+    CHECK(row_keys(workspace.text("new/out/samples.csv"),
+                   "sample,core,start_cycle,end_cycle,latency_cycles,valid_raster,valid_depth,inlier,valid_edge,"
+                   "edge_inlier",
+                   1) == Words{"0", "1", "2"});
+    CHECK(row_keys(workspace.text("new/out/fifos.csv"),
+                   "core,fifo,kind,depth,write_latency,writes,reads,full_stall_cycles,empty_stall_cycles,max_occupancy",
+                   2) == per_core({"sample_vertex", "sample_raster", "sample_observation", "vertex", "area",
+                                   "area_reciprocal", "command", "fragment_depth", "fragment_index", "edge_token",
+                                   "edge_map", "observed_depth", "observed_edge", "result"}));
+    CHECK(row_keys(workspace.text("new/out/loops.csv"),
+                   "core,module,loop,ii_target,ii_recurrence,ii,depth,entries,iterations,port_conflict_cycles,"
+                   "recurrence_cycles,limited_by",
+                   3) ==
+          per_core({"rasterizer,scan", "edge_map_builder,clear", "edge_map_builder,token", "edge_map_builder,output",
+                    "inlier_unit,clear", "inlier_unit,fragment", "inlier_unit,sweep"}));
+    CHECK_THAT(workspace.text("new/out/fifos.csv"), !Contains("auto"));
+}
+
+TEST_CASE("A recorded trace replays to the tables of the direct run on both engines") {
+    Workspace const workspace;
+    record_small_trace(workspace);
+    CHECK(workspace.tree("trace") ==
+          std::set<std::string>{"depth.png", "edges.png", "samples.csv", "trace.yaml", "triangles.csv"});
+    for (std::string const& engine : engines) {
+        require_done(workspace.run(small + engine_is(engine) + Words{"--out", engine}));
+        // The trace brings the number of samples and the window.
+        require_done(
+            workspace.run(two_cores + engine_is(engine) + Words{"--trace", "trace", "--out", engine + "_replayed"}));
+        check_same_tables(workspace, engine + "_replayed", engine);
+    }
+    check_same_tables(workspace, "lockstep", "decoupled");
+}
+
+TEST_CASE("Repeated runs write the same bytes apart from the times of the host") {
+    Workspace const workspace;
+    for (std::string const& engine : engines) {
+        Words const arguments = small + engine_is(engine) + Words{"--images", "1", "--out"};
+        std::string const first = engine + "1", second = engine + "2";
+        require_done(workspace.run(arguments + Words{first}));
+        require_done(workspace.run(arguments + Words{second}));
+        std::set<std::string> const files = workspace.tree(first);
+        REQUIRE(workspace.tree(second) == files);
+        for (std::string const& file : files) {
+            CAPTURE(engine, file);
+            if (file == "summary.json") {
+                nlohmann::ordered_json one = workspace.json(first + "/" + file);
+                nlohmann::ordered_json two = workspace.json(second + "/" + file);
+                CHECK(one.erase("host") == 1);
+                CHECK(two.erase("host") == 1);
+                CHECK(one.dump() == two.dump());
+            } else if (fs::is_regular_file(workspace / (first + "/" + file))) {
+                CHECK((workspace.text(first + "/" + file) == workspace.text(second + "/" + file)));
+            }
+        }
+    }
+}
+
+TEST_CASE("Recording twice writes the same bytes") {
+    Workspace const workspace;
+    record_small_trace(workspace);
+    require_done(workspace.record(small + Words{"--out", "again"}));
+    REQUIRE(workspace.tree("again") == workspace.tree("trace"));
+    for (std::string const& file : workspace.tree("trace")) {
+        CAPTURE(file);
+        CHECK((workspace.text("again/" + file) == workspace.text("trace/" + file)));
+    }
+}
+
+TEST_CASE("A run replaces the results of an older one") {
+    Workspace const workspace;
+    require_done(workspace.run(small + Words{"--images", "1", "--out", "out"}));
+    require_done(workspace.run(small + set("workload.samples.count=2") + Words{"--out", "out"}));
+    CHECK(workspace.tree("out") == std::set<std::string>{"fifos.csv", "loops.csv", "samples.csv", "summary.json"});
+    CHECK(lines_of(workspace.text("out/samples.csv")).size() == 1 + 2);
+}
+
+TEST_CASE("The cycle buckets of every module add up to the total") {
+    Workspace const workspace;
+    for (std::string const& engine : engines) {
+        require_done(workspace.run(small + engine_is(engine) + Words{"--out", engine}));
+        nlohmann::ordered_json const summary = workspace.json(engine + "/summary.json");
+        auto const total = summary.at("total_cycles").get<std::uint64_t>();
+        CHECK(total > 0);
+        CHECK(summary.at("samples") == samples);
+        CHECK(summary.at("modules").size() == cores * 8);
+        for (auto const& row : summary.at("modules")) {
+            CAPTURE(row.dump());
+            std::uint64_t sum = 0;
+            for (char const* const bucket : {"busy_cycles", "empty_stall_cycles", "full_stall_cycles",
+                                             "port_conflict_cycles", "recurrence_cycles", "idle_cycles"})
+                sum += row.at(bucket).get<std::uint64_t>();
+            CHECK(sum == total);
+        }
+    }
+}
+
+TEST_CASE("The pictures of the first samples have their names, sizes and types") {
+    Workspace const workspace;
+    require_done(workspace.run(small + Words{"--images", "2", "--out", "out"}));
+    std::set<std::string> names;
+    for (std::string const sample : {"sample_0000", "sample_0001"}) {
+        for (std::string const picture : {"edges", "object", "depth", "overlay"})
+            names.insert(sample + "_" + picture + ".png");
+        for (std::string const picture : {"edges", "object"}) {
+            CAPTURE(sample, picture);
+            cv::Mat const map =
+                cv::imread(workspace / ("out/images/" + sample + "_" + picture + ".png"), cv::IMREAD_UNCHANGED);
+            REQUIRE(map.type() == CV_8UC1);
+            CHECK(map.size() == cv::Size(window, window));
+            int const lit = cv::countNonZero(map == 255);
+            CHECK(lit > 0);
+            CHECK(lit + cv::countNonZero(map == 0) == window * window);
+        }
+        cv::Mat const depth = cv::imread(workspace / ("out/images/" + sample + "_depth.png"), cv::IMREAD_UNCHANGED);
+        REQUIRE(depth.type() == CV_16UC1);
+        CHECK(depth.size() == cv::Size(window, window));
+    }
+    CHECK(workspace.tree("out/images") == names);
+}
+
+TEST_CASE("More pictures than samples are as many as there are samples") {
+    Workspace const workspace;
+    require_done(workspace.run(small + Words{"--images", "99", "--out", "out"}));
+    CHECK(workspace.tree("out/images").size() == samples * 4);
+}
+
+TEST_CASE("A wrong configuration is refused in one line") {
+    Workspace const workspace;
+    check_run_refused(workspace, set("accelerator.raster_corez=3"),
+                      {"accelerator.raster_corez", "unknown key", "accelerator.raster_cores"});
+    check_run_refused(workspace, set("accelerator.raster_cores=many"),
+                      {"accelerator.raster_cores", "expected an integer"});
+    check_run_refused(workspace, set("accelerator.raster_cores=0"), {"accelerator.raster_cores", "from 1 to"});
+    check_run_refused(workspace, set("simulation.engine=warp"), {"simulation.engine", "expected"});
+    check_run_refused(workspace, set("accelerator.raster_cores"), {"accelerator.raster_cores"});
+
+    workspace.write("bad.yaml", "accelerator:\n  windw: 120\n");
+    check_refused(workspace, {"run", "bad.yaml", "--out", "out"}, {"bad.yaml:2", "windw", "window"});
+    workspace.write("bad.yaml", "accelerator:\n  window: wide\n");
+    check_refused(workspace, {"run", "bad.yaml", "--out", "out"}, {"bad.yaml:2", "accelerator.window"});
+    workspace.write("bad.yaml", "accelerator: [\n");
+    check_refused(workspace, {"run", "bad.yaml", "--out", "out"}, {"bad.yaml"});
+    check_refused(workspace, {"run", "missing.yaml", "--out", "out"}, {"missing.yaml", "no such file"});
+    check_refused(workspace, {"record", "missing.yaml", "--out", "out"}, {"missing.yaml", "no such file"});
+}
+
+TEST_CASE("A bad mesh is refused in one line") {
+    Workspace const workspace;
+    Words const own_mesh = set("workload.object=./own.obj");
+    check_run_refused(workspace, own_mesh, {"own.obj", "no such file"});
+    workspace.write("own.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\n");
+    check_run_refused(workspace, own_mesh, {"own.obj", "no triangles"});
+    workspace.write("own.obj", "");
+    check_run_refused(workspace, own_mesh, {"own.obj"});
+    workspace.write("own.obj", "v 0 0 0\nv nan 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    check_run_refused(workspace, own_mesh, {"own.obj:2"});
+    workspace.write("own.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    require_done(workspace.run(small + own_mesh));
+}
+
+TEST_CASE("A bad depth image is refused in one line") {
+    Workspace const workspace;
+    Words const own_depth = set("workload.scene.depth_image=depth.png");
+    check_run_refused(workspace, own_depth, {"depth.png", "no such file"});
+    cv::imwrite(workspace / "depth.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(200)));
+    check_run_refused(workspace, own_depth, {"depth.png", "16"});
+    cv::imwrite(workspace / "depth.png", cv::Mat(240, 320, CV_16UC1, cv::Scalar(700)));
+    check_run_refused(workspace, own_depth, {"depth.png", "640", "480"});
+    cv::imwrite(workspace / "depth.png", cv::Mat(480, 640, CV_16UC1, cv::Scalar(700)));
+    require_done(workspace.run(small + own_depth));
+}
+
+TEST_CASE("A bad trace is refused in one line") {
+    Workspace const workspace;
+    check_refused(workspace, replay, {"trace", "no such folder"});
+    record_small_trace(workspace);
+
+    SECTION("when an explicit key contradicts it") {
+        check_refused(workspace, replay + set("accelerator.window=100"), {"accelerator.window=100", "expected 120"});
+    }
+    SECTION("when its triangles end too early") {
+        Words const lines = lines_of(workspace.text("trace/triangles.csv"));
+        std::string half;
+        for (std::size_t index = 0; index < lines.size() / 2; ++index)
+            half += lines[index] + "\n";
+        workspace.write("trace/triangles.csv", half);
+        check_refused(workspace, replay, {"samples.csv", "triangle"});
+    }
+    SECTION("when its triangles are cut within a line") {
+        std::string const text = workspace.text("trace/triangles.csv");
+        std::size_t const line = text.find('\n', text.size() / 2);
+        std::size_t const comma = text.find(',', line);
+        workspace.write("trace/triangles.csv", text.substr(0, comma));
+        check_refused(workspace, replay, {"triangles.csv"});
+    }
+    SECTION("when its depth image has 8 bits") {
+        cv::imwrite(workspace / "trace/depth.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(200)));
+        check_refused(workspace, replay, {"depth.png", "16"});
+    }
+    SECTION("when its depth image has another size") {
+        cv::imwrite(workspace / "trace/depth.png", cv::Mat(480, 600, CV_16UC1, cv::Scalar(200)));
+        check_refused(workspace, replay, {"depth.png", "640"});
+    }
+    SECTION("when a file is missing") {
+        fs::remove(workspace / "trace/edges.png");
+        check_refused(workspace, replay, {"edges.png", "no such file"});
+    }
+}
+
+TEST_CASE("A folder that cannot be written is refused in one line") {
+    Workspace const workspace;
+    workspace.write("file", "kept");
+    for (std::string const command : {"run", "record"}) {
+        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "file/below/out"},
+                      {"file/below/out", "cannot be written"});
+        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "file"}, {"file"});
+        // A folder with files of someone else.
+        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "."}, {"other files"});
+    }
+    CHECK(workspace.text("file") == "kept");
+}
+
+TEST_CASE("Wrong usage is refused in one line") {
+    Workspace const workspace;
+    check_refused(workspace, {}, {"subcommand"});
+    check_refused(workspace, {"fly"}, {"subcommand is required"});
+    check_refused(workspace, {"run"}, {"config"});
+    check_refused(workspace, {"record", "config.yaml"}, {"--out"});
+    check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});
+    check_refused(workspace, {"run", "config.yaml", "--images", "2"}, {"--images", "--out"});
+    check_refused(workspace, {"run", "config.yaml", "--images", "two", "--out", "out"}, {"--images"});
+}
+
+TEST_CASE("A negative number of pictures is refused in one line") {
+    check_refused(Workspace(), Words{"run", "config.yaml"} + small + Words{"--images", "-1", "--out", "out"},
+                  {"--images"});
+}
+
+TEST_CASE("Help, version and keys go to stdout") {
+    Workspace const workspace;
+    for (Words const& arguments : {Words{"--help"}, Words{"run", "--help"}, Words{"--version"}, Words{"keys"}}) {
+        CommandResult const result = workspace(arguments);
+        require_done(result);
+        CHECK_FALSE(result.out.empty());
+    }
+}
+
+TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes nothing") {
+    Workspace const workspace;
+    std::set<std::string> const before = workspace.tree();
+    std::map<std::string, std::string> reports;
+    for (std::string const& engine : engines) {
+        CAPTURE(engine);
+        CommandResult const result = workspace.run(small + set("accelerator.fifos.fragment_depth.depth=1") +
+                                                   engine_is(engine) + Words{"--images", "1", "--out", "new/out"});
+        CHECK(result.exit_code == 3);
+        CHECK(result.out.empty());
+        for (std::string const part : {"deadlock", "wait-for cycle", "rasterizer", "inlier_unit", "fragment_depth"})
+            CHECK_THAT(result.err, Contains(part));
+        CHECK(workspace.tree() == before);
+        reports[engine] = result.err;
+    }
+    CHECK(reports["lockstep"] == reports["decoupled"]);
+}

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace faster::test {
+
+struct CommandResult {
+    int exit_code = 0;
+    std::string out;  ///< stdout
+    std::string err;  ///< stderr
+};
+
+/// Runs a program in `folder`, without a shell, and waits for its end. Throws std::runtime_error if it cannot be
+/// started, is ended by a signal or takes longer than two minutes.
+CommandResult run_command(std::string const& program, std::vector<std::string> const& arguments,
+                          std::filesystem::path const& folder);
+
+}  // namespace faster::test

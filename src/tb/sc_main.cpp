@@ -30,7 +30,7 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->type_name("DIR");
     command.add_option("--images", request.images, "Write pictures of the first K samples to DIR/images (needs --out)")
         ->type_name("K")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0, 1000000));
     add_overrides(command, request.overrides);
 }
 
@@ -54,8 +54,7 @@ std::string unknown_subcommand(int argc, char** argv) {
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record or keys{}", given,
-                       faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected run, record or keys{}", given, faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {

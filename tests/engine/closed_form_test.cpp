@@ -89,7 +89,7 @@ TEST_CASE("A run without samples takes no cycle", "[closed_form]") {
     CHECK(run.cores.size() == 3);
 }
 
-TEST_CASE("Cores take consecutive samples; one without samples has rows of zeros", "[closed_form]") {
+TEST_CASE("Cores take consecutive samples, one without samples has rows of zeros", "[closed_form]") {
     Engine const engine = either_engine();
     CAPTURE(engine);
     RunStatistics const run = run_forked(with_cores(4), empty_stimulus(4, 5), engine).statistics;  // 2, 2, 1 and none

@@ -69,7 +69,7 @@ TEST_CASE("Close but different vertices stay apart", "[mesh_file]") {
     CHECK(mesh.vertices.size() == 3);
 }
 
-TEST_CASE("Several objects and groups become one mesh; polygons are cut, points and lines left out", "[mesh_file]") {
+TEST_CASE("Several objects and groups become one mesh, polygons are cut, points and lines left out", "[mesh_file]") {
     TempFolder const folder;
     std::string const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     Mesh const mesh =

@@ -37,7 +37,7 @@ TEST_CASE("Random numbers are the same on every platform", "[random]") {
     CHECK(random.uniform() == 0x1p-53 * static_cast<double>(2469588189546311528U >> 11));  // its first output
 }
 
-TEST_CASE("Uniform numbers fill [0, 1), normal numbers have mean 0 and deviation 1", "[random]") {
+TEST_CASE("Uniform numbers fill 0 to 1 without 1, normal numbers have mean 0 and deviation 1", "[random]") {
     Random random(3);
     double const draws = 100000;
     double uniform_sum = 0, sum = 0, sum_of_squares = 0, inside_one_sigma = 0;

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <systemc>
 
 #include "channels/fifo_channel.hpp"
 
 namespace faster {
-
-namespace {
-constexpr std::size_t log_limit = 1U << 16;  // operations held before the timing has to catch up
-constexpr std::uint64_t longest_count = std::numeric_limits<std::uint32_t>::max() / 2;
-}  // namespace
 
 std::uint64_t TimeBase::ticks_per_cycle() const {
     double const seconds = 1e-6 / clock_mhz;
@@ -65,13 +59,6 @@ void ProcessClock::enter_loop(unsigned loop) {
     follow();
 }
 
-void ProcessClock::iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap) {
-    for (; count > longest_count; count -= longest_count)
-        timing_.log().iterate(ports, gap, longest_count);
-    timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
-    follow();
-}
-
 void ProcessClock::leave_loop() {
     timing_.log().leave();
     follow();
@@ -79,13 +66,6 @@ void ProcessClock::leave_loop() {
 
 void ProcessClock::resolve() {
     if (!lockstep())
-        core_.resolve();
-}
-
-void ProcessClock::follow() {
-    if (lockstep())
-        follow_in_lockstep();
-    else if (timing_.log().pending() > log_limit)
         core_.resolve();
 }
 

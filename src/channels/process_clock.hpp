@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "common/cycles.hpp"
 #include "config/run_config.hpp"
@@ -41,7 +43,12 @@ class ProcessClock {
 
     void enter_loop(unsigned loop);
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
-    void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0);
+    void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
+        for (; count > longest_count; count -= longest_count)
+            timing_.log().iterate(ports, gap, longest_count);
+        timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
+        follow();
+    }
     void leave_loop();
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
@@ -66,7 +73,15 @@ class ProcessClock {
 
   private:
     friend class Step;
-    void follow();
+    static constexpr std::size_t log_limit = 1U << 16;  ///< operations held before the timing has to catch up
+    static constexpr std::uint32_t longest_count = std::numeric_limits<std::uint32_t>::max() / 2;
+
+    void follow() {
+        if (lockstep())
+            follow_in_lockstep();
+        else if (timing_.log().pending() > log_limit)
+            core_.resolve();
+    }
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
 

@@ -58,8 +58,11 @@ void EdgeMapBuilder::build() {
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
     EdgeToken const* next = edge_token_->front();
+    std::uint8_t const port = edge_token_->read_port();
     bool ended = false;
     std::size_t taken = 0;
+    bool run_of_seconds = false;  // iterations of one kind are told to the clock together
+    std::uint64_t run = 0;
     for (; taken < available && !ended; ++taken) {
         ended = next[taken].kind == EdgeTokenKind::End;
         bool const second = maps_.needs_second(current) && (!ended || core_.config.flush_last);
@@ -67,8 +70,14 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
         if (second)
             maps_.take_second(current);
         current = next[taken];
-        clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
+        if (second != run_of_seconds && run > 0) {
+            clock_.iterate(port, run, run_of_seconds ? 1 : 0);
+            run = 0;
+        }
+        run_of_seconds = second;
+        ++run;
     }
+    clock_.iterate(port, run, run_of_seconds ? 1 : 0);
     edge_token_->consume(taken);
     return !ended;
 }

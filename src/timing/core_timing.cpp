@@ -39,8 +39,10 @@ void CoreTiming::resolve() {
         // Downstream processes first: what they read is what makes room for those before them.
         auto const index = 31U - static_cast<unsigned>(__builtin_clz(runnable));
         runnable &= ~(1U << index);
-        steady_state_.observe(processes_[index], processes_);
-        runnable |= processes_[index].advance();
+        ProcessTiming& process = processes_[index];
+        if (process.is_running(SteadyState::worthwhile_count))
+            steady_state_.observe(process, processes_);
+        runnable |= process.advance();
     }
     for (ProcessTiming& process : processes_)
         process.log().compact();

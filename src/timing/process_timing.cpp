@@ -111,7 +111,7 @@ void ProcessTiming::commit_front() {
         log_.consume();
     } else if (plan().aligned) {
         time_ += plan().ii * (1U + operation.gap);
-        end_iterations(1);
+        end_iterations(operation, 1);
     } else {
         ++pipeline_.phase;
     }
@@ -121,27 +121,46 @@ std::uint32_t ProcessTiming::advance() {
     std::uint32_t woken = 0;
     for (;;) {
         if (!run_.active) {
-            if (front() != Status::ready)
-                return woken;
-            Operation const& operation = log_.front();
-            if (operation.kind != Operation::Kind::iterate || !plan().aligned) {
-                for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
-                commit_front();
-                continue;
+            // The hot path: from one run of iterations straight to the next.
+            bool const in_iterations = front_ports_ == 0 && skip_silent_iterations();
+            if (!in_iterations) {
+                if (front() != Status::ready)
+                    return woken;
+                Operation const& operation = log_.front();
+                if (operation.kind != Operation::Kind::iterate || !plan().aligned) {
+                    for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
+                    commit_front();
+                    continue;
+                }
             }
-            start_run(operation);
+            start_run(log_.front());
         }
-        std::uint32_t const wanted = log_.front().count;
+        Operation& operation = log_.front();
+        std::uint32_t const wanted = operation.count;
         std::uint32_t const done = (this->*run_.accesses)(wanted);
         if (done == 0)
             return woken;
         woken |= run_.neighbours;
-        end_iterations(done);
+        end_iterations(operation, done);
         if (done < wanted)
             return woken;
         run_.active = false;
         front_ports_ = 0;
     }
+}
+
+/// True if the log goes on with iterations of an aligned loop that access something; silent ones before them are
+/// passed.
+bool ProcessTiming::skip_silent_iterations() {
+    while (in_loop_ && plan().aligned && !log_.exhausted() && log_.front().kind == Operation::Kind::iterate) {
+        Operation& operation = log_.front();
+        if (operation.ports != 0) {
+            front_ports_ = operation.ports;
+            return true;
+        }
+        find_step_in_iterations(operation);
+    }
+    return false;
 }
 
 /// Moves time and log to the next step that accesses anything; false: the log is exhausted.
@@ -187,7 +206,7 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
             return true;
         }
         time_ += plan().ii * (1U + operation.gap) * operation.count;
-        end_iterations(operation.count);
+        end_iterations(operation, operation.count);
         return false;
     }
     if (find_step_in_pipeline(pipeline_.gap_left > 0 ? std::uint8_t{0} : operation.ports))
@@ -195,16 +214,8 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
     // An iteration ended: one of those with accesses, or one of the `gap` that follow it.
     pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap;
     if (pipeline_.gap_left == 0)
-        end_iterations(1);
+        end_iterations(operation, 1);
     return false;
-}
-
-void ProcessTiming::end_iterations(std::uint32_t count) {
-    Operation& operation = log_.front();
-    iterations_ += std::uint64_t{count} * (1U + operation.gap);
-    operation.count -= count;
-    if (operation.count == 0)
-        log_.consume();
 }
 
 void ProcessTiming::open_iteration(std::uint8_t ports) {
@@ -299,40 +310,38 @@ template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std
     return static_cast<std::uint32_t>(known);
 }
 
-template <bool Writes> void ProcessTiming::choose_accesses() {
-    switch (run_.size) {
-        case 1:
-            run_.accesses = &ProcessTiming::run_accesses<1, Writes>;
-            break;
-        case 2:
-            run_.accesses = &ProcessTiming::run_accesses<2, Writes>;
-            break;
-        case 3:
-            run_.accesses = &ProcessTiming::run_accesses<3, Writes>;
-            break;
-        case 4:
-            run_.accesses = &ProcessTiming::run_accesses<4, Writes>;
-            break;
-        default:
+ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
+    using Accesses = std::uint32_t (ProcessTiming::*)(std::uint32_t);
+    static constexpr Accesses reading[] = {
+        &ProcessTiming::run_accesses<1, false>, &ProcessTiming::run_accesses<2, false>,
+        &ProcessTiming::run_accesses<3, false>, &ProcessTiming::run_accesses<4, false>};
+    static constexpr Accesses writing[] = {&ProcessTiming::run_accesses<1, true>, &ProcessTiming::run_accesses<2, true>,
+                                           &ProcessTiming::run_accesses<3, true>,
+                                           &ProcessTiming::run_accesses<4, true>};
+    Run run;
+    for_each_port(ports, [&](unsigned number) {
+        if (run.size == 4)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
-    }
+        Port const& port = ports_[number];
+        run.fifos[run.size++] = port.fifo;
+        run.writes = port.writes;
+        run.neighbours |= port.neighbour;
+    });
+    run.accesses = (run.writes ? writing : reading)[run.size - 1];
+    return run;
 }
 
 void ProcessTiming::start_run(Operation const& operation) {
+    if (runs_.empty())
+        runs_.resize(std::size_t{1} << max_ports);
+    Run& known = runs_[operation.ports];
+    if (known.size == 0)
+        known = make_run(operation.ports);
+    std::uint64_t const number = run_.number + 1;
+    run_ = known;
+    run_.number = number;
     run_.active = true;
-    ++run_.number;
-    run_.size = 0;
-    run_.neighbours = 0;
-    for_each_port(operation.ports, [this](unsigned number) {
-        if (run_.size == 4)
-            throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
-        Port const& port = ports_[number];
-        run_.fifos[run_.size++] = port.fifo;
-        run_.writes = port.writes;
-        run_.neighbours |= port.neighbour;
-    });
     run_.stride = plan().ii * (1U + operation.gap);
-    run_.writes ? choose_accesses<true>() : choose_accesses<false>();
 }
 
 std::string ProcessTiming::position() const {

@@ -67,6 +67,9 @@ class ProcessTiming {
     /// Tells which process is at the other end of a port, as a bit for advance().
     void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
 
+    /// In the middle of a run with at least this many iterations left.
+    bool is_running(std::uint32_t iterations) const { return run_.active && log_.front().count >= iterations; }
+
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
     Cycles local_time() const { return time_; }
@@ -141,9 +144,15 @@ class ProcessTiming {
     void enter_loop(unsigned loop);
     void count_loop();
     void perform(std::uint8_t ports);
-    void end_iterations(std::uint32_t count);
+    void end_iterations(Operation& operation, std::uint32_t count) {
+        iterations_ += std::uint64_t{count} * (1U + operation.gap);
+        operation.count -= count;
+        if (operation.count == 0)
+            log_.consume();
+    }
+    bool skip_silent_iterations();
+    Run make_run(std::uint8_t ports) const;
     void start_run(Operation const& operation);
-    template <bool Writes> void choose_accesses();
     template <unsigned N, bool Writes> std::uint32_t run_accesses(std::uint32_t count);
 
     std::string name_;
@@ -164,6 +173,7 @@ class ProcessTiming {
     bool in_loop_ = false;
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
     Run run_;
+    std::vector<Run> runs_;  ///< by port mask, made when first needed
     PipelinePosition pipeline_;
     friend class SteadyState;
 };

@@ -5,16 +5,13 @@
 namespace faster::timing {
 
 namespace {
-constexpr std::uint32_t worthwhile_count = 64;  // iterations left, below which jumping does not pay
-constexpr unsigned most_looks = 256;            // without finding a period, before giving a run up
-constexpr std::uint64_t most_room = 1024;       // tokens of FIFOs to compare at each look
+constexpr unsigned most_looks = 256;       // without finding a period, before giving a run up
+constexpr std::uint64_t most_room = 1024;  // tokens of FIFOs to compare at each look
 
 bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
 }  // namespace
 
 void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    if (!process.run_.active || process.log_.front().count < worthwhile_count)
-        return;
     bool const led = leader_ != nullptr && leader_->run_.active && leader_->run_.number == leader_run_;
     if (!led)
         follow(process);

@@ -13,7 +13,11 @@ namespace faster::timing {
 /// as one period before.
 class SteadyState {
   public:
-    /// To be called whenever `process`, one of `processes` of a core, is about to advance.
+    /// Iterations left in a run, below which jumping does not pay.
+    static constexpr std::uint32_t worthwhile_count = 64;
+
+    /// To be called whenever `process`, one of `processes` of a core, with that much left to do is
+    /// about to advance.
     void observe(ProcessTiming& process, std::deque<ProcessTiming>& processes);
 
   private:

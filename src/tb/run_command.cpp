@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
-#include <fstream>
 #include <memory>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include "config/load_config.hpp"
 #include "config/resolved_config.hpp"
 #include "io/atomic_folder.hpp"
+#include "io/text_file.hpp"
 #include "io/trace.hpp"
 #include "report/csv.hpp"
 #include "report/summary.hpp"
@@ -31,14 +31,6 @@ double seconds_since(HostClock::time_point start) {
 
 io::FolderKind const results_folder{
     "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "images"}};
-
-void write_file(std::filesystem::path const& path, std::string const& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-        throw InputError(path.string() + ": cannot be written");
-}
 
 /// Samples done so far, on the terminal's last line; silent when stdout is no terminal.
 class ProgressLine {
@@ -68,11 +60,11 @@ class ProgressLine {
 
 void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run,
                    report::HostTime const& host, SamplePictures const& pictures, bool with_pictures) {
-    write_file(folder.path() / "summary.json",
-               report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, host));
-    write_file(folder.path() / "samples.csv", report::samples_csv(run));
-    write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
-    write_file(folder.path() / "loops.csv", report::loops_csv(run));
+    io::write_file(folder.path() / "summary.json",
+                   report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, host));
+    io::write_file(folder.path() / "samples.csv", report::samples_csv(run));
+    io::write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
+    io::write_file(folder.path() / "loops.csv", report::loops_csv(run));
     if (with_pictures)
         pictures.write(folder.path() / "images");
     folder.commit();

@@ -10,22 +10,21 @@ ProcessTiming& CoreTiming::add_process(std::string name) {
     return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()));
 }
 
-CoreTiming::Ends const& CoreTiming::ends(FifoTiming const& fifo) const {
+std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
     auto const same = [&fifo](FifoTiming const& other) { return &other == &fifo; };
-    auto const at = std::find_if(fifos_.begin(), fifos_.end(), same);
-    return ends_[static_cast<std::size_t>(at - fifos_.begin())];
+    return static_cast<std::size_t>(std::find_if(fifos_.begin(), fifos_.end(), same) - fifos_.begin());
 }
 
 void CoreTiming::connect() {
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
-            auto& both = const_cast<Ends&>(ends(process.fifo(port)));
+            Ends& both = ends_[number_of(process.fifo(port))];
             (process.writes(port) ? both.writer : both.reader) = static_cast<int>(process.index());
         }
     for (ProcessTiming& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
-            Ends const& both = ends(process.fifo(port));
+            Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
             process.set_neighbour(port, other < 0 ? 0U : 1U << other);
         }
@@ -67,7 +66,7 @@ std::vector<Wait> CoreTiming::waits() {
         wait.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
         wait.capacity = fifo.shape().capacity;
         wait.since = process.local_time();
-        Ends const& both = ends(fifo);
+        Ends const& both = ends_[number_of(fifo)];
         int const other = wait.to_write ? both.reader : both.writer;
         wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
         waits.push_back(wait);

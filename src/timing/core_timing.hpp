@@ -42,7 +42,7 @@ class CoreTiming {
         int reader = -1;
     };
     void connect();
-    Ends const& ends(FifoTiming const& fifo) const;
+    std::size_t number_of(FifoTiming const& fifo) const;
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;

@@ -66,7 +66,12 @@ void ProcessClock::leave_loop() {
 
 void ProcessClock::resolve() {
     if (!lockstep())
-        core_.resolve();
+        core_.resolve(false);
+}
+
+void ProcessClock::catch_up() {
+    core_.resolve(false);
+    log_limit_ = std::max(log_limit_, 2 * timing_.log().pending());  // what is left waits for others: let them talk
 }
 
 void ProcessClock::follow_in_lockstep() {

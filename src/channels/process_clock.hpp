@@ -73,15 +73,15 @@ class ProcessClock {
 
   private:
     friend class Step;
-    static constexpr std::size_t log_limit = 1U << 16;  ///< operations held before the timing has to catch up
     static constexpr std::uint32_t longest_count = std::numeric_limits<std::uint32_t>::max() / 2;
 
     void follow() {
         if (lockstep())
             follow_in_lockstep();
-        else if (timing_.log().pending() > log_limit)
-            core_.resolve();
+        else if (timing_.log().pending() > log_limit_)
+            catch_up();
     }
+    void catch_up();
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
 
@@ -90,6 +90,7 @@ class ProcessClock {
     TimeBase time_base_;
     std::uint64_t ticks_per_cycle_;
     std::vector<FifoChannel*> fifos_;  // by port
+    std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
     bool collecting_ = false;
     std::uint8_t collected_ = 0;
 };

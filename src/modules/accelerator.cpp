@@ -5,14 +5,29 @@
 
 namespace faster {
 
+namespace {
+/// The rasterizer sets the pace while it draws.
+timing::Lead rasterizer_and_followers() {
+    auto const follower = [](ModuleId module, FifoId anchor) {
+        return timing::Lead::Follower{static_cast<unsigned>(module), static_cast<unsigned>(anchor)};
+    };
+    return {static_cast<unsigned>(ModuleId::rasterizer),
+            {follower(ModuleId::vertex_transform, FifoId::vertex), follower(ModuleId::area_reciprocal, FifoId::area),
+             follower(ModuleId::edge_map_builder, FifoId::edge_token), follower(ModuleId::inlier_unit, FifoId::command)}};
+}
+}  // namespace
+
 Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                          Engine engine)
     : sc_module(name) {
     TimeBase const time_base{engine, config.clock_mhz};
+    auto const automaton = std::make_shared<timing::Automaton>();  // the cores are all alike
     for (std::size_t core = 0; core < config.raster_cores; ++core) {
         CoreShare const share = share_of(core, config.raster_cores, stimulus.samples.size());
         std::string const core_name = "core_" + std::to_string(core);
         cores_.push_back(std::make_unique<RasterCore>(core_name.c_str(), config, stimulus, share, time_base));
+        if (engine == Engine::decoupled)
+            cores_.back()->timing().let_follow(rasterizer_and_followers(), automaton);
     }
 }
 

@@ -28,13 +28,33 @@ void CoreTiming::connect() {
             int const other = process.writes(port) ? both.reader : both.writer;
             process.set_neighbour(port, other < 0 ? 0U : 1U << other);
         }
+    if (automaton_ != nullptr)
+        group_ = std::make_unique<Group>(*this, lead_);
 }
 
-void CoreTiming::resolve() {
-    if (ends_.empty())
-        connect();
-    std::uint32_t runnable = (1U << processes_.size()) - 1;
-    while (runnable != 0) {
+std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
+    auto copy = std::make_unique<CoreTiming>();
+    for (FifoTiming const& fifo : fifos_)
+        copy->add_fifo(fifo.shape());
+    for (ProcessTiming const& process : processes_) {
+        ProcessTiming& same = copy->add_process(process.name());
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
+            process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
+        }
+        for (LoopShape const& loop : process.loops())
+            same.add_loop(loop);
+    }
+    return copy;
+}
+
+void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton) {
+    lead_ = lead;
+    automaton_ = std::move(automaton);
+}
+
+void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
+    for (runnable &= ~held; runnable != 0; runnable &= ~held) {
         // Downstream processes first: what they read is what makes room for those before them.
         auto const index = 31U - static_cast<unsigned>(__builtin_clz(runnable));
         runnable &= ~(1U << index);
@@ -43,8 +63,33 @@ void CoreTiming::resolve() {
             steady_state_.observe(process, processes_);
         runnable |= process.advance();
     }
+}
+
+void CoreTiming::resolve(bool to_the_end) {
+    if (ends_.empty())
+        connect();
+    std::uint32_t const all = (1U << processes_.size()) - 1;
+    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
+        settle(all, 0);
+    } else {
+        for (;;) {
+            settle(all, 1U << lead_.driver);
+            Automaton::Progress const progress = automaton_->follow(*group_);
+            if (progress.later && !to_the_end)
+                break;
+            if (!let_driver_go() && !progress.moved)
+                break;
+        }
+    }
     for (ProcessTiming& process : processes_)
         process.log().compact();
+}
+
+/// Up to the next sample at most; false: it could not move.
+bool CoreTiming::let_driver_go() {
+    ProcessTiming& driver = processes_[lead_.driver];
+    std::size_t const before = driver.log().pending();
+    return driver.advance(true) != 0 || driver.log().pending() != before;
 }
 
 std::vector<Wait> CoreTiming::waits() {
@@ -65,7 +110,7 @@ std::vector<Wait> CoreTiming::waits() {
         wait.to_write = process.writes(port);
         wait.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
         wait.capacity = fifo.shape().capacity;
-        wait.since = process.local_time();
+        wait.since = process.waiting_since();
         Ends const& both = ends_[number_of(fifo)];
         int const other = wait.to_write ? both.reader : both.writer;
         wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();

@@ -1,8 +1,10 @@
 #pragma once
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "timing/automaton.hpp"
 #include "timing/process_timing.hpp"
 #include "timing/steady_state.hpp"
 
@@ -27,9 +29,17 @@ class CoreTiming {
     FifoTiming& add_fifo(FifoShape shape);
     ProcessTiming& add_process(std::string name);
 
-    /// Gives cycles to all logged operations that can have them.
-    void resolve();
+    /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later whose
+    /// answer by other processes is not logged yet: it will be quicker then.
+    void resolve(bool to_the_end = true);
 
+    /// A core of the same FIFOs and processes, in which nothing has happened yet.
+    std::unique_ptr<CoreTiming> blank_copy() const;
+    /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead.
+    void let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton);
+
+    FifoTiming& fifo(std::size_t number) { return fifos_[number]; }
+    ProcessTiming& process(std::size_t number) { return processes_[number]; }
     std::deque<FifoTiming> const& fifos() const { return fifos_; }
     std::deque<ProcessTiming> const& processes() const { return processes_; }
 
@@ -42,12 +52,18 @@ class CoreTiming {
         int reader = -1;
     };
     void connect();
+    /// All but the processes `held`, a bit each.
+    void settle(std::uint32_t runnable, std::uint32_t held);
+    bool let_driver_go();
     std::size_t number_of(FifoTiming const& fifo) const;
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;  // by FIFO
     SteadyState steady_state_;
+    std::shared_ptr<Automaton> automaton_;
+    std::unique_ptr<Group> group_;
+    Lead lead_;
 };
 
 }  // namespace faster::timing

@@ -67,6 +67,7 @@ class FifoTiming {
 
   private:
     friend class SteadyState;
+    friend class RelativeState;
 
     FifoShape shape_;
     std::uint64_t room_;        // capacity and pipeline stages

@@ -58,12 +58,31 @@ class OperationLog {
 
     /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
     void consume() {
-        if (++next_ == operations_.size()) {
-            operations_.resize(1);
-            operations_.front() = Operation{};
-            next_ = 1;
-        }
+        if (++next_ == operations_.size())
+            reset();
     }
+
+    /// The i-th operation from the front; i below pending().
+    Operation const& at(std::size_t i) const { return operations_[next_ + i]; }
+
+    /// Takes `whole` operations out, and `part` of the count of the one behind them, which has more.
+    void consume(std::size_t whole, std::uint32_t part) {
+        next_ += whole;
+        if (part > 0)
+            operations_[next_].count -= part;
+        if (exhausted())
+            reset();
+    }
+
+    /// Puts an operation in front of all others.
+    void put_back(Operation const& operation) {
+        if (next_ > 1)
+            operations_[--next_] = operation;
+        else
+            operations_.insert(operations_.begin() + 1, operation);
+    }
+
+    void clear() { reset(); }
 
     /// Gives back the room of operations long gone, so that a process that is always ahead does not fill the memory.
     void compact() {
@@ -74,6 +93,12 @@ class OperationLog {
     }
 
   private:
+    void reset() {
+        operations_.resize(1);
+        operations_.front() = Operation{};
+        next_ = 1;
+    }
+
     std::vector<Operation> operations_{Operation{}};
     std::size_t next_ = 1;
 };

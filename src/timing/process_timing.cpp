@@ -87,10 +87,10 @@ void ProcessTiming::perform(std::uint8_t ports) {
         time_ = earliest;
         if (port.writes) {
             port.fifo->add_full_stall(stall);
-            counters_.full_stall_cycles += stall;
+            full_stall_cycles_ += stall;
         } else {
             port.fifo->add_empty_stall(stall);
-            counters_.empty_stall_cycles += stall;
+            empty_stall_cycles_ += stall;
         }
     });
     for_each_port(ports, [this](unsigned number) {
@@ -103,6 +103,7 @@ void ProcessTiming::perform(std::uint8_t ports) {
 }
 
 void ProcessTiming::commit_front() {
+    charged_until_ = never;
     perform(front_ports_);
     front_ports_ = 0;
     Operation& operation = log_.front();
@@ -117,14 +118,15 @@ void ProcessTiming::commit_front() {
     }
 }
 
-std::uint32_t ProcessTiming::advance() {
+std::uint32_t ProcessTiming::advance(bool pause) {
     std::uint32_t woken = 0;
+    std::size_t const stamps = stamps_.size();
     for (;;) {
         if (!run_.active) {
             // The hot path: from one run of iterations straight to the next.
             bool const in_iterations = front_ports_ == 0 && skip_silent_iterations();
             if (!in_iterations) {
-                if (front() != Status::ready)
+                if (front() != Status::ready || (pause && stamps_.size() > stamps))
                     return woken;
                 Operation const& operation = log_.front();
                 if (operation.kind != Operation::Kind::iterate || !plan().aligned) {
@@ -140,6 +142,7 @@ std::uint32_t ProcessTiming::advance() {
         std::uint32_t const done = (this->*run_.accesses)(wanted);
         if (done == 0)
             return woken;
+        charged_until_ = never;
         woken |= run_.neighbours;
         end_iterations(operation, done);
         if (done < wanted)
@@ -269,16 +272,31 @@ void ProcessTiming::enter_loop(unsigned loop) {
 
 void ProcessTiming::count_loop() {
     LoopShape const& shape = loops_[current_loop_];
-    LoopCounters& counters = loop_counters_[current_loop_];
-    counters.entries += 1;
-    counters.iterations += iterations_;
+    loop_counters_[current_loop_].entries += iterations_ > 0 ? 1 : 0;
+    if (shape.depth >= shape.interval.achieved)
+        return;
     // A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop
     // there.
     Cycles const unstalled = (iterations_ - 1) * shape.interval.achieved + shape.depth;
-    Cycles const recurrence = std::min(unstalled, iterations_ * shape.interval.recurrence_per_iteration);
+    Cycles const recurrence = iterations_ * shape.interval.recurrence_per_iteration;
     Cycles const conflicts = iterations_ * shape.interval.port_conflict_per_iteration;
-    counters_.recurrence_cycles += recurrence;
-    counters_.port_conflict_cycles += std::min(conflicts, unstalled - recurrence);
+    Cycles const counted = std::min(unstalled, recurrence);
+    beyond_end_.recurrence_cycles += recurrence - counted;
+    beyond_end_.port_conflict_cycles += conflicts - std::min(conflicts, unstalled - counted);
+}
+
+ProcessCounters ProcessTiming::counters() const {
+    ProcessCounters counters;
+    counters.empty_stall_cycles = empty_stall_cycles_;
+    counters.full_stall_cycles = full_stall_cycles_;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+        InitiationInterval const& interval = loops_[i].interval;
+        counters.recurrence_cycles += loop_counters_[i].iterations * interval.recurrence_per_iteration;
+        counters.port_conflict_cycles += loop_counters_[i].iterations * interval.port_conflict_per_iteration;
+    }
+    counters.recurrence_cycles -= beyond_end_.recurrence_cycles;
+    counters.port_conflict_cycles -= beyond_end_.port_conflict_cycles;
+    return counters;
 }
 
 /// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.
@@ -305,7 +323,7 @@ template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std
     time_ = time;
     for (unsigned i = 0; i < N; ++i) {
         Writes ? fifos[i]->add_full_stall(stalls[i]) : fifos[i]->add_empty_stall(stalls[i]);
-        (Writes ? counters_.full_stall_cycles : counters_.empty_stall_cycles) += stalls[i];
+        (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
     }
     return static_cast<std::uint32_t>(known);
 }

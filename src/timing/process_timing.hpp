@@ -63,7 +63,8 @@ class ProcessTiming {
     void commit_front();
 
     /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
-    std::uint32_t advance();
+    /// With `pause`, not beyond the next stamp.
+    std::uint32_t advance(bool pause = false);
     /// Tells which process is at the other end of a port, as a bit for advance().
     void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
 
@@ -74,8 +75,10 @@ class ProcessTiming {
     unsigned index() const { return index_; }
     Cycles local_time() const { return time_; }
     bool finished() const { return log_.exhausted(); }
+    /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
+    Cycles waiting_since() const { return time_ == charged_until_ ? arrival_ : time_; }
     std::vector<Cycles> const& stamps() const { return stamps_; }
-    ProcessCounters const& counters() const { return counters_; }
+    ProcessCounters counters() const;
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }
@@ -90,6 +93,7 @@ class ProcessTiming {
     std::string position() const;
 
   private:
+    static constexpr Cycles never = ~Cycles{0};
     struct Port {
         FifoTiming* fifo;
         bool writes;
@@ -145,7 +149,9 @@ class ProcessTiming {
     void count_loop();
     void perform(std::uint8_t ports);
     void end_iterations(Operation& operation, std::uint32_t count) {
-        iterations_ += std::uint64_t{count} * (1U + operation.gap);
+        std::uint64_t const iterations = std::uint64_t{count} * (1U + operation.gap);
+        iterations_ += iterations;
+        loop_counters_[current_loop_].iterations += iterations;
         operation.count -= count;
         if (operation.count == 0)
             log_.consume();
@@ -163,8 +169,12 @@ class ProcessTiming {
     std::vector<LoopCounters> loop_counters_;
     OperationLog log_;
     Cycles time_ = 0;
-    ProcessCounters counters_;
+    Cycles empty_stall_cycles_ = 0;
+    Cycles full_stall_cycles_ = 0;
+    ProcessCounters beyond_end_;  ///< what the last iterations of loops shorter than their II would count too much
     std::vector<Cycles> stamps_;
+    Cycles arrival_ = 0;
+    Cycles charged_until_ = never;
 
     std::uint8_t front_ports_ = 0;  ///< accesses of the step at hand; 0: none found yet
     unsigned blocking_port_ = 0;
@@ -176,6 +186,7 @@ class ProcessTiming {
     std::vector<Run> runs_;  ///< by port mask, made when first needed
     PipelinePosition pipeline_;
     friend class SteadyState;
+    friend class RelativeState;
 };
 
 }  // namespace faster::timing

@@ -75,8 +75,8 @@ void SteadyState::take(Snapshot& snapshot) const {
         snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
         snapshot.relative.push_back(static_cast<std::int64_t>(process->run_.number));
         snapshot.relative.push_back(since(process->time_));
-        snapshot.growing.push_back(process->counters_.empty_stall_cycles);
-        snapshot.growing.push_back(process->counters_.full_stall_cycles);
+        snapshot.growing.push_back(process->empty_stall_cycles_);
+        snapshot.growing.push_back(process->full_stall_cycles_);
         snapshot.growing.push_back(process->iterations_);
     }
     for (FifoTiming const* fifo : fifos_) {
@@ -121,10 +121,11 @@ void SteadyState::jump(Snapshot const& now) {
     Cycles const cycles = growth(at++);
     for (ProcessTiming* process : group_) {
         process->time_ += cycles;
-        process->counters_.empty_stall_cycles += growth(at++);
-        process->counters_.full_stall_cycles += growth(at++);
+        process->empty_stall_cycles_ += growth(at++);
+        process->full_stall_cycles_ += growth(at++);
         std::uint64_t const iterations = growth(at++);
         process->iterations_ += iterations;
+        process->loop_counters_[process->current_loop_].iterations += iterations;
         Operation& operation = process->log_.front();
         operation.count -= static_cast<std::uint32_t>(iterations / (1U + operation.gap));
     }

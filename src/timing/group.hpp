@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "timing/lead.hpp"
+#include "timing/process_timing.hpp"
+
+namespace faster::timing {
+
+class CoreTiming;
+
+/// The processes of a Lead and the FIFOs between them, in one core.
+class Group {
+  public:
+    struct Member {
+        ProcessTiming* process = nullptr;
+        unsigned anchor_port = 0;      ///< of this process; unused for the driver
+        std::uint8_t driver_port = 0;  ///< mask: the driver's end of the anchor
+        bool writes_anchor = false;
+        std::uint8_t inner_ports = 0;  ///< mask: ports whose FIFO has both ends in the group
+    };
+    struct Inner {
+        FifoTiming* fifo = nullptr;
+        unsigned writer = 0;  ///< number of a member
+        unsigned reader = 0;
+    };
+
+    Group(CoreTiming& core, Lead const& lead);
+
+    /// The driver is number 0.
+    std::vector<Member> const& members() const { return members_; }
+    std::vector<Inner> const& fifos() const { return fifos_; }
+    ProcessTiming& driver() const { return *members_.front().process; }
+    /// The inner FIFO at a port, and who is at its other end.
+    unsigned fifo_at(unsigned member, unsigned port) const { return fifo_at_[member][port]; }
+    unsigned other_end(unsigned member, unsigned port) const;
+
+  private:
+    std::vector<Member> members_;
+    std::vector<Inner> fifos_;
+    std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+namespace faster::timing {
+
+/// Who sets the pace of a core: a driver, and processes that only answer to what it does. The anchor of a follower is
+/// the FIFO between it and the driver by whose accesses its work is counted: for every access the driver makes, the
+/// follower has one to make. A statement about efficiency only: cycles never depend on it.
+struct Lead {
+    struct Follower {
+        unsigned process = 0;
+        unsigned anchor = 0;  ///< number of a FIFO
+    };
+    unsigned driver = 0;  ///< number of a process
+    std::vector<Follower> followers;
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "timing/group.hpp"
+
+namespace faster::timing {
+
+/// The next few operations of a driver, with those by which its followers answer to them: a line of pixels, the head of
+/// a triangle. Written as a list of codes, so that equal phrases are equal lists.
+class Phrase {
+  public:
+    static constexpr unsigned most_codes = 48;
+
+    enum class Reading { complete, logs_end, foreign };
+
+    /// Reads the next phrase from the logs. logs_end: some process has not said yet what it does; foreign: the driver
+    /// or a follower goes on with something outside the group. `frozen`: bit per member that is out of the game.
+    Reading read(Group const& group, std::uint32_t frozen);
+
+    /// Takes the phrase's operations out of the logs.
+    void consume();
+
+    std::uint32_t const* codes() const { return codes_.data(); }
+    unsigned size() const { return size_; }
+    /// Members that did something, a bit each.
+    std::uint32_t active() const { return active_; }
+
+    /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
+    /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
+    template <class Visit>
+    static void write(std::uint32_t const* codes, unsigned size, Group const& group, Visit visit) {
+        unsigned member = 0;
+        for (unsigned i = 0; i < size; ++i) {
+            if (is_marker(codes[i])) {
+                member = marked_member(codes[i]);
+                if (member != 0)
+                    visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
+                continue;
+            }
+            append(codes[i], group.members()[member].process->log());
+        }
+    }
+
+    /// Members that enter a loop, a bit each.
+    static std::uint32_t entered(std::uint32_t const* codes, unsigned size);
+
+    /// What a process does next, when it goes on from where it is.
+    struct Next {
+        std::uint8_t ports = 0;  ///< of its next step; 0: unknown or outside the group
+        bool known = false;      ///< otherwise the log ends here
+    };
+    static Next next_of(Group::Member const& member, std::size_t from);
+
+  private:
+    struct Part {
+        OperationLog* log;
+        std::size_t whole;
+        std::uint32_t part;
+    };
+
+    bool put(Operation const& operation, std::uint32_t count);
+    Reading read_driver(Group const& group);
+    Reading read_follower(Group const& group, unsigned member);
+    void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
+        codes_[size_++] = 0xE0000000U | (member << 16) | (std::uint32_t{next_ports} << 8) | (frozen ? 1U : 0U);
+    }
+    static bool is_marker(std::uint32_t code) { return (code >> 29) == 7; }
+    static unsigned marked_member(std::uint32_t code) { return (code >> 16) & 0xFFU; }
+    static void append(std::uint32_t code, OperationLog& log);
+
+    std::array<std::uint32_t, most_codes + 2> codes_{};
+    unsigned size_ = 0;
+    std::uint32_t active_ = 0;
+    std::array<std::uint32_t, 8> due_{};  // accesses of each anchor by the driver
+    std::array<Part, 8> parts_{};
+    unsigned part_count_ = 0;
+};
+
+}  // namespace faster::timing

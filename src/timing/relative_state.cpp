@@ -1,0 +1,265 @@
+#include "timing/relative_state.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace faster::timing {
+
+namespace {
+using Kind = Operation::Kind;
+
+std::int64_t packed(Operation const& operation) {
+    return (static_cast<std::int64_t>(operation.kind) << 56) | (std::int64_t{operation.ports} << 48) |
+           (std::int64_t{operation.gap} << 32) | std::int64_t{operation.count};
+}
+
+Operation unpacked(std::int64_t word) {
+    Operation operation;
+    operation.kind = static_cast<Kind>(word >> 56);
+    operation.ports = static_cast<std::uint8_t>(word >> 48);
+    operation.gap = static_cast<std::uint16_t>(word >> 32);
+    operation.count = static_cast<std::uint32_t>(word);
+    return operation;
+}
+}  // namespace
+
+bool RelativeState::known(ProcessTiming const& process, unsigned port) {
+    FifoTiming const& fifo = process.fifo(port);
+    return (process.writes(port) ? fifo.known_writes() : fifo.known_reads()) > 0;
+}
+
+Cycles RelativeState::earliest(ProcessTiming const& process, unsigned port) {
+    FifoTiming const& fifo = process.fifo(port);
+    return process.writes(port) ? fifo.earliest_write() : fifo.earliest_read();
+}
+
+/// No further access of the process is before this cycle: its local time, less what it will go back when it leaves a
+/// loop whose last tokens are out before the last initiation interval is over.
+Cycles RelativeState::not_before(unsigned member) const {
+    ProcessTiming const& p = process(member);
+    std::int64_t const drain = p.in_loop_ ? p.plans_[p.current_loop_].drain : 0;
+    return p.time_ + static_cast<Cycles>(std::min<std::int64_t>(drain, 0));
+}
+
+std::uint8_t RelativeState::next_ports(unsigned member) const {
+    ProcessTiming const& p = process(member);
+    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log_.front().ports;
+}
+
+/// The first port of the next step, in program order, whose earliest cycle is not known yet.
+bool RelativeState::blocked_port(unsigned member, unsigned& port) const {
+    if (member == 0 || outlooks_[member].frozen)
+        return false;
+    for (std::uint32_t mask = next_ports(member); mask != 0; mask &= mask - 1) {
+        port = static_cast<unsigned>(__builtin_ctz(mask));
+        if (!known(process(member), port))
+            return true;
+    }
+    return false;
+}
+
+/// Only what the driver does, from its local time on, can free it.
+bool RelativeState::waits_for_driver(unsigned member, unsigned depth) const {
+    unsigned port = 0;
+    if (!blocked_port(member, port) || depth > group_->members().size())
+        return false;
+    unsigned const other = group_->other_end(member, port);
+    return other == 0 || waits_for_driver(other, depth + 1);
+}
+
+void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
+    ProcessTiming& p = process(member);
+    if (p.writes(port)) {
+        p.fifo(port).full_stall_cycles_ += cycles;
+        p.full_stall_cycles_ += cycles;
+    } else {
+        p.fifo(port).empty_stall_cycles_ += cycles;
+        p.empty_stall_cycles_ += cycles;
+    }
+}
+
+RelativeState::Waiting RelativeState::park(unsigned member) {
+    ProcessTiming& p = process(member);
+    Waiting waiting;
+    waiting.arrival = waiting.since = p.time_;
+    if (!waits_for_driver(member))
+        return waiting;
+    waiting.waits = blocked_port(member, waiting.port);
+    for (std::uint32_t mask = next_ports(member); mask != 0; mask &= mask - 1) {
+        auto const port = static_cast<unsigned>(__builtin_ctz(mask));
+        if (port == waiting.port)
+            break;
+        Cycles const later = std::max(p.time_, earliest(p, port));
+        charge(member, port, later - p.time_);
+        p.time_ = later;
+    }
+    waiting.since = p.time_;
+    Cycles const base = not_before(0);
+    if (p.time_ < base) {
+        charge(member, waiting.port, base - p.time_);
+        p.time_ = base;
+    }
+    return waiting;
+}
+
+void RelativeState::unpark(unsigned member, Cycles arrival, Cycles since) {
+    ProcessTiming& p = process(member);
+    unsigned port = 0;
+    if (blocked_port(member, port)) {
+        charge(member, port, since - p.time_);  // in two's complement: what was charged ahead is taken back
+        // What the step has found already was there when the waiting began; the state only knows that it is there now.
+        for (std::uint32_t mask = next_ports(member); static_cast<unsigned>(__builtin_ctz(mask)) != port;
+             mask &= mask - 1)
+            make_legal(member, static_cast<unsigned>(__builtin_ctz(mask)), since);
+        p.charged_until_ = since;
+        p.arrival_ = arrival;
+    }
+    p.time_ = since;
+}
+
+void RelativeState::make_legal(unsigned member, unsigned port, Cycles from) {
+    ProcessTiming const& p = process(member);
+    FifoTiming& fifo = p.fifo(port);
+    Cycles& earliest = p.writes(port) ? fifo.free_from_[(fifo.writes_ - fifo.room_) & fifo.index_mask_]
+                                      : fifo.readable_from_[fifo.reads_ & fifo.index_mask_];
+    earliest = std::min(earliest, from);
+}
+
+std::int64_t RelativeState::since(Cycles cycle, Cycles base) const {
+    auto const distance = static_cast<std::int64_t>(cycle - base);
+    reach_ = std::max(reach_, std::abs(distance));
+    return distance;
+}
+
+bool RelativeState::save(Words& words, bool with_logs) const {
+    ProcessTiming const& driver = process(0);
+    if (driver.in_loop_ && !driver.plans_[driver.current_loop_].aligned &&
+        (driver.pipeline_.open || driver.pipeline_.gap_left > 0))
+        return false;
+    words.clear();
+    reach_ = 0;
+    for (unsigned m = 0; m < group_->members().size(); ++m)
+        save_process(m, driver.time_, with_logs && m > 0, words);
+    for (unsigned f = 0; f < group_->fifos().size(); ++f)
+        save_fifo(f, driver.time_, words);
+    return true;
+}
+
+void RelativeState::save_process(unsigned member, Cycles base, bool with_log, Words& words) const {
+    ProcessTiming const& p = process(member);
+    Outlook const& outlook = outlooks_[member];
+    words.push_back(outlook.frozen ? 0 : since(p.time_, base));
+    std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
+    std::int64_t const begun = p.in_loop_ && p.iterations_ > 0 ? 1 : 0;
+    words.push_back(loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0));
+    if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
+        ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
+        std::uint64_t const iteration = p.pipeline_.iteration;
+        for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
+            words.push_back(iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()]);
+    }
+    std::size_t const left = with_log ? p.log_.pending() : 0;
+    words.push_back(static_cast<std::int64_t>(left));
+    for (std::size_t i = 0; i < left; ++i)
+        words.push_back(packed(p.log_.at(i)));
+}
+
+/// A time before the local time of who waits for it decides nothing: it could as well be that time.
+void RelativeState::save_fifo(unsigned number, Cycles base, Words& words) const {
+    Group::Inner const& inner = group_->fifos()[number];
+    FifoTiming const& fifo = *inner.fifo;
+    Cycles const reader = not_before(inner.reader);
+    Cycles const writer = not_before(inner.writer);
+    words.push_back(static_cast<std::int64_t>(fifo.known_reads()));
+    words.push_back(static_cast<std::int64_t>(fifo.max_occupancy_));
+    for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
+        words.push_back(since(std::max(reader, fifo.earliest_read(i)), base));
+    bool const stale = outlooks_[inner.writer].frozen;
+    for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
+        words.push_back(stale ? 0 : since(std::max(writer, fifo.earliest_write(i)), base));
+}
+
+void RelativeState::load(Words const& words, Cycles driver_time) {
+    for (Group::Inner const& inner : group_->fifos()) {
+        inner.fifo->writes_ = first_token;
+        inner.fifo->reads_ = first_token;
+    }
+    for (Group::Member const& member : group_->members())
+        member.process->log_.clear();
+    restore(words, driver_time);
+}
+
+void RelativeState::restore(Words const& words, Cycles driver_time) {
+    std::size_t at = 0;
+    auto const cycle = [&] { return driver_time + static_cast<Cycles>(words[at++]); };
+    for (unsigned m = 0; m < group_->members().size(); ++m) {
+        ProcessTiming& p = process(m);
+        p.time_ = cycle();
+        std::int64_t const flags = words[at++];
+        p.in_loop_ = (flags & 0xFF) != 0;
+        if (p.in_loop_)
+            p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
+        p.iterations_ = static_cast<std::uint64_t>((flags >> 8) & 1);
+        outlooks_[m].next_ports = static_cast<std::uint8_t>(flags >> 16);
+        outlooks_[m].frozen = ((flags >> 24) & 1) != 0;
+        p.front_ports_ = 0;
+        p.run_.active = false;
+        if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
+            ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
+            p.pipeline_ = ProcessTiming::PipelinePosition{};
+            p.pipeline_.iteration = plan.longest_lag;
+            p.pipeline_.drain_left = plan.longest_lag;
+            for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
+                plan.delay_line[(plan.longest_lag - lag) % plan.delay_line.size()] =
+                    static_cast<std::uint8_t>(words[at++]);
+        }
+        auto const left = static_cast<std::size_t>(words[at++]);
+        for (std::size_t i = left; i > 0; --i)
+            p.log_.put_back(unpacked(words[at + i - 1]));
+        at += left;
+    }
+    for (Group::Inner const& inner : group_->fifos()) {
+        FifoTiming& fifo = *inner.fifo;
+        auto const tokens = static_cast<std::uint64_t>(words[at++]);
+        fifo.max_occupancy_ = static_cast<std::uint64_t>(words[at++]);
+        fifo.writes_ = fifo.reads_ + tokens;
+        for (std::uint64_t i = 0; i < tokens; ++i)
+            fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = cycle();
+        for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
+            fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle();
+    }
+}
+
+std::vector<Cycles> RelativeState::room_times(unsigned number) const {
+    FifoTiming const& fifo = *group_->fifos()[number].fifo;
+    std::vector<Cycles> times;
+    for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
+        times.push_back(fifo.earliest_write(i));
+    return times;
+}
+
+void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle) {
+    FifoTiming& fifo = *group_->fifos()[number].fifo;
+    fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
+}
+
+std::vector<std::uint64_t*> RelativeState::counters() const {
+    std::vector<std::uint64_t*> counters;
+    for (Group::Member const& member : group_->members()) {
+        ProcessTiming& p = *member.process;
+        counters.push_back(&p.empty_stall_cycles_);
+        counters.push_back(&p.full_stall_cycles_);
+        for (LoopCounters& loop : p.loop_counters_) {
+            counters.push_back(&loop.entries);
+            counters.push_back(&loop.iterations);
+        }
+    }
+    for (Group::Inner const& inner : group_->fifos()) {
+        counters.push_back(&inner.fifo->reads_);
+        counters.push_back(&inner.fifo->full_stall_cycles_);
+        counters.push_back(&inner.fifo->empty_stall_cycles_);
+    }
+    return counters;
+}
+
+}  // namespace faster::timing

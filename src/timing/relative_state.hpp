@@ -1,0 +1,81 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "timing/group.hpp"
+
+namespace faster::timing {
+
+/// Moves what decides the future of a group between its processes and FIFOs and a list of words. Times in the words are
+/// relative to the driver's local time, so that equal lists have equal futures.
+class RelativeState {
+  public:
+    using Words = std::vector<std::int64_t>;
+
+    /// What the timing of a process cannot tell, as its log may be empty.
+    struct Outlook {
+        std::uint8_t next_ports = 0;  ///< of the step it goes on with; 0: unknown
+        bool frozen = false;          ///< goes on with something outside the group: does not take part any more
+    };
+    /// Where a follower stands that waits for the driver.
+    struct Waiting {
+        bool waits = false;
+        unsigned port = 0;   ///< what for
+        Cycles arrival = 0;  ///< local time at which it reached its step
+        Cycles since = 0;    ///< local time at which only the port was left to wait for
+    };
+
+    explicit RelativeState(Group const& group) : group_(&group) {}
+
+    std::vector<Outlook>& outlooks() { return outlooks_; }
+
+    /// Charges the followers that wait for the driver with the cycles up to its local time: whatever they wait for
+    /// cannot come earlier.
+    Waiting park(unsigned member);
+
+    /// False if the driver is in the middle of an iteration. With or without what the followers' logs hold.
+    bool save(Words& words, bool with_logs) const;
+    /// For a group that is only a workbench: empties its logs first.
+    void load(Words const& words, Cycles driver_time);
+    /// Tokens read since load().
+    static std::size_t loaded_reads(Group::Inner const& inner) {
+        return static_cast<std::size_t>(inner.fifo->reads_ - first_token);
+    }
+    /// For a group with logs and counters of its own: puts what the processes have yet to do in front of their logs.
+    void restore(Words const& words, Cycles driver_time);
+    /// The largest distance in time of the saved words.
+    std::int64_t reach() const { return reach_; }
+
+    /// All that only grows: stalls, loops, tokens read. Add to them before restore().
+    std::vector<std::uint64_t*> counters() const;
+
+    std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
+    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).iterations_ = iterations; }
+    /// Moves a follower back to when its waiting began.
+    void unpark(unsigned member, Cycles arrival, Cycles since);
+    /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
+    std::vector<Cycles> room_times(unsigned fifo) const;
+    void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);
+
+  private:
+    static constexpr std::uint64_t first_token = std::uint64_t{1} << 32;  ///< beyond any index of a ring
+
+    ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
+    Cycles not_before(unsigned member) const;
+    std::uint8_t next_ports(unsigned member) const;
+    bool blocked_port(unsigned member, unsigned& port) const;
+    bool waits_for_driver(unsigned member, unsigned depth = 0) const;
+    static bool known(ProcessTiming const& process, unsigned port);
+    static Cycles earliest(ProcessTiming const& process, unsigned port);
+    void make_legal(unsigned member, unsigned port, Cycles from);
+    void charge(unsigned member, unsigned port, Cycles cycles);
+    void save_process(unsigned member, Cycles base, bool with_log, Words& words) const;
+    void save_fifo(unsigned fifo, Cycles base, Words& words) const;
+    std::int64_t since(Cycles cycle, Cycles base) const;
+
+    Group const* group_;
+    std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};
+    mutable std::int64_t reach_ = 0;
+};
+
+}  // namespace faster::timing

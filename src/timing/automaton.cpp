@@ -223,11 +223,9 @@ void Automaton::restore_iterations(RelativeState& real) {
 
 std::uint64_t Automaton::hash_of_phrase() const {
     std::uint64_t hash = session_.state;
-    std::uint32_t const* const codes = phrase_.codes();
-    unsigned i = 0;
-    for (; i + 1 < phrase_.size(); i += 2)
-        hash = mixed(hash, (std::uint64_t{codes[i]} << 32) | codes[i + 1]);
-    return i < phrase_.size() ? mixed(hash, codes[i]) : hash;
+    for (unsigned i = 0; i < phrase_.size(); ++i)
+        hash = mixed(hash, phrase_.codes()[i]);
+    return hash;
 }
 
 Automaton::Transition* Automaton::find(std::uint64_t hash) const {
@@ -235,7 +233,7 @@ Automaton::Transition* Automaton::find(std::uint64_t hash) const {
     for (std::size_t i = hash & mask; table_[i].transition != nullptr; i = (i + 1) & mask) {
         if (table_[i].hash != hash)
             continue;
-        std::vector<std::uint32_t> const& key = table_[i].transition->key;
+        std::vector<Phrase::Code> const& key = table_[i].transition->key;
         if (key.size() == phrase_.size() + 1 && key.front() == session_.state &&
             std::equal(key.begin() + 1, key.end(), phrase_.codes()))
             return table_[i].transition;

@@ -57,7 +57,7 @@ class Automaton {
         std::vector<std::int64_t> from;
     };
     struct Transition {
-        std::vector<std::uint32_t> key;  ///< state before, and the phrase
+        std::vector<Phrase::Code> key;  ///< state before, and the phrase
         std::uint32_t next = unnumbered;
         Cycles cycles = 0;
         std::uint32_t uses = 0;  ///< in the session at hand

@@ -12,14 +12,27 @@ struct Operation {
         wait,     ///< T += count
         step,     ///< the accesses of `ports` together, then T += count
         enter,    ///< enter pipelined loop number `count`
-        iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing
+        iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing;
+                  ///< if tail_ports is not 0, then an iteration that accesses those, and `tail_gap` that access nothing
         leave,    ///< drain the loop and leave it
         stamp,    ///< note the local time
     };
     Kind kind = Kind::wait;
     std::uint8_t ports = 0;
+    std::uint8_t tail_ports = 0;
     std::uint16_t gap = 0;
+    std::uint16_t tail_gap = 0;
     std::uint32_t count = 0;
+
+    bool accesses() const { return ports != 0 && (kind == Kind::step || kind == Kind::iterate); }
+    /// What is left once all `count` iterations are done.
+    void become_tail() {
+        ports = tail_ports;
+        gap = tail_gap;
+        count = 1;
+        tail_ports = 0;
+        tail_gap = 0;
+    }
 };
 
 /// The operations of one process, in program order, waiting for their time. Equal neighbours are kept as one.
@@ -31,25 +44,21 @@ class OperationLog {
         if (extends && last.count <= std::numeric_limits<std::uint32_t>::max() - cycles)
             last.count += cycles;
         else
-            operations_.push_back({Operation::Kind::wait, 0, 0, cycles});
+            push(Operation::Kind::wait, 0, 0, cycles);
     }
     void step(std::uint8_t ports, std::uint32_t cycles_after) {
-        operations_.push_back({Operation::Kind::step, ports, 0, cycles_after});
+        push(Operation::Kind::step, ports, 0, cycles_after);
     }
-    void enter(std::uint32_t loop) { operations_.push_back({Operation::Kind::enter, 0, 0, loop}); }
-    void leave() { operations_.push_back({Operation::Kind::leave, 0, 0, 0}); }
-    void stamp() { operations_.push_back({Operation::Kind::stamp, 0, 0, 0}); }
+    void enter(std::uint32_t loop) { push(Operation::Kind::enter, 0, 0, loop); }
+    void leave() { push(Operation::Kind::leave, 0, 0, 0); }
+    void stamp() { push(Operation::Kind::stamp, 0, 0, 0); }
 
     void iterate(std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
-        if (count == 0)
-            return;
-        Operation& last = operations_.back();
-        if (!exhausted() && last.kind == Operation::Kind::iterate && last.ports == ports && last.gap == gap &&
-            last.count <= std::numeric_limits<std::uint32_t>::max() - count)
-            last.count += count;
-        else
-            operations_.push_back({Operation::Kind::iterate, ports, gap, count});
+        if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
+            push(Operation::Kind::iterate, ports, gap, count);
     }
+
+    void append(Operation const& operation) { operations_.push_back(operation); }
 
     bool exhausted() const { return next_ == operations_.size(); }
     std::size_t pending() const { return operations_.size() - next_; }
@@ -65,11 +74,15 @@ class OperationLog {
     /// The i-th operation from the front; i below pending().
     Operation const& at(std::size_t i) const { return operations_[next_ + i]; }
 
-    /// Takes `whole` operations out, and `part` of the count of the one behind them, which has more.
+    /// Takes `whole` operations out, and `part` iterations of the one behind them, which has more.
     void consume(std::size_t whole, std::uint32_t part) {
         next_ += whole;
-        if (part > 0)
-            operations_[next_].count -= part;
+        if (part > 0) {
+            Operation& operation = operations_[next_];
+            operation.count -= part;
+            if (operation.count == 0)
+                operation.become_tail();
+        }
         if (exhausted())
             reset();
     }
@@ -93,6 +106,43 @@ class OperationLog {
     }
 
   private:
+    static constexpr std::uint32_t longest_gap = 0xFFF;
+
+    void push(Operation::Kind kind, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+        Operation operation;
+        operation.kind = kind;
+        operation.ports = ports;
+        operation.gap = gap;
+        operation.count = count;
+        operations_.push_back(operation);
+    }
+
+    /// Makes iterations part of the last operation, if its pattern allows. The front one may be under way: what it has
+    /// begun stays.
+    bool extend(Operation& last, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+        if (last.kind != Operation::Kind::iterate)
+            return false;
+        bool const silent = ports == 0 && gap == 0;
+        bool const under_way = operations_.size() == next_ + 1;
+        if (last.tail_ports != 0) {
+            if (!silent || last.tail_gap + count > longest_gap)
+                return false;
+            last.tail_gap = static_cast<std::uint16_t>(last.tail_gap + count);
+        } else if (last.ports == ports && last.gap == gap) {
+            if (last.count > std::numeric_limits<std::uint32_t>::max() - count)
+                return false;
+            last.count += count;
+        } else if (silent && last.ports != 0 && last.count == 1 && !under_way && last.gap + count <= longest_gap) {
+            last.gap = static_cast<std::uint16_t>(last.gap + count);
+        } else if (ports != 0 && count == 1 && last.ports != 0 && gap <= longest_gap) {
+            last.tail_ports = ports;
+            last.tail_gap = gap;
+        } else {
+            return false;
+        }
+        return true;
+    }
+
     void reset() {
         operations_.resize(1);
         operations_.front() = Operation{};

@@ -6,54 +6,32 @@ namespace faster::timing {
 
 namespace {
 using Kind = Operation::Kind;
-constexpr std::uint32_t most_count = 0xFFFF;
-constexpr std::uint16_t most_gap = 31;
-constexpr unsigned most_driver_operations = 10;
+constexpr unsigned most_driver_operations = 8;
 
-bool accesses(Operation const& operation) {
-    return (operation.kind == Kind::step || operation.kind == Kind::iterate) && operation.ports != 0;
+/// Ends with iterations that access nothing.
+bool ends_silent(Operation const& operation) {
+    return operation.tail_ports != 0 ? operation.tail_gap > 0 : operation.gap > 0;
 }
 }  // namespace
 
-bool Phrase::put(Operation const& operation, std::uint32_t count) {
-    if (size_ >= most_codes || count > most_count || operation.gap > most_gap)
-        return false;
-    codes_[size_++] = (static_cast<std::uint32_t>(operation.kind) << 29) | (std::uint32_t{operation.ports} << 21) |
-                      (std::uint32_t{operation.gap} << 16) | count;
-    return true;
+Operation Phrase::operation_of(Code code) {
+    Operation operation;
+    operation.kind = static_cast<Kind>(code >> 61);
+    operation.ports = static_cast<std::uint8_t>(code >> 53);
+    operation.tail_ports = static_cast<std::uint8_t>(code >> 45);
+    operation.gap = (code >> 33) & most_gap;
+    operation.tail_gap = (code >> 21) & most_gap;
+    operation.count = code & most_count;
+    return operation;
 }
 
-void Phrase::append(std::uint32_t code, OperationLog& log) {
-    std::uint32_t const count = code & most_count;
-    auto const ports = static_cast<std::uint8_t>(code >> 21);
-    switch (static_cast<Kind>(code >> 29)) {
-        case Kind::wait:
-            log.wait(count);
-            break;
-        case Kind::step:
-            log.step(ports, count);
-            break;
-        case Kind::enter:
-            log.enter(count);
-            break;
-        case Kind::iterate:
-            log.iterate(ports, static_cast<std::uint16_t>((code >> 16) & most_gap), count);
-            break;
-        case Kind::leave:
-            log.leave();
-            break;
-        case Kind::stamp:
-            break;  // never part of a phrase
-    }
-}
-
-std::uint32_t Phrase::entered(std::uint32_t const* codes, unsigned size) {
+std::uint32_t Phrase::entered(Code const* codes, unsigned size) {
     std::uint32_t members = 0;
     unsigned member = 0;
     for (unsigned i = 0; i < size; ++i) {
         if (is_marker(codes[i]))
             member = marked_member(codes[i]);
-        else if (static_cast<Kind>(codes[i] >> 29) == Kind::enter)
+        else if (static_cast<Kind>(codes[i] >> 61) == Kind::enter)
             members |= 1U << member;
     }
     return members;
@@ -84,40 +62,39 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     OperationLog& log = driver.process->log();
     std::size_t const pending = log.pending();
     std::size_t i = 0;
-    std::uint32_t part = 0;
-    bool accessed = false;
     bool foreign = false;
+    bool iterated = false;  // with accesses
+    bool ended = false;
     mark(0, 0, false);
-    for (; i < pending && i < most_driver_operations && part == 0; ++i) {
+    for (; i < pending && i < most_driver_operations && !ended; ++i) {
         Operation const& operation = log.at(i);
-        bool const access = accesses(operation);
-        foreign = operation.kind == Kind::stamp || (operation.ports & ~driver.inner_ports) != 0;
-        if (foreign || (accessed && !(access && operation.kind == Kind::iterate)))
+        bool const iterates = operation.accesses() && operation.kind == Kind::iterate;
+        foreign = operation.kind == Kind::stamp || ((operation.ports | operation.tail_ports) & ~driver.inner_ports) != 0;
+        if (foreign || (iterated && !iterates))
             break;
-        std::uint32_t count = operation.count;
-        if (operation.kind == Kind::iterate && count > most_count)
-            count = part = most_count;
-        if (!put(operation, count))
+        if (!put(operation))
             return Reading::foreign;
-        if (!access)
-            continue;
-        for (unsigned m = 1; m < group.members().size(); ++m)
-            if ((group.members()[m].driver_port & operation.ports) != 0)
-                due_[m] += operation.kind == Kind::iterate ? count : 1;
-        if (operation.kind == Kind::iterate) {
-            accessed = true;
-        } else if (std::uint32_t const last = operation.ports; driver.process->writes(
-                       31U - static_cast<unsigned>(__builtin_clz(last)))) {
-            ++i;
-            break;
-        }
+        count_due(group, operation);
+        iterated = iterated || iterates;
+        ended = iterates ? ends_silent(operation) : operation.ports != 0 && writes_any(*driver.process, operation.ports);
     }
-    std::size_t const whole = part > 0 ? i - 1 : i;
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
-    parts_[part_count_++] = {&log, whole, part};
+    parts_[part_count_++] = {&log, i, 0};
     active_ |= 1U;
     return Reading::complete;
+}
+
+/// How often the driver accesses each follower's anchor.
+void Phrase::count_due(Group const& group, Operation const& operation) {
+    if (!operation.accesses())
+        return;
+    std::uint32_t const times = operation.kind == Kind::iterate ? operation.count : 1;
+    for (unsigned m = 1; m < group.members().size(); ++m) {
+        std::uint8_t const port = group.members()[m].driver_port;
+        due_[m] += (operation.ports & port) != 0 ? times : 0;
+        due_[m] += (operation.tail_ports & port) != 0 ? 1 : 0;
+    }
 }
 
 Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
@@ -125,7 +102,7 @@ Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
     if (from >= log.pending())
         return {};
     Operation const& operation = log.at(from);
-    bool const inside = accesses(operation) && (operation.ports & ~member.inner_ports) == 0;
+    bool const inside = operation.accesses() && (operation.ports & ~member.inner_ports) == 0;
     return {inside ? operation.ports : std::uint8_t{0}, true};
 }
 
@@ -136,31 +113,32 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
     OperationLog& log = member.process->log();
     std::size_t const pending = log.pending();
     auto const anchor = static_cast<std::uint8_t>(1U << member.anchor_port);
-    unsigned const marker = size_;
+    unsigned const marker_at = size_;
     mark(m, 0, false);
     std::uint32_t due = due_[m];
     std::uint32_t part = 0;
     std::size_t i = 0;
     bool foreign = false;
     for (; i < pending; ++i) {
-        Operation const& operation = log.at(i);
-        bool const anchored = (operation.ports & anchor) != 0 && accesses(operation);
+        Operation operation = log.at(i);
+        bool const anchored = (operation.ports & anchor) != 0 && operation.accesses();
         if (anchored && due == 0)
             break;
-        foreign = operation.kind == Kind::stamp || (operation.ports & ~member.inner_ports) != 0;
+        foreign = operation.kind == Kind::stamp || ((operation.ports | operation.tail_ports) & ~member.inner_ports) != 0;
         if (foreign)
             break;
-        std::uint32_t count = operation.count;
-        if (anchored) {
-            std::uint32_t const offered = operation.kind == Kind::iterate ? count : 1;
-            std::uint32_t const taken = std::min(offered, due);
-            due -= taken;
-            if (operation.kind == Kind::iterate)
-                count = taken;
-            if (taken < offered)
-                part = taken;
+        if (anchored && operation.kind == Kind::iterate) {
+            std::uint32_t const tail = operation.tail_ports != 0 ? 1 : 0;
+            if (due < operation.count + tail) {
+                part = operation.count = due;
+                operation.tail_ports = 0;
+                operation.tail_gap = 0;
+            }
+            due -= std::min(due, operation.count + tail);
+        } else if (anchored) {
+            --due;
         }
-        if (!put(operation, count))
+        if (!put(operation))
             return Reading::foreign;
         if (part > 0)
             break;
@@ -171,8 +149,8 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
         return Reading::foreign;
     if (i == pending && (due > 0 || member.writes_anchor))
         return Reading::logs_end;
-    Next const next = part > 0 ? Next{log.at(i).ports, true} : next_of(member, i);
-    codes_[marker] |= (std::uint32_t{next.ports} << 8) | (frozen ? 1U : 0U);
+    Next const next = part > 0 ? next_in(log.at(i), part) : next_of(member, i);
+    codes_[marker_at] |= (Code{next.ports} << 8) | (frozen ? 1U : 0U);
     parts_[part_count_++] = {&log, i, part};
     active_ |= 1U << m;
     return Reading::complete;

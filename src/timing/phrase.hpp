@@ -11,6 +11,7 @@ namespace faster::timing {
 /// a triangle. Written as a list of codes, so that equal phrases are equal lists.
 class Phrase {
   public:
+    using Code = std::uint64_t;
     static constexpr unsigned most_codes = 48;
 
     enum class Reading { complete, logs_end, foreign };
@@ -22,7 +23,7 @@ class Phrase {
     /// Takes the phrase's operations out of the logs.
     void consume();
 
-    std::uint32_t const* codes() const { return codes_.data(); }
+    Code const* codes() const { return codes_.data(); }
     unsigned size() const { return size_; }
     /// Members that did something, a bit each.
     std::uint32_t active() const { return active_; }
@@ -30,7 +31,7 @@ class Phrase {
     /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
     /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
     template <class Visit>
-    static void write(std::uint32_t const* codes, unsigned size, Group const& group, Visit visit) {
+    static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
         unsigned member = 0;
         for (unsigned i = 0; i < size; ++i) {
             if (is_marker(codes[i])) {
@@ -39,12 +40,23 @@ class Phrase {
                     visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
                 continue;
             }
-            append(codes[i], group.members()[member].process->log());
+            group.members()[member].process->log().append(operation_of(codes[i]));
         }
     }
 
     /// Members that enter a loop, a bit each.
-    static std::uint32_t entered(std::uint32_t const* codes, unsigned size);
+    static std::uint32_t entered(Code const* codes, unsigned size);
+
+    /// An operation as a code. fits(): its numbers are small enough for that.
+    static Code code_of(Operation const& operation) {
+        return (Code{static_cast<std::uint8_t>(operation.kind)} << 61) | (Code{operation.ports} << 53) |
+               (Code{operation.tail_ports} << 45) | (Code{operation.gap} << 33) | (Code{operation.tail_gap} << 21) |
+               operation.count;
+    }
+    static bool fits(Operation const& operation) {
+        return operation.count <= most_count && operation.gap <= most_gap && operation.tail_gap <= most_gap;
+    }
+    static Operation operation_of(Code code);
 
     /// What a process does next, when it goes on from where it is.
     struct Next {
@@ -60,17 +72,32 @@ class Phrase {
         std::uint32_t part;
     };
 
-    bool put(Operation const& operation, std::uint32_t count);
+    static constexpr std::uint32_t most_count = (1U << 21) - 1;
+    static constexpr std::uint16_t most_gap = (1U << 12) - 1;
+
+    bool put(Operation const& operation) {
+        if (size_ >= most_codes || !fits(operation))
+            return false;
+        codes_[size_++] = code_of(operation);
+        return true;
+    }
     Reading read_driver(Group const& group);
+    void count_due(Group const& group, Operation const& operation);
+    static Next next_in(Operation const& operation, std::uint32_t taken) {
+        return {taken < operation.count ? operation.ports : operation.tail_ports, true};
+    }
+    static bool writes_any(ProcessTiming const& process, std::uint8_t ports) {
+        return process.writes(31U - static_cast<unsigned>(__builtin_clz(ports)));  // reads come first
+    }
     Reading read_follower(Group const& group, unsigned member);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
-        codes_[size_++] = 0xE0000000U | (member << 16) | (std::uint32_t{next_ports} << 8) | (frozen ? 1U : 0U);
+        codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
     }
-    static bool is_marker(std::uint32_t code) { return (code >> 29) == 7; }
-    static unsigned marked_member(std::uint32_t code) { return (code >> 16) & 0xFFU; }
-    static void append(std::uint32_t code, OperationLog& log);
+    static constexpr Code marker = Code{7} << 61;
+    static bool is_marker(Code code) { return (code >> 61) == 7; }
+    static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
-    std::array<std::uint32_t, most_codes + 2> codes_{};
+    std::array<Code, most_codes + 2> codes_{};
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     std::array<std::uint32_t, 8> due_{};  // accesses of each anchor by the driver

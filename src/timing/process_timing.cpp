@@ -216,8 +216,9 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
         return true;
     // An iteration ended: one of those with accesses, or one of the `gap` that follow it.
     pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap;
+    count_iterations(1);
     if (pipeline_.gap_left == 0)
-        end_iterations(operation, 1);
+        take_off(operation, 1);
     return false;
 }
 

@@ -149,11 +149,20 @@ class ProcessTiming {
     void count_loop();
     void perform(std::uint8_t ports);
     void end_iterations(Operation& operation, std::uint32_t count) {
-        std::uint64_t const iterations = std::uint64_t{count} * (1U + operation.gap);
+        count_iterations(std::uint64_t{count} * (1U + operation.gap));
+        take_off(operation, count);
+    }
+    void count_iterations(std::uint64_t iterations) {
         iterations_ += iterations;
         loop_counters_[current_loop_].iterations += iterations;
+    }
+    void take_off(Operation& operation, std::uint32_t count) {
         operation.count -= count;
-        if (operation.count == 0)
+        if (operation.count > 0)
+            return;
+        if (operation.tail_ports != 0)
+            operation.become_tail();
+        else
             log_.consume();
     }
     bool skip_silent_iterations();

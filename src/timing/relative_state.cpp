@@ -3,25 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "timing/phrase.hpp"
+
 namespace faster::timing {
-
-namespace {
-using Kind = Operation::Kind;
-
-std::int64_t packed(Operation const& operation) {
-    return (static_cast<std::int64_t>(operation.kind) << 56) | (std::int64_t{operation.ports} << 48) |
-           (std::int64_t{operation.gap} << 32) | std::int64_t{operation.count};
-}
-
-Operation unpacked(std::int64_t word) {
-    Operation operation;
-    operation.kind = static_cast<Kind>(word >> 56);
-    operation.ports = static_cast<std::uint8_t>(word >> 48);
-    operation.gap = static_cast<std::uint16_t>(word >> 32);
-    operation.count = static_cast<std::uint32_t>(word);
-    return operation;
-}
-}  // namespace
 
 bool RelativeState::known(ProcessTiming const& process, unsigned port) {
     FifoTiming const& fifo = process.fifo(port);
@@ -161,7 +145,7 @@ void RelativeState::save_process(unsigned member, Cycles base, bool with_log, Wo
     std::size_t const left = with_log ? p.log_.pending() : 0;
     words.push_back(static_cast<std::int64_t>(left));
     for (std::size_t i = 0; i < left; ++i)
-        words.push_back(packed(p.log_.at(i)));
+        words.push_back(static_cast<std::int64_t>(Phrase::code_of(p.log_.at(i))));
 }
 
 /// A time before the local time of who waits for it decides nothing: it could as well be that time.
@@ -215,7 +199,7 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
         }
         auto const left = static_cast<std::size_t>(words[at++]);
         for (std::size_t i = left; i > 0; --i)
-            p.log_.put_back(unpacked(words[at + i - 1]));
+            p.log_.put_back(Phrase::operation_of(static_cast<std::uint64_t>(words[at + i - 1])));
         at += left;
     }
     for (Group::Inner const& inner : group_->fifos()) {

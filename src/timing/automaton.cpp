@@ -10,7 +10,7 @@ namespace {
 constexpr Cycles bench_time = Cycles{1} << 40;  // times before it stay positive
 constexpr std::int64_t longest_reach = 4096;    // states with times further apart hardly ever come again
 constexpr std::uint64_t most_room = 1024;       // tokens in FIFOs that a state may have to list
-constexpr std::size_t most_transitions = 1U << 18;
+constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB
 constexpr std::uint64_t trial = 20000;  // phrases, before giving up a core that rarely repeats itself
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
@@ -53,33 +53,35 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     if (!decided_) {
         decided_ = true;
         usable_ = can_follow(group);
+        auto const& loops = group.driver().loops();
+        driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
         bench_core_ = core.blank_copy();
         bench_group_ = std::make_unique<Group>(*bench_core_, lead);
         bench_ = std::make_unique<RelativeState>(*bench_group_);
-        forget_all();
     }
     if (phrases_ > trial && worked_out_ * 4 > phrases_)
         usable_ = false;
     return usable_;
 }
 
-Automaton::Progress Automaton::follow(Group const& group) {
+Automaton::Progress Automaton::follow(Group const& group, Ledger& ledger) {
     Progress progress;
-    std::uint32_t const frozen = 0;
-    if (phrase_.read(group, frozen) == Phrase::Reading::logs_end)
+    if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
         return {false, true};
     if (!begin(group))
         return progress;
-    Phrase::Reading reading = phrase_.read(group, session_.frozen);
+    // Times far apart hardly come again. The driver alone gets out of that, unless it would stop inside an iteration.
+    bool const is_worthwhile = session_.state != unnumbered || !driver_is_regular_;
+    Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session_.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session_.frozen)) {
         std::uint64_t const hash = hash_of_phrase();
-        Transition* transition = session_.state == unnumbered ? nullptr : find(hash);
-        if (transition == nullptr)
-            transition = work_out(hash);
-        if (transition == nullptr)
+        std::uint32_t number = session_.state == unnumbered ? none : find(hash);
+        if (number == none)
+            number = work_out(hash);
+        if (number == none)
             break;
         phrase_.consume();
-        apply(*transition);
+        apply(number, ledger);
     }
     progress.moved = !session_.history.empty();
     progress.later = reading == Phrase::Reading::logs_end;
@@ -87,17 +89,30 @@ Automaton::Progress Automaton::follow(Group const& group) {
     return progress;
 }
 
-void Automaton::apply(Transition& transition) {
+void Automaton::apply(std::uint32_t number, Ledger& ledger) {
+    Transition const& taken = transition(number);
     ++phrases_;
-    session_.time += transition.cycles;
-    session_.state = transition.next;
-    session_.history.push_back(&transition);
-    if (transition.uses++ == 0)
-        session_.used.push_back(&transition);
-    for (std::uint32_t mask = transition.entered; mask != 0; mask &= mask - 1)
-        session_.entered[static_cast<unsigned>(__builtin_ctz(mask))] = session_.history.size();
-    session_.frozen |= transition.froze;
-    for (Room const& room : transition.rooms) {
+    session_.time += taken.cycles;
+    session_.state = taken.next;
+    session_.history.push_back(number);
+    for (unsigned m = 0; m < most_members; ++m)
+        session_.iterations[m] += taken.iterations[m];
+    if (number < first_loose) {
+        if (number >= ledger.size())
+            ledger.resize(transitions_.size());
+        ++ledger[number];
+    }
+    if (!taken.plain)
+        apply_account(taken, account(number));
+}
+
+void Automaton::apply_account(Transition const& taken, Account const& account) {
+    for (std::uint32_t mask = account.entered; mask != 0; mask &= mask - 1) {
+        auto const m = static_cast<unsigned>(__builtin_ctz(mask));
+        session_.iterations[m] = taken.iterations[m];
+    }
+    session_.frozen |= account.froze;
+    for (Room const& room : account.rooms) {
         std::vector<Cycles>& times = session_.rooms[room.fifo];
         if (room.all)
             times.clear();
@@ -106,14 +121,21 @@ void Automaton::apply(Transition& transition) {
     }
 }
 
+void Automaton::settle(Group const& group, Ledger& ledger) const {
+    std::vector<std::uint64_t*> const counters = RelativeState(group).counters();
+    for (std::size_t i = 0; i < ledger.size(); ++i)
+        if (ledger[i] > 0)
+            for (Growth const& growth : accounts_[i].growth)
+                *counters[growth.counter] += ledger[i] * growth.amount;
+    ledger.clear();
+}
+
 /// Brings the group's state to the bench. False if it is one that no phrase can start from.
 bool Automaton::begin(Group const& group) {
-    if (transitions_.size() > most_transitions)
-        forget_all();
     RelativeState real(group);
     session_.frozen = 0;
     session_.entry.clear();
-    session_.iterations.assign(1, real.iterations(0));
+    session_.iterations[0] = real.iterations(0);
     session_.rooms.assign(group.fifos().size(), {});
     for (unsigned m = 1; m < group.members().size(); ++m) {
         Phrase::Next const next = Phrase::next_of(group.members()[m], 0);
@@ -122,7 +144,7 @@ bool Automaton::begin(Group const& group) {
             return false;
         real.outlooks()[m] = {next.ports, frozen};
         session_.frozen |= frozen ? 1U << m : 0U;
-        session_.iterations.push_back(real.iterations(m));
+        session_.iterations[m] = real.iterations(m);
     }
     for (unsigned f = 0; f < group.fifos().size(); ++f)
         if (((session_.frozen >> group.fifos()[f].writer) & 1U) != 0)
@@ -150,9 +172,8 @@ bool Automaton::begin(Group const& group) {
     bench_->save(session_.words, true);
     session_.state = bench_->reach() > longest_reach ? unnumbered : number_of(session_.words);
     session_.history.clear();
-    session_.used.clear();
     session_.loose.clear();
-    session_.entered.assign(group.members().size(), 0);
+    session_.loose_accounts.clear();
     return true;
 }
 
@@ -160,12 +181,13 @@ bool Automaton::begin(Group const& group) {
 void Automaton::end(Group const& group) {
     RelativeState real(group);
     std::vector<std::uint64_t*> const counters = real.counters();
-    for (Transition const* transition : session_.used)
-        for (Growth const& growth : transition->growth)
-            *counters[growth.counter] += transition->uses * growth.amount;
+    for (Account const& account : session_.loose_accounts)
+        for (Growth const& growth : account.growth)
+            *counters[growth.counter] += growth.amount;
     real.restore(session_.state == unnumbered ? session_.words : *states_[session_.state], session_.time);
     restore_stands(real);
-    restore_iterations(real);
+    for (unsigned m = 0; m < group.members().size(); ++m)
+        real.set_iterations(m, session_.iterations[m]);
     for (unsigned f = 0; f < group.fifos().size(); ++f) {
         std::vector<Cycles> const& times = session_.rooms[f];
         std::size_t const known = group.fifos()[f].fifo->known_writes();
@@ -174,8 +196,6 @@ void Automaton::end(Group const& group) {
         for (std::size_t i = 0; i < known; ++i)
             real.set_room_time(f, i, times[times.size() - known + i]);
     }
-    for (Transition* transition : session_.used)
-        transition->uses = 0;
 }
 
 /// A follower's own time is that of the last transition that moved it; it only waited since.
@@ -185,8 +205,8 @@ void Automaton::restore_stands(RelativeState& real) {
     std::uint32_t missing_arrival = missing_since;
     Cycles time = session_.time;
     for (std::size_t i = session_.history.size(); i > 0 && missing_arrival != 0; --i) {
-        Transition const& transition = *session_.history[i - 1];
-        for (Stand const& stand : transition.stands) {
+        std::uint32_t const number = session_.history[i - 1];
+        for (Stand const& stand : account(number).stands) {
             std::uint32_t const bit = 1U << stand.member;
             if ((missing_since & bit) != 0)
                 found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
@@ -196,53 +216,43 @@ void Automaton::restore_stands(RelativeState& real) {
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
-        time -= transition.cycles;
+        time -= transition(number).cycles;
     }
     for (Stand const& stand : found)
         real.unpark(stand.member, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
 }
 
-/// Iterations of the loop entry at hand: from the last transition that entered one.
-void Automaton::restore_iterations(RelativeState& real) {
-    std::vector<Transition*> const& history = session_.history;
-    for (unsigned m = 0; m < session_.iterations.size(); ++m) {
-        std::size_t const entered = session_.entered[m];
-        std::uint64_t sum = 0;
-        if (entered * 2 > history.size()) {
-            for (std::size_t i = entered - 1; i < history.size(); ++i)
-                sum += history[i]->iterations[m];
-        } else {
-            for (Transition const* transition : session_.used)
-                sum += transition->uses * transition->iterations[m];
-            for (std::size_t i = 0; i + 1 < entered; ++i)
-                sum -= history[i]->iterations[m];
-        }
-        real.set_iterations(m, sum + (entered == 0 ? session_.iterations[m] : 0));
-    }
-}
-
 std::uint64_t Automaton::hash_of_phrase() const {
-    std::uint64_t hash = session_.state;
-    for (unsigned i = 0; i < phrase_.size(); ++i)
-        hash = mixed(hash, phrase_.codes()[i]);
-    return hash;
-}
-
-Automaton::Transition* Automaton::find(std::uint64_t hash) const {
-    std::size_t const mask = table_.size() - 1;
-    for (std::size_t i = hash & mask; table_[i].transition != nullptr; i = (i + 1) & mask) {
-        if (table_[i].hash != hash)
-            continue;
-        std::vector<Phrase::Code> const& key = table_[i].transition->key;
-        if (key.size() == phrase_.size() + 1 && key.front() == session_.state &&
-            std::equal(key.begin() + 1, key.end(), phrase_.codes()))
-            return table_[i].transition;
+    // A sum of products, so that the multiplications do not wait for each other.
+    std::uint64_t hash = session_.state * 0x9E3779B97F4A7C15U;
+    std::uint64_t factor = 0xD6E8FEB86659FD93U;
+    for (unsigned i = 0; i < phrase_.size(); ++i) {
+        std::uint64_t const code = phrase_.codes()[i];
+        hash += (code ^ (code >> 32)) * factor;
+        factor += 0xA0761D6478BD642EU;
     }
-    return nullptr;
+    return mixed(hash, 0);
 }
 
-/// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
-Automaton::Transition* Automaton::work_out(std::uint64_t hash) {
+bool Automaton::is_key_of(Transition const& transition) const {
+    Phrase::Code const* const key = keys_.data() + transition.key;
+    bool same = transition.key_size == phrase_.size() + 1 && key[0] == session_.state;
+    for (unsigned k = 0; same && k < phrase_.size(); ++k)
+        same = key[k + 1] == phrase_.codes()[k];
+    return same;
+}
+
+std::uint32_t Automaton::find(std::uint64_t hash) const {
+    std::size_t const mask = table_.size() - 1;
+    auto const tag = static_cast<std::uint32_t>(hash >> 32);
+    for (std::size_t i = hash & mask; table_[i].transition != 0; i = (i + 1) & mask)
+        if (table_[i].tag == tag && is_key_of(transitions_[table_[i].transition - 1]))
+            return table_[i].transition - 1;
+    return none;
+}
+
+/// Performs the phrase on the bench, operation by operation. `none` if the driver cannot finish it.
+std::uint32_t Automaton::work_out(std::uint64_t hash) {
     ++worked_out_;
     bench_->load(session_.state == unnumbered ? session_.words : *states_[session_.state], bench_time);
     std::vector<std::uint64_t> before;
@@ -252,47 +262,61 @@ Automaton::Transition* Automaton::work_out(std::uint64_t hash) {
     for (Group::Member const& member : bench_group_->members())
         loaded.push_back(member.process->local_time());
     Transition transition;
+    Account account;
     Phrase::write(phrase_.codes(), phrase_.size(), *bench_group_,
                   [&](unsigned member, std::uint8_t next_ports, bool frozen) {
-                      transition.froze |= frozen ? 1U << member : 0U;
+                      account.froze |= frozen ? 1U << member : 0U;
                       bench_->outlooks()[member] = {next_ports, frozen};
                   });
-    transition.entered = Phrase::entered(phrase_.codes(), phrase_.size());
+    account.entered = Phrase::entered(phrase_.codes(), phrase_.size());
     for (unsigned m = 0; m < loaded.size(); ++m)
-        transition.iterations.push_back(bench_->iterations(m));
+        transition.iterations[m] = static_cast<std::uint32_t>(bench_->iterations(m));
     bench_core_->resolve();
     if (!bench_group_->driver().finished())
-        return nullptr;
+        return none;
     for (unsigned m = 0; m < loaded.size(); ++m) {
-        bool const entered = ((transition.entered >> m) & 1U) != 0;
-        transition.iterations[m] = bench_->iterations(m) - (entered ? 0 : transition.iterations[m]);
+        bool const entered = ((account.entered >> m) & 1U) != 0;
+        transition.iterations[m] =
+            static_cast<std::uint32_t>(bench_->iterations(m)) - (entered ? 0 : transition.iterations[m]);
     }
-    describe(before, loaded, transition);
+    transition.cycles = bench_group_->driver().local_time() - bench_time;
+    describe(before, loaded, account);
+    transition.plain = account.is_plain();
     bool const recurring = bench_->reach() <= longest_reach;
     session_.words = words_;
     transition.next = recurring ? number_of(words_) : unnumbered;
-    if (!recurring || session_.state == unnumbered)
-        return &session_.loose.emplace_back(std::move(transition));
-    transition.key.push_back(session_.state);
-    transition.key.insert(transition.key.end(), phrase_.codes(), phrase_.codes() + phrase_.size());
-    transitions_.push_back(std::move(transition));
-    put_into_table({hash, &transitions_.back()});
-    return &transitions_.back();
+    if (recurring && session_.state != unnumbered && transitions_.size() < most_transitions)
+        return remember(transition, std::move(account), hash);
+    session_.loose_accounts.push_back(std::move(account));
+    session_.loose.push_back(transition);
+    return first_loose + static_cast<std::uint32_t>(session_.loose.size() - 1);
+}
+
+std::uint32_t Automaton::remember(Transition transition, Account&& account, std::uint64_t hash) {
+    transition.key = static_cast<std::uint32_t>(keys_.size());
+    transition.key_size = static_cast<std::uint16_t>(phrase_.size() + 1);
+    keys_.push_back(session_.state);
+    keys_.insert(keys_.end(), phrase_.codes(), phrase_.codes() + phrase_.size());
+    transitions_.push_back(transition);
+    accounts_.push_back(std::move(account));
+    hashes_.push_back(hash);
+    put_into_table(hash, static_cast<std::uint32_t>(transitions_.size()));
+    return static_cast<std::uint32_t>(transitions_.size() - 1);
 }
 
 void Automaton::describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded,
-                         Transition& transition) {
-    transition.cycles = bench_group_->driver().local_time() - bench_time;
-    describe_rooms(transition);
-    describe_stands(loaded, transition);
+                         Account& account) {
+    describe_rooms(account);
+    describe_stands(loaded, account);
     bench_->save(words_, true);
+    bench_->count_tokens();
     std::vector<std::uint64_t*> const after = bench_->counters();
     for (std::uint32_t i = 0; i < after.size(); ++i)
         if (*after[i] != before[i])
-            transition.growth.push_back({i, *after[i] - before[i]});
+            account.growth.push_back({i, *after[i] - before[i]});
 }
 
-void Automaton::describe_stands(std::vector<Cycles> const& loaded, Transition& transition) {
+void Automaton::describe_stands(std::vector<Cycles> const& loaded, Account& account) {
     Cycles const end = bench_group_->driver().local_time();
     auto const since_end = [end](Cycles cycle) { return static_cast<std::int64_t>(cycle - end); };
     for (unsigned m = 1; m < loaded.size(); ++m) {
@@ -302,25 +326,25 @@ void Automaton::describe_stands(std::vector<Cycles> const& loaded, Transition& t
             continue;
         RelativeState::Waiting const waiting = bench_->park(m);
         if (active || waiting.since != loaded[m])
-            transition.stands.push_back({m, since_end(waiting.since), since_end(waiting.arrival), active});
+            account.stands.push_back({m, since_end(waiting.since), since_end(waiting.arrival), active});
     }
 }
 
 /// All a frozen writer needs to know later, which its state does not say.
-void Automaton::describe_rooms(Transition& transition) {
+void Automaton::describe_rooms(Account& account) {
     Cycles const end = bench_group_->driver().local_time();
     for (unsigned f = 0; f < bench_group_->fifos().size(); ++f) {
         Group::Inner const& inner = bench_group_->fifos()[f];
         if (!bench_->outlooks()[inner.writer].frozen)
             continue;
-        bool const froze = ((transition.froze >> inner.writer) & 1U) != 0;
+        bool const froze = ((account.froze >> inner.writer) & 1U) != 0;
         std::vector<Cycles> const times = bench_->room_times(f);
         std::size_t const fresh = froze ? times.size() : std::min(times.size(), RelativeState::loaded_reads(inner));
         Room room{f, froze, {}};
         for (std::size_t i = times.size() - fresh; i < times.size(); ++i)
             room.from.push_back(static_cast<std::int64_t>(times[i] - end));
         if (froze || fresh > 0)
-            transition.rooms.push_back(std::move(room));
+            account.rooms.push_back(std::move(room));
     }
 }
 
@@ -331,26 +355,17 @@ std::uint32_t Automaton::number_of(Words const& words) {
     return place->second;
 }
 
-void Automaton::put_into_table(Slot const& slot) {
+void Automaton::put_into_table(std::uint64_t hash, std::uint32_t number) {
     if (transitions_.size() * 2 > table_.size()) {
-        std::vector<Slot> old(table_.size() * 2);
-        old.swap(table_);
-        for (Slot const& each : old)
-            if (each.transition != nullptr && each.transition != slot.transition)
-                put_into_table(each);
+        table_.assign(table_.size() * 2, Slot{});
+        for (std::uint32_t i = 0; i + 1 < number; ++i)
+            put_into_table(hashes_[i], i + 1);
     }
     std::size_t const mask = table_.size() - 1;
-    std::size_t i = slot.hash & mask;
-    while (table_[i].transition != nullptr)
+    std::size_t i = hash & mask;
+    while (table_[i].transition != 0)
         i = (i + 1) & mask;
-    table_[i] = slot;
-}
-
-void Automaton::forget_all() {
-    numbers_.clear();
-    states_.clear();
-    transitions_.clear();
-    table_.assign(1U << 14, Slot{});
+    table_[i] = {static_cast<std::uint32_t>(hash >> 32), number};
 }
 
 }  // namespace faster::timing

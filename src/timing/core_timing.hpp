@@ -30,7 +30,7 @@ class CoreTiming {
     ProcessTiming& add_process(std::string name);
 
     /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later whose
-    /// answer by other processes is not logged yet: it will be quicker then.
+    /// answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the end.
     void resolve(bool to_the_end = true);
 
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
@@ -63,6 +63,7 @@ class CoreTiming {
     SteadyState steady_state_;
     std::shared_ptr<Automaton> automaton_;
     std::unique_ptr<Group> group_;
+    Automaton::Ledger ledger_;
     Lead lead_;
 };
 

@@ -28,8 +28,8 @@ class FifoTiming {
 
     std::string const& name() const { return shape_.name; }
     FifoShape const& shape() const { return shape_; }
-    std::uint64_t writes() const { return writes_; }
-    std::uint64_t reads() const { return reads_; }
+    std::uint64_t writes() const { return passed_ + writes_ - first_token; }
+    std::uint64_t reads() const { return passed_ + reads_ - first_token; }
     std::uint64_t max_occupancy() const { return max_occupancy_; }
     Cycles full_stall_cycles() const { return full_stall_cycles_; }
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
@@ -48,7 +48,7 @@ class FifoTiming {
         Cycles const written = cycle + shape_.issue_latency;
         // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs
         // whose read is not known yet are looked at when it is.
-        if (max_occupancy_ < shape_.capacity && writes_ >= max_occupancy_ && writes_ - max_occupancy_ < reads_ &&
+        if (max_occupancy_ < shape_.capacity && writes_ - max_occupancy_ < reads_ &&
             free_from_[(writes_ - max_occupancy_) & index_mask_] > written + 1)
             ++max_occupancy_;
         ++writes_;
@@ -69,11 +69,15 @@ class FifoTiming {
     friend class SteadyState;
     friend class RelativeState;
 
+    /// Tokens are numbered from here, so that one has others before it: read long ago, as the rings say.
+    static constexpr std::uint64_t first_token = std::uint64_t{1} << 32;
+
     FifoShape shape_;
     std::uint64_t room_;        // capacity and pipeline stages
     std::uint64_t index_mask_;  // rings of the last accesses; a power of two above room_
-    std::uint64_t writes_ = 0;
-    std::uint64_t reads_ = 0;
+    std::uint64_t writes_ = first_token;
+    std::uint64_t reads_ = first_token;
+    std::uint64_t passed_ = 0;  // tokens counted elsewhere, written and read
     std::uint64_t max_occupancy_ = 0;
     Cycles full_stall_cycles_ = 0;
     Cycles empty_stall_cycles_ = 0;

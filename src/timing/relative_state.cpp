@@ -165,8 +165,8 @@ void RelativeState::save_fifo(unsigned number, Cycles base, Words& words) const 
 
 void RelativeState::load(Words const& words, Cycles driver_time) {
     for (Group::Inner const& inner : group_->fifos()) {
-        inner.fifo->writes_ = first_token;
-        inner.fifo->reads_ = first_token;
+        inner.fifo->writes_ = FifoTiming::first_token;
+        inner.fifo->reads_ = FifoTiming::first_token;
     }
     for (Group::Member const& member : group_->members())
         member.process->log_.clear();
@@ -227,6 +227,11 @@ void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle
     fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
 }
 
+void RelativeState::count_tokens() {
+    for (Group::Inner const& inner : group_->fifos())
+        inner.fifo->passed_ += loaded_reads(inner);
+}
+
 std::vector<std::uint64_t*> RelativeState::counters() const {
     std::vector<std::uint64_t*> counters;
     for (Group::Member const& member : group_->members()) {
@@ -239,7 +244,7 @@ std::vector<std::uint64_t*> RelativeState::counters() const {
         }
     }
     for (Group::Inner const& inner : group_->fifos()) {
-        counters.push_back(&inner.fifo->reads_);
+        counters.push_back(&inner.fifo->passed_);
         counters.push_back(&inner.fifo->full_stall_cycles_);
         counters.push_back(&inner.fifo->empty_stall_cycles_);
     }

@@ -39,14 +39,16 @@ class RelativeState {
     void load(Words const& words, Cycles driver_time);
     /// Tokens read since load().
     static std::size_t loaded_reads(Group::Inner const& inner) {
-        return static_cast<std::size_t>(inner.fifo->reads_ - first_token);
+        return static_cast<std::size_t>(inner.fifo->reads_ - FifoTiming::first_token);
     }
     /// For a group with logs and counters of its own: puts what the processes have yet to do in front of their logs.
     void restore(Words const& words, Cycles driver_time);
     /// The largest distance in time of the saved words.
     std::int64_t reach() const { return reach_; }
 
-    /// All that only grows: stalls, loops, tokens read. Add to them before restore().
+    /// For a workbench: makes the tokens read since load() part of counters().
+    void count_tokens();
+    /// All that only grows: stalls, loops, tokens gone through.
     std::vector<std::uint64_t*> counters() const;
 
     std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
@@ -58,8 +60,6 @@ class RelativeState {
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);
 
   private:
-    static constexpr std::uint64_t first_token = std::uint64_t{1} << 32;  ///< beyond any index of a ring
-
     ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
     Cycles not_before(unsigned member) const;
     std::uint8_t next_ports(unsigned member) const;

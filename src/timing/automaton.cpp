@@ -11,6 +11,7 @@ constexpr Cycles bench_time = Cycles{1} << 40;  // times before it stay positive
 constexpr std::int64_t longest_reach = 4096;    // states with times further apart hardly ever come again
 constexpr std::uint64_t most_room = 1024;       // tokens in FIFOs that a state may have to list
 constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB
+constexpr Cycles longest_cycles = 0xFFFFFFFF;     // that fit a transition
 constexpr std::uint64_t trial = 20000;  // phrases, before giving up a core that rarely repeats itself
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
@@ -64,95 +65,116 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     return usable_;
 }
 
-Automaton::Progress Automaton::follow(Group const& group, Ledger& ledger) {
+Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     Progress progress;
+    session_ = &session;
     if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
         return {false, true};
     if (!begin(group))
         return progress;
     // Times far apart hardly come again. The driver alone gets out of that, unless it would stop inside an iteration.
-    bool const is_worthwhile = session_.state != unnumbered || !driver_is_regular_;
-    Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session_.frozen) : Phrase::Reading::foreign;
-    for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session_.frozen)) {
-        std::uint64_t const hash = hash_of_phrase();
-        std::uint32_t number = session_.state == unnumbered ? none : find(hash);
-        if (number == none)
-            number = work_out(hash);
-        if (number == none)
+    bool const is_worthwhile = session.state != none || !driver_is_regular_;
+    Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
+    for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
+        Print const print = print_of_phrase();
+        Transition const* transition = session.state == none ? nullptr : find(print);
+        if (transition == nullptr)
+            transition = work_out(print);
+        if (transition == nullptr)
             break;
         phrase_.consume();
-        apply(number, ledger);
+        apply(*transition);
     }
-    progress.moved = !session_.history.empty();
+    progress.moved = !session.history.empty();
     progress.later = reading == Phrase::Reading::logs_end;
     end(group);
     return progress;
 }
 
-void Automaton::apply(std::uint32_t number, Ledger& ledger) {
-    Transition const& taken = transition(number);
+void Automaton::apply(Transition const& transition) {
+    Session& session = *session_;
     ++phrases_;
-    session_.time += taken.cycles;
-    session_.state = taken.next;
-    session_.history.push_back(number);
-    for (unsigned m = 0; m < most_members; ++m)
-        session_.iterations[m] += taken.iterations[m];
-    if (number < first_loose) {
-        if (number >= ledger.size())
-            ledger.resize(transitions_.size());
-        ++ledger[number];
+    session.time += transition.number < first_loose ? transition.cycles : account(transition.number).cycles;
+    session.state = transition.next;
+    session.history.push_back(transition.number);
+    if (transition.number < first_loose) {
+        if (transition.number >= session.uses.size())
+            session.uses.resize(accounts_.size());
+        ++session.uses[transition.number];
     }
-    if (!taken.plain)
-        apply_account(taken, account(number));
+    if (transition.notable)
+        note(account(transition.number));
 }
 
-void Automaton::apply_account(Transition const& taken, Account const& account) {
-    for (std::uint32_t mask = account.entered; mask != 0; mask &= mask - 1) {
-        auto const m = static_cast<unsigned>(__builtin_ctz(mask));
-        session_.iterations[m] = taken.iterations[m];
-    }
-    session_.frozen |= account.froze;
+void Automaton::note(Account const& account) {
+    session_->frozen |= account.froze;
     for (Room const& room : account.rooms) {
-        std::vector<Cycles>& times = session_.rooms[room.fifo];
+        std::vector<Cycles>& times = session_->rooms[room.fifo];
         if (room.all)
             times.clear();
         for (std::int64_t from : room.from)
-            times.push_back(session_.time + static_cast<Cycles>(from));
+            times.push_back(session_->time + static_cast<Cycles>(from));
     }
 }
 
-void Automaton::settle(Group const& group, Ledger& ledger) const {
+Automaton::Account const& Automaton::account(Number number) const {
+    return number < first_loose ? accounts_[number] : session_->loose[number - first_loose];
+}
+
+void Automaton::settle(Group const& group, Session& session) const {
     std::vector<std::uint64_t*> const counters = RelativeState(group).counters();
-    for (std::size_t i = 0; i < ledger.size(); ++i)
-        if (ledger[i] > 0)
+    for (std::size_t i = 0; i < session.uses.size(); ++i)
+        if (session.uses[i] > 0)
             for (Growth const& growth : accounts_[i].growth)
-                *counters[growth.counter] += ledger[i] * growth.amount;
-    ledger.clear();
+                *counters[growth.counter] += session.uses[i] * growth.amount;
+    session.uses.clear();
+    add_iterations(group, session);
+}
+
+/// Tells the processes how often the loops they are in since the last session have been iterated in it.
+void Automaton::add_iterations(Group const& group, Session& session) const {
+    RelativeState real(group);
+    for (unsigned m = 0; m < session.entries.size(); ++m) {
+        if (!real.is_in_loop(m) || real.entries(m) != session.entries[m])
+            continue;
+        std::uint64_t sum = 0;
+        bool entered = false;
+        for (std::size_t i = session.history.size(); i > 0 && !entered; --i) {
+            Number const number = session.history[i - 1];
+            Account const& each = number < first_loose ? accounts_[number] : session.loose[number - first_loose];
+            sum += each.iterations[m];
+            entered = ((each.entered >> m) & 1U) != 0;
+        }
+        std::uint64_t const total = sum + (entered ? 0 : session.iterations[m]);
+        std::uint64_t const counted = std::min<std::uint64_t>(total, 1);  // all that a state says
+        real.set_iterations(m, real.iterations(m) - counted + total);
+    }
+    session.entries.clear();
+    session.history.clear();
 }
 
 /// Brings the group's state to the bench. False if it is one that no phrase can start from.
 bool Automaton::begin(Group const& group) {
+    add_iterations(group, *session_);
     RelativeState real(group);
-    session_.frozen = 0;
-    session_.entry.clear();
-    session_.iterations[0] = real.iterations(0);
-    session_.rooms.assign(group.fifos().size(), {});
+    session_->frozen = 0;
+    session_->entry.clear();
+    session_->rooms.assign(group.fifos().size(), {});
     for (unsigned m = 1; m < group.members().size(); ++m) {
         Phrase::Next const next = Phrase::next_of(group.members()[m], 0);
         bool const frozen = next.known && next.ports == 0;
         if (frozen && !group.members()[m].writes_anchor)
             return false;
         real.outlooks()[m] = {next.ports, frozen};
-        session_.frozen |= frozen ? 1U << m : 0U;
-        session_.iterations[m] = real.iterations(m);
+        session_->frozen |= frozen ? 1U << m : 0U;
     }
     for (unsigned f = 0; f < group.fifos().size(); ++f)
-        if (((session_.frozen >> group.fifos()[f].writer) & 1U) != 0)
-            session_.rooms[f] = real.room_times(f);
+        if (((session_->frozen >> group.fifos()[f].writer) & 1U) != 0)
+            session_->rooms[f] = real.room_times(f);
     // The logs stay where they are: the state of a follower at rest has none.
     if (!real.save(words_, false))
         return false;
-    session_.time = group.driver().local_time();
+    session_->time = group.driver().local_time();
     bench_->load(words_, bench_time);
     std::vector<std::uint64_t*> const bench_counters = bench_->counters();
     std::vector<std::uint64_t> before;
@@ -160,20 +182,18 @@ bool Automaton::begin(Group const& group) {
         before.push_back(*counter);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         RelativeState::Waiting const waiting = bench_->park(m);
-        Cycles const shift = session_.time - bench_time;
+        Cycles const shift = session_->time - bench_time;
         Cycles const own = group.members()[m].process->local_time();
-        bool const frozen = ((session_.frozen >> m) & 1U) != 0;
-        session_.entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
+        bool const frozen = ((session_->frozen >> m) & 1U) != 0;
+        session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), true});
     }
     std::vector<std::uint64_t*> const counters = real.counters();
     for (std::size_t i = 0; i < counters.size(); ++i)
         *counters[i] += *bench_counters[i] - before[i];
-    bench_->save(session_.words, true);
-    session_.state = bench_->reach() > longest_reach ? unnumbered : number_of(session_.words);
-    session_.history.clear();
-    session_.loose.clear();
-    session_.loose_accounts.clear();
+    bench_->save(session_->words, true);
+    session_->state = bench_->reach() > longest_reach ? none : number_of(session_->words);
+    session_->loose.clear();
     return true;
 }
 
@@ -181,17 +201,21 @@ bool Automaton::begin(Group const& group) {
 void Automaton::end(Group const& group) {
     RelativeState real(group);
     std::vector<std::uint64_t*> const counters = real.counters();
-    for (Account const& account : session_.loose_accounts)
+    for (Account const& account : session_->loose)
         for (Growth const& growth : account.growth)
             *counters[growth.counter] += growth.amount;
-    real.restore(session_.state == unnumbered ? session_.words : *states_[session_.state], session_.time);
+    session_->iterations.clear();
+    session_->entries.clear();
+    for (unsigned m = 0; m < group.members().size(); ++m)
+        session_->iterations.push_back(real.iterations(m));
+    real.restore(session_->state == none ? session_->words : *states_[session_->state], session_->time);
     restore_stands(real);
     for (unsigned m = 0; m < group.members().size(); ++m)
-        real.set_iterations(m, session_.iterations[m]);
+        session_->entries.push_back(real.entries(m));
     for (unsigned f = 0; f < group.fifos().size(); ++f) {
-        std::vector<Cycles> const& times = session_.rooms[f];
+        std::vector<Cycles> const& times = session_->rooms[f];
         std::size_t const known = group.fifos()[f].fifo->known_writes();
-        if (((session_.frozen >> group.fifos()[f].writer) & 1U) == 0)
+        if (((session_->frozen >> group.fifos()[f].writer) & 1U) == 0)
             continue;
         for (std::size_t i = 0; i < known; ++i)
             real.set_room_time(f, i, times[times.size() - known + i]);
@@ -200,12 +224,12 @@ void Automaton::end(Group const& group) {
 
 /// A follower's own time is that of the last transition that moved it; it only waited since.
 void Automaton::restore_stands(RelativeState& real) {
-    std::vector<Stand> found = session_.entry;
+    std::vector<Stand> found = session_->entry;
     std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
     std::uint32_t missing_arrival = missing_since;
-    Cycles time = session_.time;
-    for (std::size_t i = session_.history.size(); i > 0 && missing_arrival != 0; --i) {
-        std::uint32_t const number = session_.history[i - 1];
+    Cycles time = session_->time;
+    for (std::size_t i = session_->history.size(); i > 0 && missing_arrival != 0; --i) {
+        std::uint32_t const number = session_->history[i - 1];
         for (Stand const& stand : account(number).stands) {
             std::uint32_t const bit = 1U << stand.member;
             if ((missing_since & bit) != 0)
@@ -216,92 +240,83 @@ void Automaton::restore_stands(RelativeState& real) {
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
-        time -= transition(number).cycles;
+        time -= account(number).cycles;
     }
     for (Stand const& stand : found)
         real.unpark(stand.member, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
 }
 
-std::uint64_t Automaton::hash_of_phrase() const {
-    // A sum of products, so that the multiplications do not wait for each other.
-    std::uint64_t hash = session_.state * 0x9E3779B97F4A7C15U;
+Automaton::Print Automaton::print_of_phrase() const {
+    // Sums of products, so that the multiplications do not wait for each other.
+    std::uint64_t first = (session_->state + std::uint64_t{1}) * 0x9E3779B97F4A7C15U;
+    std::uint64_t second = (session_->state + std::uint64_t{1}) * 0xC2B2AE3D27D4EB4FU;
     std::uint64_t factor = 0xD6E8FEB86659FD93U;
     for (unsigned i = 0; i < phrase_.size(); ++i) {
         std::uint64_t const code = phrase_.codes()[i];
-        hash += (code ^ (code >> 32)) * factor;
+        std::uint64_t const product = (code ^ (code >> 32)) * factor;
+        first += product;
+        second = ((second << 7) | (second >> 57)) ^ (product + (product >> 29));
         factor += 0xA0761D6478BD642EU;
     }
-    return mixed(hash, 0);
+    return {mixed(first, second >> 32), mixed(second, first)};
 }
 
-bool Automaton::is_key_of(Transition const& transition) const {
-    Phrase::Code const* const key = keys_.data() + transition.key;
-    bool same = transition.key_size == phrase_.size() + 1 && key[0] == session_.state;
-    for (unsigned k = 0; same && k < phrase_.size(); ++k)
-        same = key[k + 1] == phrase_.codes()[k];
-    return same;
-}
-
-std::uint32_t Automaton::find(std::uint64_t hash) const {
+Automaton::Transition const* Automaton::find(Print const& print) const {
     std::size_t const mask = table_.size() - 1;
-    auto const tag = static_cast<std::uint32_t>(hash >> 32);
-    for (std::size_t i = hash & mask; table_[i].transition != 0; i = (i + 1) & mask)
-        if (table_[i].tag == tag && is_key_of(transitions_[table_[i].transition - 1]))
-            return table_[i].transition - 1;
-    return none;
+    for (std::size_t i = print.first & mask; table_[i].number != none; i = (i + 1) & mask)
+        if (table_[i].print == print.first && table_[i].second_print == print.second)
+            return &table_[i];
+    return nullptr;
 }
 
-/// Performs the phrase on the bench, operation by operation. `none` if the driver cannot finish it.
-std::uint32_t Automaton::work_out(std::uint64_t hash) {
+/// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
+Automaton::Transition const* Automaton::work_out(Print const& print) {
     ++worked_out_;
-    bench_->load(session_.state == unnumbered ? session_.words : *states_[session_.state], bench_time);
+    bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     std::vector<std::uint64_t> before;
     for (std::uint64_t const* counter : bench_->counters())
         before.push_back(*counter);
-    std::vector<Cycles> loaded;
-    for (Group::Member const& member : bench_group_->members())
-        loaded.push_back(member.process->local_time());
-    Transition transition;
     Account account;
+    std::vector<Cycles> loaded;
+    for (unsigned m = 0; m < bench_group_->members().size(); ++m) {
+        loaded.push_back(bench_group_->members()[m].process->local_time());
+        account.iterations[m] = bench_->iterations(m);
+    }
     Phrase::write(phrase_.codes(), phrase_.size(), *bench_group_,
                   [&](unsigned member, std::uint8_t next_ports, bool frozen) {
                       account.froze |= frozen ? 1U << member : 0U;
                       bench_->outlooks()[member] = {next_ports, frozen};
                   });
     account.entered = Phrase::entered(phrase_.codes(), phrase_.size());
-    for (unsigned m = 0; m < loaded.size(); ++m)
-        transition.iterations[m] = static_cast<std::uint32_t>(bench_->iterations(m));
     bench_core_->resolve();
     if (!bench_group_->driver().finished())
-        return none;
+        return nullptr;
     for (unsigned m = 0; m < loaded.size(); ++m) {
         bool const entered = ((account.entered >> m) & 1U) != 0;
-        transition.iterations[m] =
-            static_cast<std::uint32_t>(bench_->iterations(m)) - (entered ? 0 : transition.iterations[m]);
+        account.iterations[m] = bench_->iterations(m) - (entered ? 0 : account.iterations[m]);
     }
-    transition.cycles = bench_group_->driver().local_time() - bench_time;
+    account.cycles = bench_group_->driver().local_time() - bench_time;
     describe(before, loaded, account);
-    transition.plain = account.is_plain();
     bool const recurring = bench_->reach() <= longest_reach;
-    session_.words = words_;
-    transition.next = recurring ? number_of(words_) : unnumbered;
-    if (recurring && session_.state != unnumbered && transitions_.size() < most_transitions)
-        return remember(transition, std::move(account), hash);
-    session_.loose_accounts.push_back(std::move(account));
-    session_.loose.push_back(transition);
-    return first_loose + static_cast<std::uint32_t>(session_.loose.size() - 1);
-}
-
-std::uint32_t Automaton::remember(Transition transition, Account&& account, std::uint64_t hash) {
-    transition.key = static_cast<std::uint32_t>(keys_.size());
-    transition.key_size = static_cast<std::uint16_t>(phrase_.size() + 1);
-    keys_.push_back(session_.state);
-    keys_.insert(keys_.end(), phrase_.codes(), phrase_.codes() + phrase_.size());
-    transitions_.push_back(transition);
-    accounts_.push_back(std::move(account));
-    hashes_.push_back(hash);
-    put_into_table(hash, static_cast<std::uint32_t>(transitions_.size()));
-    return static_cast<std::uint32_t>(transitions_.size() - 1);
+    bool const remembered = recurring && session_->state != none && accounts_.size() < most_transitions &&
+                            account.cycles <= longest_cycles;
+    session_->words = words_;
+    Transition transition;
+    transition.print = print.first;
+    transition.second_print = print.second;
+    transition.cycles = static_cast<std::uint32_t>(account.cycles);
+    transition.next = recurring ? number_of(words_) : none;
+    transition.notable = account.froze != 0 || !account.rooms.empty();
+    std::vector<Account>& accounts = remembered ? accounts_ : session_->loose;
+    transition.number = static_cast<Number>(accounts.size()) + (remembered ? 0 : first_loose);
+    accounts.push_back(std::move(account));
+    if (!remembered) {
+        once_ = transition;
+        return &once_;
+    }
+    if (accounts_.size() * 2 > table_.size())
+        grow_table();
+    return put_into_table(transition);
 }
 
 void Automaton::describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded,
@@ -355,17 +370,21 @@ std::uint32_t Automaton::number_of(Words const& words) {
     return place->second;
 }
 
-void Automaton::put_into_table(std::uint64_t hash, std::uint32_t number) {
-    if (transitions_.size() * 2 > table_.size()) {
-        table_.assign(table_.size() * 2, Slot{});
-        for (std::uint32_t i = 0; i + 1 < number; ++i)
-            put_into_table(hashes_[i], i + 1);
-    }
+Automaton::Transition const* Automaton::put_into_table(Transition const& transition) {
     std::size_t const mask = table_.size() - 1;
-    std::size_t i = hash & mask;
-    while (table_[i].transition != 0)
+    std::size_t i = transition.print & mask;
+    while (table_[i].number != none)
         i = (i + 1) & mask;
-    table_[i] = {static_cast<std::uint32_t>(hash >> 32), number};
+    table_[i] = transition;
+    return &table_[i];
+}
+
+void Automaton::grow_table() {
+    std::vector<Transition> old(table_.size() * 2);
+    old.swap(table_);
+    for (Transition const& transition : old)
+        if (transition.number != none)
+            put_into_table(transition);
 }
 
 }  // namespace faster::timing

@@ -29,23 +29,25 @@ class Automaton {
     /// Whether a core can be followed at all. The first core asked about gives the shape.
     bool fits(CoreTiming const& core, Lead const& lead, Group const& group);
 
-    /// How often each transition was used by one core, and not yet entered in its counters.
-    using Ledger = std::vector<std::uint32_t>;
+    struct Session;
 
     /// Moves the driver and its followers on by as many phrases as possible. The followers must have got as far as they
-    /// can without the driver.
-    Progress follow(Group const& group, Ledger& ledger);
+    /// can without the driver. The session is the core's own.
+    Progress follow(Group const& group, Session& session);
 
-    /// Enters what the ledger holds in the counters of the core's processes and FIFOs, and empties it.
-    void settle(Group const& group, Ledger& ledger) const;
+    /// Enters what the session still holds in the counters of the core's processes and FIFOs.
+    void settle(Group const& group, Session& session) const;
 
     std::size_t states() const { return states_.size(); }
-    std::size_t transitions() const { return transitions_.size(); }
+    std::size_t transitions() const { return accounts_.size(); }
     std::uint64_t phrases() const { return phrases_; }
 
   private:
     using Words = RelativeState::Words;
-    static constexpr std::uint32_t unnumbered = ~0U;
+    using Number = std::uint32_t;
+    static constexpr Number none = ~0U;
+    static constexpr Number first_loose = 1U << 31;
+    static constexpr unsigned most_members = 8;
 
     struct Growth {
         std::uint32_t counter;
@@ -62,74 +64,52 @@ class Automaton {
         bool all;
         std::vector<std::int64_t> from;
     };
-    static constexpr unsigned most_members = 8;
-    using Iterations = std::array<std::uint32_t, most_members>;  ///< of the loop entry at hand, by member
-
-    /// What is looked at now and then.
     struct Account {
+        Cycles cycles = 0;
         std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
         std::uint32_t froze = 0;
+        std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
         std::vector<Growth> growth;
         std::vector<Stand> stands;
         std::vector<Room> rooms;
-        bool is_plain() const { return entered == 0 && froze == 0 && rooms.empty(); }
     };
-    /// What is looked at all the time: a cache line.
+    /// What a transition comes to, and what it is recognized by: the state before and the phrase, as a number of 128
+    /// bits of which the table's index is a part. Half a cache line, because looking it up is what takes the time.
     struct Transition {
-        Cycles cycles = 0;
-        std::uint32_t key = 0;  ///< where in keys_: the state before, and the phrase
-        std::uint16_t key_size = 0;
-        bool plain = true;  ///< nothing but time passes
-        std::uint32_t next = unnumbered;
-        Iterations iterations{};
+        std::uint64_t print = 0;
+        std::uint64_t second_print = 0;
+        std::uint32_t cycles = 0;
+        Number number = none;  ///< of its account
+        Number next = none;    ///< state after it
+        bool notable = false;  ///< something besides time to take down
     };
-    struct Slot {
-        std::uint32_t tag = 0;         ///< upper half of the hash
-        std::uint32_t transition = 0;  ///< number + 1; 0: free
+    struct Print {
+        std::uint64_t first;
+        std::uint64_t second;
     };
     struct WordsHash {
         std::size_t operator()(Words const& words) const;
     };
-    /// One following of a group: from where it stood to where it stopped.
-    struct Session {
-        std::uint32_t state = unnumbered;
-        Words words;  ///< of the state, if it has no number
-        Cycles time = 0;
-        std::uint32_t frozen = 0;
-        std::vector<std::uint32_t> history;  ///< numbers of transitions
-        std::vector<Transition> loose;       ///< not worth remembering; numbers from first_loose on
-        std::vector<Account> loose_accounts;
-        std::vector<Stand> entry;  ///< of each follower, in absolute cycles
-        std::vector<std::vector<Cycles>> rooms;
-        std::array<std::uint64_t, most_members> iterations{};
-    };
-    static constexpr std::uint32_t first_loose = 1U << 31;
-    static constexpr std::uint32_t none = ~0U;
 
     bool begin(Group const& group);
     void end(Group const& group);
-    void apply(std::uint32_t number, Ledger& ledger);
-    void apply_account(Transition const& taken, Account const& account);
-    std::uint32_t find(std::uint64_t hash) const;
-    bool is_key_of(Transition const& transition) const;
-    std::uint32_t work_out(std::uint64_t hash);
+    void apply(Transition const& transition);
+    void note(Account const& account);
+    Transition const* find(Print const& print) const;
+    Transition const* work_out(Print const& print);
     void describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded, Account& account);
     void describe_stands(std::vector<Cycles> const& loaded, Account& account);
     void describe_rooms(Account& account);
-    std::uint32_t remember(Transition transition, Account&& account, std::uint64_t hash);
-    Transition const& transition(std::uint32_t number) const {
-        return number < first_loose ? transitions_[number] : session_.loose[number - first_loose];
-    }
-    Account const& account(std::uint32_t number) const {
-        return number < first_loose ? accounts_[number] : session_.loose_accounts[number - first_loose];
-    }
+    Account const& account(Number number) const;
     void restore_stands(RelativeState& real);
-    std::uint64_t hash_of_phrase() const;
-    std::uint32_t number_of(Words const& words);
-    void put_into_table(std::uint64_t hash, std::uint32_t number);
+    void add_iterations(Group const& group, Session& session) const;
+    Print print_of_phrase() const;
+    Number number_of(Words const& words);
+    Transition const* put_into_table(Transition const& transition);
+    void grow_table();
 
     Phrase phrase_;
-    Session session_;
+    Session* session_ = nullptr;  ///< at hand
     bool decided_ = false;
     bool usable_ = false;
     bool driver_is_regular_ = false;
@@ -139,14 +119,27 @@ class Automaton {
 
     std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
     std::vector<Words const*> states_;
-    std::vector<Transition> transitions_;
     std::vector<Account> accounts_;
-    std::vector<Phrase::Code> keys_;
-    std::vector<std::uint64_t> hashes_;  ///< of the transitions
-    std::vector<Slot> table_ = std::vector<Slot>(1U << 14);
+    std::vector<Transition> table_ = std::vector<Transition>(1U << 12);
+    Transition once_;  ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
+};
+
+/// One following of a group: from where it stood to where it stopped. And what is to be entered in its counters.
+struct Automaton::Session {
+    Number state = none;
+    Words words;  ///< of the state, if it has no number
+    Cycles time = 0;
+    std::uint32_t frozen = 0;
+    std::vector<Number> history;         ///< of accounts
+    std::vector<Account> loose;          ///< not worth remembering; numbers from first_loose on
+    std::vector<Stand> entry;            ///< of each follower, in absolute cycles
+    std::vector<std::vector<Cycles>> rooms;
+    std::vector<std::uint64_t> iterations;  ///< of each member's loop, before the session
+    std::vector<std::uint64_t> entries;     ///< of loops by each member, when the session stopped
+    std::vector<std::uint32_t> uses;     ///< of each account, in all sessions
 };
 
 }  // namespace faster::timing

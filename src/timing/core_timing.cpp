@@ -74,14 +74,14 @@ void CoreTiming::resolve(bool to_the_end) {
     } else {
         for (;;) {
             settle(all, 1U << lead_.driver);
-            Automaton::Progress const progress = automaton_->follow(*group_, ledger_);
+            Automaton::Progress const progress = automaton_->follow(*group_, session_);
             if (progress.later && !to_the_end)
                 break;
             if (!let_driver_go() && !progress.moved)
                 break;
         }
         if (to_the_end)
-            automaton_->settle(*group_, ledger_);
+            automaton_->settle(*group_, session_);
     }
     for (ProcessTiming& process : processes_)
         process.log().compact();

@@ -63,7 +63,7 @@ class CoreTiming {
     SteadyState steady_state_;
     std::shared_ptr<Automaton> automaton_;
     std::unique_ptr<Group> group_;
-    Automaton::Ledger ledger_;
+    Automaton::Session session_;
     Lead lead_;
 };
 

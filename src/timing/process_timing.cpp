@@ -265,6 +265,7 @@ bool ProcessTiming::find_step_while_draining() {
 void ProcessTiming::enter_loop(unsigned loop) {
     current_loop_ = loop;
     in_loop_ = true;
+    ++loops_entered_;
     iterations_ = 0;
     time_ += plan().fill;
     pipeline_ = PipelinePosition{};

@@ -191,6 +191,7 @@ class ProcessTiming {
     unsigned current_loop_ = 0;
     bool in_loop_ = false;
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
+    std::uint64_t loops_entered_ = 0;
     Run run_;
     std::vector<Run> runs_;  ///< by port mask, made when first needed
     PipelinePosition pipeline_;

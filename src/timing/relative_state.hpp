@@ -51,6 +51,8 @@ class RelativeState {
     /// All that only grows: stalls, loops, tokens gone through.
     std::vector<std::uint64_t*> counters() const;
 
+    bool is_in_loop(unsigned member) const { return process(member).in_loop_; }
+    std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
     std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
     void set_iterations(unsigned member, std::uint64_t iterations) { process(member).iterations_ = iterations; }
     /// Moves a follower back to when its waiting began.

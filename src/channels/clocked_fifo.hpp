@@ -100,7 +100,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
     /// own.
     static std::size_t host_limit(timing::FifoShape const& shape) {
-        return std::max<std::uint64_t>(4096, 2 * (shape.capacity + shape.write_latency) + 64);
+        return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency) + 64);
     }
     std::size_t visible() const {
         return reader_->lockstep() ? std::min<std::size_t>(1, timing().known_reads()) : tokens_.size();

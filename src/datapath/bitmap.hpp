@@ -19,6 +19,17 @@ class Bitmap {
     void set(int row, int col) { word(row, col) |= std::uint64_t{1} << (col & 63); }
     void reset(int row, int col) { word(row, col) &= ~(std::uint64_t{1} << (col & 63)); }
 
+    /// Visits the words of a row that hold columns [from, to], with the mask of those columns.
+    template <class Visit> void for_each_word(int row, int from, int to, Visit visit) {
+        std::uint64_t* const words = words_.data() + index(row, 0);
+        for (int w = from >> 6; w <= to >> 6; ++w) {
+            std::uint64_t const above = w == from >> 6 ? ~std::uint64_t{0} << (from & 63) : ~std::uint64_t{0};
+            std::uint64_t const below = w == to >> 6 ? ~std::uint64_t{0} >> (63 - (to & 63)) : ~std::uint64_t{0};
+            visit(words[w], above & below, static_cast<std::size_t>(&words[w] - words_.data()));
+        }
+    }
+    std::uint64_t word(std::size_t at) const { return words_[at]; }
+
     /// Writes bits [first, first + count) in row-major order, one byte each, 0 or 1.
     void unpack(std::size_t first, std::size_t count, std::uint8_t* bytes) const;
 

@@ -36,11 +36,28 @@ class EdgeMaps {
         mark_uncovered(token.row - 1, token.col);
     }
 
+    /// Both iterations of each of the object tokens at columns [from, to] of a row, all inside the window. In any order:
+    /// tokens of one row do not look at each other.
+    void take_run(int row, int from, int to) {
+        auto const clear = [](std::uint64_t& word, std::uint64_t mask, std::size_t) { word &= ~mask; };
+        auto const set = [](std::uint64_t& word, std::uint64_t mask, std::size_t) { word |= mask; };
+        auto const mark = [this](std::uint64_t& word, std::uint64_t mask, std::size_t at) {
+            word |= mask & ~object_.word(at);
+        };
+        edge_.for_each_word(row, from, to, clear);
+        object_.for_each_word(row, from, to, set);
+        if (is_inside(row + 1))
+            edge_.for_each_word(row + 1, from, to, mark);
+        if (is_inside(row - 1))
+            edge_.for_each_word(row - 1, from, to, mark);
+    }
+
     Bitmap const& edge() const { return edge_; }
     Bitmap const& object() const { return object_; }
 
-  private:
     bool covers(EdgeToken const& token) const { return is_inside(token.row) && is_inside(token.col); }
+
+  private:
     bool is_inside(int coordinate) const { return static_cast<unsigned>(coordinate) < static_cast<unsigned>(window_); }
     void mark_uncovered(int row, int col) {
         if (is_inside(row) && !object_.test(row, col))

@@ -26,8 +26,11 @@ Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig 
         CoreShare const share = share_of(core, config.raster_cores, stimulus.samples.size());
         std::string const core_name = "core_" + std::to_string(core);
         cores_.push_back(std::make_unique<RasterCore>(core_name.c_str(), config, stimulus, share, time_base));
-        if (engine == Engine::decoupled)
-            cores_.back()->timing().let_follow(rasterizer_and_followers(), automaton);
+        if (engine == Engine::lockstep)
+            continue;
+        cores_.back()->timing().let_follow(rasterizer_and_followers(), automaton);
+        if (core > 0)
+            cores_[core]->run_after(*cores_[core - 1]);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <systemc>
 #include <vector>
 
 #include "channels/process_clock.hpp"
@@ -32,6 +33,9 @@ struct CoreContext {
     timing::CoreTiming& timing;
     SampleProbe* probe = nullptr;    ///< may be null
     std::function<void()> progress;  ///< called after every sample; may be empty
+    /// Cores need not take turns: they share nothing. One after the other keeps the host's caches warm (decoupled).
+    sc_core::sc_event const* turn = nullptr;  ///< waited for before the first sample; may be null
+    sc_core::sc_event* done = nullptr;        ///< notified after the last
 
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
     /// Top-left pixel of a sample's window (SPEC section 2, sample header).

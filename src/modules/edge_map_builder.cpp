@@ -57,29 +57,47 @@ void EdgeMapBuilder::build() {
 /// loop knows the end token one iteration early. True until it has been read.
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
-    EdgeToken const* next = edge_token_->front();
+    EdgeToken const* const next = edge_token_->front();
     std::uint8_t const port = edge_token_->read_port();
     bool ended = false;
     std::size_t taken = 0;
-    bool run_of_seconds = false;  // iterations of one kind are told to the clock together
-    std::uint64_t run = 0;
-    for (; taken < available && !ended; ++taken) {
+    while (taken < available && !ended) {
+        std::size_t const run = take_object_run(current, next + taken, available - taken);
+        if (run > 0) {
+            clock_.iterate(port, run, 1);
+            taken += run;
+            current = next[taken - 1];
+            continue;
+        }
         ended = next[taken].kind == EdgeTokenKind::End;
         bool const second = maps_.needs_second(current) && (!ended || core_.config.flush_last);
         maps_.take(current);
         if (second)
             maps_.take_second(current);
-        current = next[taken];
-        if (second != run_of_seconds && run > 0) {
-            clock_.iterate(port, run, run_of_seconds ? 1 : 0);
-            run = 0;
-        }
-        run_of_seconds = second;
-        ++run;
+        clock_.iterate(port, 1, second ? 1 : 0);
+        current = next[taken++];
     }
-    clock_.iterate(port, run, run_of_seconds ? 1 : 0);
     edge_token_->consume(taken);
     return !ended;
+}
+
+/// Takes `current` and those that follow it side by side, if they are pixels of the object in one row of the window.
+/// Returns how many it took, each of which took two iterations and read one token; not one before the end token.
+std::size_t EdgeMapBuilder::take_object_run(EdgeToken const& current, EdgeToken const* next, std::size_t available) {
+    if (!maps_.needs_second(current) || next[0].kind == EdgeTokenKind::End)
+        return 0;
+    int const step = next[0].col - current.col;
+    std::size_t run = 1;
+    if (step == 1 || step == -1)
+        for (int col = current.col + step; run < available; ++run, col += step) {
+            EdgeToken const& token = next[run - 1];
+            if (token.row != current.row || token.col != col || !maps_.needs_second(token) ||
+                next[run].kind == EdgeTokenKind::End)
+                break;
+        }
+    int const last = current.col + step * static_cast<int>(run - 1);
+    maps_.take_run(current.row, std::min<int>(current.col, last), std::max<int>(current.col, last));
+    return run;
 }
 
 void EdgeMapBuilder::output() {

@@ -27,6 +27,8 @@ class RasterCore : public sc_core::sc_module {
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
+    /// Makes this core begin when another has done its share.
+    void run_after(RasterCore const& other) { context_.turn = &other.done_; }
     timing::CoreTiming& timing() { return timing_; }
     timing::CoreTiming const& timing() const { return timing_; }
 
@@ -35,6 +37,7 @@ class RasterCore : public sc_core::sc_module {
     timing::FifoShape fifo_shape_of(FifoId id) const;
 
     timing::CoreTiming timing_;
+    sc_core::sc_event done_{"done"};
     CoreContext context_;
 
     // In the order of FifoId: the tables of the report rely on it.

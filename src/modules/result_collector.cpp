@@ -20,6 +20,7 @@ void ResultCollector::run() {
         if (core_.progress)
             core_.progress();
     }
+    core_.done->notify(sc_core::SC_ZERO_TIME);
 }
 
 }  // namespace faster

@@ -16,6 +16,8 @@ void SampleDispatcher::end_of_elaboration() {
 }
 
 void SampleDispatcher::run() {
+    if (core_.turn != nullptr)
+        wait(*core_.turn);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         SampleInput const& sample = core_.sample(i);
         SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row,

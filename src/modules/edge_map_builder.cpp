@@ -64,9 +64,9 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     while (taken < available && !ended) {
         std::size_t const run = take_object_run(current, next + taken, available - taken);
         if (run > 0) {
-            clock_.iterate(port, run, 1);
             taken += run;
             current = next[taken - 1];
+            clock_.iterate(port, run, 1);
             continue;
         }
         ended = next[taken].kind == EdgeTokenKind::End;
@@ -74,8 +74,8 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
         maps_.take(current);
         if (second)
             maps_.take_second(current);
-        clock_.iterate(port, 1, second ? 1 : 0);
         current = next[taken++];
+        clock_.iterate(port, 1, second ? 1 : 0);  // in lockstep the tokens may move meanwhile: there is one
     }
     edge_token_->consume(taken);
     return !ended;

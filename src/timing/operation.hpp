@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -16,7 +17,9 @@ struct Operation {
                   ///< if tail_ports is not 0, then an iteration that accesses those, and `tail_gap` that access nothing
         leave,    ///< drain the loop and leave it
         stamp,    ///< note the local time
+        mixed,    ///< iterations that access `ports`, each with or without one behind it that accesses nothing
     };
+    static constexpr unsigned longest_mix = 32;
     Kind kind = Kind::wait;
     std::uint8_t ports = 0;
     std::uint8_t tail_ports = 0;
@@ -24,7 +27,18 @@ struct Operation {
     std::uint16_t tail_gap = 0;
     std::uint32_t count = 0;
 
-    bool accesses() const { return ports != 0 && (kind == Kind::step || kind == Kind::iterate); }
+    bool accesses() const { return ports != 0; }
+    /// Of a mix: how many iterations access something, and which of them, a bit each, have a silent one behind them.
+    unsigned length() const { return gap; }
+    std::uint32_t gaps() const { return count; }
+    void set_mix(unsigned length, std::uint32_t gaps) {
+        gap = static_cast<std::uint16_t>(length);
+        count = gaps;
+    }
+    /// `count` iterations with a silent one behind each, or without, as bits of a mix.
+    static std::uint32_t gap_bits(unsigned gap, std::uint32_t count) {
+        return gap == 0 ? 0 : ~std::uint32_t{0} >> (longest_mix - count);
+    }
     /// What is left once all `count` iterations are done.
     void become_tail() {
         ports = tail_ports;
@@ -62,7 +76,12 @@ class OperationLog {
 
     bool exhausted() const { return next_ == operations_.size(); }
     std::size_t pending() const { return operations_.size() - next_; }
-    Operation& front() { return operations_[next_]; }
+    /// The front operation, never a mix: equal iterations at its start are split off.
+    Operation& front() {
+        if (operations_[next_].kind == Operation::Kind::mixed)
+            split_mix();
+        return operations_[next_];
+    }
     Operation const& front() const { return operations_[next_]; }
 
     /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
@@ -77,7 +96,10 @@ class OperationLog {
     /// Takes `whole` operations out, and `part` iterations of the one behind them, which has more.
     void consume(std::size_t whole, std::uint32_t part) {
         next_ += whole;
-        if (part > 0) {
+        if (part > 0 && operations_[next_].kind == Operation::Kind::mixed) {
+            Operation& mix = operations_[next_];
+            mix.set_mix(mix.length() - part, mix.gaps() >> part);
+        } else if (part > 0) {
             Operation& operation = operations_[next_];
             operation.count -= part;
             if (operation.count == 0)
@@ -107,6 +129,7 @@ class OperationLog {
 
   private:
     static constexpr std::uint32_t longest_gap = 0xFFF;
+    static constexpr std::uint32_t longest_part_of_mix = 16;
 
     void push(Operation::Kind kind, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
         Operation operation;
@@ -117,13 +140,52 @@ class OperationLog {
         operations_.push_back(operation);
     }
 
+    void split_mix() {
+        Operation& mix = operations_[next_];
+        std::uint32_t const gaps = mix.gaps();
+        bool const gap = (gaps & 1U) != 0;
+        std::uint32_t const others = gap ? ~gaps : gaps;
+        unsigned const equal = std::min<unsigned>(mix.length(), others == 0 ? Operation::longest_mix
+                                                                            : static_cast<unsigned>(__builtin_ctz(others)));
+        Operation run;
+        run.kind = Operation::Kind::iterate;
+        run.ports = mix.ports;
+        run.gap = gap ? 1 : 0;
+        run.count = equal;
+        if (equal == mix.length()) {
+            mix = run;
+        } else {
+            mix.set_mix(mix.length() - equal, gaps >> equal);
+            put_back(run);
+        }
+    }
+
+    /// Short runs with and without gaps are kept together.
+    bool extend_mix(Operation& last, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+        bool const is_mix = last.kind == Operation::Kind::mixed;
+        if (last.ports != ports || gap > 1 || count > longest_part_of_mix)
+            return false;
+        if (!is_mix && (last.kind != Operation::Kind::iterate || last.tail_ports != 0 || last.gap > 1 ||
+                        last.gap == gap || last.count > longest_part_of_mix))
+            return false;
+        unsigned const length = is_mix ? last.length() : last.count;
+        if (length + count > Operation::longest_mix)
+            return false;
+        std::uint32_t const before = is_mix ? last.gaps() : Operation::gap_bits(last.gap, last.count);
+        last.kind = Operation::Kind::mixed;
+        last.set_mix(length + count, before | (Operation::gap_bits(gap, count) << length));
+        return true;
+    }
+
     /// Makes iterations part of the last operation, if its pattern allows. The front one may be under way: what it has
     /// begun stays.
     bool extend(Operation& last, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+        bool const under_way = operations_.size() == next_ + 1;
+        if (ports != 0 && !under_way && extend_mix(last, ports, gap, count))
+            return true;
         if (last.kind != Operation::Kind::iterate)
             return false;
         bool const silent = ports == 0 && gap == 0;
-        bool const under_way = operations_.size() == next_ + 1;
         if (last.tail_ports != 0) {
             if (!silent || last.tail_gap + count > longest_gap)
                 return false;

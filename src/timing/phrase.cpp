@@ -18,6 +18,10 @@ Operation Phrase::operation_of(Code code) {
     Operation operation;
     operation.kind = static_cast<Kind>(code >> 61);
     operation.ports = static_cast<std::uint8_t>(code >> 53);
+    if (operation.kind == Kind::mixed) {
+        operation.set_mix(static_cast<unsigned>(code >> 45) & 0xFFU, static_cast<std::uint32_t>(code));
+        return operation;
+    }
     operation.tail_ports = static_cast<std::uint8_t>(code >> 45);
     operation.gap = (code >> 33) & most_gap;
     operation.tail_gap = (code >> 21) & most_gap;
@@ -69,7 +73,8 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     for (; i < pending && i < most_driver_operations && !ended; ++i) {
         Operation const& operation = log.at(i);
         bool const iterates = operation.accesses() && operation.kind == Kind::iterate;
-        foreign = operation.kind == Kind::stamp || ((operation.ports | operation.tail_ports) & ~driver.inner_ports) != 0;
+        foreign = operation.kind == Kind::stamp || operation.kind == Kind::mixed ||
+                  ((operation.ports | operation.tail_ports) & ~driver.inner_ports) != 0;
         if (foreign || (iterated && !iterates))
             break;
         if (!put(operation))
@@ -119,30 +124,34 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
     std::uint32_t part = 0;
     std::size_t i = 0;
     bool foreign = false;
+    Mix mix(*this);
     for (; i < pending; ++i) {
-        Operation operation = log.at(i);
-        bool const anchored = (operation.ports & anchor) != 0 && operation.accesses();
+        Operation const& operation = log.at(i);
+        bool const anchored = (operation.ports & anchor) != 0;
         if (anchored && due == 0)
             break;
         foreign = operation.kind == Kind::stamp || ((operation.ports | operation.tail_ports) & ~member.inner_ports) != 0;
         if (foreign)
             break;
-        if (anchored && operation.kind == Kind::iterate) {
-            std::uint32_t const tail = operation.tail_ports != 0 ? 1 : 0;
-            if (due < operation.count + tail) {
-                part = operation.count = due;
-                operation.tail_ports = 0;
-                operation.tail_gap = 0;
+        if (anchored && operation.kind != Kind::step) {
+            std::uint32_t const offered = operation.kind == Kind::mixed ? operation.length() : operation.count;
+            std::uint32_t const taken = std::min(due, offered);
+            bool const with_tail = operation.tail_ports != 0 && taken < due;
+            due -= taken + (with_tail ? 1 : 0);
+            if (!(with_tail ? mix.flush() && put(operation) : mix.add(operation, taken)))
+                return Reading::foreign;
+            if (taken < offered || (operation.tail_ports != 0 && !with_tail)) {
+                part = taken;
+                break;
             }
-            due -= std::min(due, operation.count + tail);
-        } else if (anchored) {
-            --due;
+            continue;
         }
-        if (!put(operation))
+        due -= anchored ? 1 : 0;
+        if (!mix.flush() || !put(operation))
             return Reading::foreign;
-        if (part > 0)
-            break;
     }
+    if (!mix.flush())
+        return Reading::foreign;
     // A writer is ahead: it may have nothing more to write, and is out of the game then. A reader must follow.
     bool const frozen = foreign && member.writes_anchor;
     if (foreign && !frozen)
@@ -154,6 +163,45 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
     parts_[part_count_++] = {&log, i, part};
     active_ |= 1U << m;
     return Reading::complete;
+}
+
+bool Phrase::Mix::add(Operation const& operation, std::uint32_t count) {
+    bool const is_mix = operation.kind == Kind::mixed;
+    if ((length_ > 0 && operation.ports != ports_) || (!is_mix && (operation.gap > 1 || count > Operation::longest_mix))) {
+        Operation taken = operation;
+        taken.tail_ports = 0;
+        taken.tail_gap = 0;
+        if (!is_mix)
+            taken.count = count;
+        else
+            taken.set_mix(count, operation.gaps() & Operation::gap_bits(1, count));
+        return flush() && phrase_.put(taken);
+    }
+    ports_ = operation.ports;
+    std::uint32_t const all = Operation::gap_bits(1, count);
+    std::uint64_t const gaps = is_mix ? operation.gaps() & all : operation.gap == 0 ? 0 : all;
+    std::uint64_t const both = gaps_ | (gaps << length_);
+    unsigned const length = length_ + count;
+    gaps_ = static_cast<std::uint32_t>(both);
+    length_ = std::min(length, Operation::longest_mix);
+    if (length <= Operation::longest_mix)
+        return true;
+    if (!flush())
+        return false;
+    gaps_ = static_cast<std::uint32_t>(both >> Operation::longest_mix);
+    length_ = length - Operation::longest_mix;
+    return true;
+}
+
+bool Phrase::Mix::flush() {
+    if (length_ == 0)
+        return true;
+    if (phrase_.size_ >= most_codes)
+        return false;
+    phrase_.codes_[phrase_.size_++] = code_of_mix(ports_, length_, gaps_);
+    length_ = 0;
+    gaps_ = 0;
+    return true;
 }
 
 void Phrase::consume() {

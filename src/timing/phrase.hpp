@@ -49,6 +49,8 @@ class Phrase {
 
     /// An operation as a code. fits(): its numbers are small enough for that.
     static Code code_of(Operation const& operation) {
+        if (operation.kind == Operation::Kind::mixed)
+            return code_of_mix(operation.ports, operation.length(), operation.gaps());
         return (Code{static_cast<std::uint8_t>(operation.kind)} << 61) | (Code{operation.ports} << 53) |
                (Code{operation.tail_ports} << 45) | (Code{operation.gap} << 33) | (Code{operation.tail_gap} << 21) |
                operation.count;
@@ -75,6 +77,10 @@ class Phrase {
     static constexpr std::uint32_t most_count = (1U << 21) - 1;
     static constexpr std::uint16_t most_gap = (1U << 12) - 1;
 
+    static Code code_of_mix(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+        return (Code{static_cast<std::uint8_t>(Operation::Kind::mixed)} << 61) | (Code{ports} << 53) |
+               (Code{length} << 45) | gaps;
+    }
     bool put(Operation const& operation) {
         if (size_ >= most_codes || !fits(operation))
             return false;
@@ -84,8 +90,22 @@ class Phrase {
     Reading read_driver(Group const& group);
     void count_due(Group const& group, Operation const& operation);
     static Next next_in(Operation const& operation, std::uint32_t taken) {
-        return {taken < operation.count ? operation.ports : operation.tail_ports, true};
+        bool const goes_on = operation.kind == Operation::Kind::mixed || taken < operation.count;
+        return {goes_on ? operation.ports : operation.tail_ports, true};
     }
+    /// The accesses of a follower's anchor, being put together to mixes, whatever operations they come from.
+    class Mix {
+      public:
+        explicit Mix(Phrase& phrase) : phrase_(phrase) {}
+        bool add(Operation const& operation, std::uint32_t count);
+        bool flush();
+
+      private:
+        Phrase& phrase_;
+        std::uint8_t ports_ = 0;
+        unsigned length_ = 0;
+        std::uint32_t gaps_ = 0;
+    };
     static bool writes_any(ProcessTiming const& process, std::uint8_t ports) {
         return process.writes(31U - static_cast<unsigned>(__builtin_clz(ports)));  // reads come first
     }

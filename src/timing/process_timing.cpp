@@ -197,6 +197,8 @@ bool ProcessTiming::find_step() {
                 stamps_.push_back(time_);
                 log_.consume();
                 break;
+            case Operation::Kind::mixed:
+                break;  // front() has split it
         }
     }
     return false;

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -73,7 +72,7 @@ class ProcessClock {
 
   private:
     friend class Step;
-    static constexpr std::uint32_t longest_count = std::numeric_limits<std::uint32_t>::max() / 2;
+    static constexpr std::uint32_t longest_count = timing::Operation::longest_count;
 
     void follow() {
         if (lockstep())

@@ -44,6 +44,10 @@ Group::Group(CoreTiming& core, Lead const& lead) {
             if (&driver().fifo(port) == &anchor)
                 members_[m].driver_port = static_cast<std::uint8_t>(1U << port);
     }
+    for (unsigned ports = 0; ports < followers_at_.size(); ++ports)
+        for (unsigned m = 1; m < members_.size(); ++m)
+            if ((ports & members_[m].driver_port) != 0)
+                followers_at_[ports] |= static_cast<std::uint8_t>(1U << m);
 }
 
 unsigned Group::other_end(unsigned member, unsigned port) const {

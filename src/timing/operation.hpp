@@ -1,14 +1,15 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace faster::timing {
 
 /// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. A port mask
-/// has one bit per port of the process, in the program order of a step.
-struct Operation {
+/// has one bit per port of the process, in the program order of a step. One word: a run logs millions of them, and
+/// compares them as words.
+class Operation {
+  public:
     enum class Kind : std::uint8_t {
         wait,     ///< T += count
         step,     ///< the accesses of `ports` together, then T += count
@@ -17,68 +18,96 @@ struct Operation {
                   ///< if tail_ports is not 0, then an iteration that accesses those, and `tail_gap` that access nothing
         leave,    ///< drain the loop and leave it
         stamp,    ///< note the local time
-        mixed,    ///< iterations that access `ports`, each with or without one behind it that accesses nothing
+        mixed,    ///< `length` iterations that access `ports`, the i-th with a silent one behind it if bit i of `gaps`
     };
+    using Code = std::uint64_t;
+    static constexpr std::uint32_t longest_count = (1U << 25) - 1;
+    static constexpr std::uint32_t longest_gap = (1U << 10) - 1;
     static constexpr unsigned longest_mix = 32;
-    Kind kind = Kind::wait;
-    std::uint8_t ports = 0;
-    std::uint8_t tail_ports = 0;
-    std::uint16_t gap = 0;
-    std::uint16_t tail_gap = 0;
-    std::uint32_t count = 0;
 
-    bool accesses() const { return ports != 0; }
-    /// Of a mix: how many iterations access something, and which of them, a bit each, have a silent one behind them.
-    unsigned length() const { return gap; }
-    std::uint32_t gaps() const { return count; }
-    void set_mix(unsigned length, std::uint32_t gaps) {
-        gap = static_cast<std::uint16_t>(length);
-        count = gaps;
+    Operation() = default;
+    explicit Operation(Code code) : code_(code) {}
+    Operation(Kind kind, std::uint8_t ports, std::uint32_t gap, std::uint32_t count)
+        : code_((Code{static_cast<std::uint8_t>(kind)} << kind_at) | (Code{ports} << ports_at) |
+                (Code{gap} << gap_at) | count) {}
+    static Operation mix(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+        return Operation((Code{static_cast<std::uint8_t>(Kind::mixed)} << kind_at) | (Code{ports} << ports_at) |
+                         (Code{length} << length_at) | gaps);
     }
-    /// `count` iterations with a silent one behind each, or without, as bits of a mix.
-    static std::uint32_t gap_bits(unsigned gap, std::uint32_t count) {
-        return gap == 0 ? 0 : ~std::uint32_t{0} >> (longest_mix - count);
+
+    Code code() const { return code_; }
+    Kind kind() const { return static_cast<Kind>(code_ >> kind_at); }
+    std::uint8_t ports() const { return static_cast<std::uint8_t>(code_ >> ports_at); }
+    std::uint8_t tail_ports() const {
+        return kind() == Kind::mixed ? std::uint8_t{0} : static_cast<std::uint8_t>(code_ >> tail_ports_at);
+    }
+    std::uint8_t all_ports() const { return ports() | tail_ports(); }
+    std::uint32_t gap() const { return static_cast<std::uint32_t>(code_ >> gap_at) & longest_gap; }
+    std::uint32_t tail_gap() const { return static_cast<std::uint32_t>(code_ >> tail_gap_at) & longest_gap; }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(code_) & longest_count; }
+    unsigned length() const { return static_cast<unsigned>(code_ >> length_at) & 0xFFU; }
+    std::uint32_t gaps() const { return static_cast<std::uint32_t>(code_); }
+
+    void subtract(std::uint32_t count) { code_ -= count; }
+    void add(std::uint32_t count) { code_ += count; }
+    void add_gap(std::uint32_t count) { code_ += Code{count} << gap_at; }
+    void add_tail_gap(std::uint32_t count) { code_ += Code{count} << tail_gap_at; }
+    void add_tail(std::uint8_t ports, std::uint32_t gap) {
+        code_ |= (Code{ports} << tail_ports_at) | (Code{gap} << tail_gap_at);
+    }
+    /// Equal but for the count, and without a tail.
+    bool repeats(Operation const& other) const { return ((code_ ^ other.code_) & ~Code{longest_count}) == 0; }
+    /// The first `count` iterations of an iterate or a mix, without a tail.
+    Operation first(std::uint32_t count) const {
+        return kind() == Kind::mixed ? mix(ports(), count, gaps() & gap_bits(1, count))
+                                     : Operation(kind(), ports(), gap(), count);
     }
     /// What is left once all `count` iterations are done.
-    void become_tail() {
-        ports = tail_ports;
-        gap = tail_gap;
-        count = 1;
-        tail_ports = 0;
-        tail_gap = 0;
+    void become_tail() { *this = Operation(Kind::iterate, tail_ports(), tail_gap(), 1); }
+
+    /// `count` iterations with a silent one behind each, or without, as bits of a mix.
+    static std::uint32_t gap_bits(unsigned gap, std::uint32_t count) {
+        return gap == 0 || count == 0 ? 0 : ~std::uint32_t{0} >> (longest_mix - count);
     }
+
+  private:
+    static constexpr unsigned kind_at = 61, ports_at = 53, tail_ports_at = 45, gap_at = 35, tail_gap_at = 25;
+    static constexpr unsigned length_at = 45;
+
+    Code code_ = 0;
 };
 
-/// The operations of one process, in program order, waiting for their time. Equal neighbours are kept as one.
+/// The operations of one process, in program order, waiting for their time. Neighbours are joined where one operation
+/// can say the same.
 class OperationLog {
   public:
+    using Kind = Operation::Kind;
+
     void wait(std::uint32_t cycles) {
         Operation& last = operations_.back();
-        bool const extends = !exhausted() && (last.kind == Operation::Kind::step || last.kind == Operation::Kind::wait);
-        if (extends && last.count <= std::numeric_limits<std::uint32_t>::max() - cycles)
-            last.count += cycles;
+        bool const extends = !exhausted() && (last.kind() == Kind::step || last.kind() == Kind::wait);
+        if (extends && last.count() + cycles <= Operation::longest_count)
+            last.add(cycles);
         else
-            push(Operation::Kind::wait, 0, 0, cycles);
+            append(Operation(Kind::wait, 0, 0, cycles));
     }
     void step(std::uint8_t ports, std::uint32_t cycles_after) {
-        push(Operation::Kind::step, ports, 0, cycles_after);
+        append(Operation(Kind::step, ports, 0, cycles_after));
     }
-    void enter(std::uint32_t loop) { push(Operation::Kind::enter, 0, 0, loop); }
-    void leave() { push(Operation::Kind::leave, 0, 0, 0); }
-    void stamp() { push(Operation::Kind::stamp, 0, 0, 0); }
-
-    void iterate(std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
+    void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
+    void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
+    void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }
+    void iterate(std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
         if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
-            push(Operation::Kind::iterate, ports, gap, count);
+            append(Operation(Kind::iterate, ports, gap, count));
     }
-
     void append(Operation const& operation) { operations_.push_back(operation); }
 
     bool exhausted() const { return next_ == operations_.size(); }
     std::size_t pending() const { return operations_.size() - next_; }
     /// The front operation, never a mix: equal iterations at its start are split off.
     Operation& front() {
-        if (operations_[next_].kind == Operation::Kind::mixed)
+        if (operations_[next_].kind() == Kind::mixed)
             split_mix();
         return operations_[next_];
     }
@@ -87,26 +116,26 @@ class OperationLog {
     /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
     void consume() {
         if (++next_ == operations_.size())
-            reset();
+            clear();
     }
 
-    /// The i-th operation from the front; i below pending().
-    Operation const& at(std::size_t i) const { return operations_[next_ + i]; }
+    /// The pending() operations, from the front.
+    Operation const* begin() const { return operations_.data() + next_; }
 
     /// Takes `whole` operations out, and `part` iterations of the one behind them, which has more.
     void consume(std::size_t whole, std::uint32_t part) {
         next_ += whole;
-        if (part > 0 && operations_[next_].kind == Operation::Kind::mixed) {
-            Operation& mix = operations_[next_];
-            mix.set_mix(mix.length() - part, mix.gaps() >> part);
-        } else if (part > 0) {
+        if (part > 0) {
             Operation& operation = operations_[next_];
-            operation.count -= part;
-            if (operation.count == 0)
+            if (operation.kind() == Kind::mixed)
+                operation = Operation::mix(operation.ports(), operation.length() - part, operation.gaps() >> part);
+            else if (operation.count() > part)
+                operation.subtract(part);
+            else
                 operation.become_tail();
         }
         if (exhausted())
-            reset();
+            clear();
     }
 
     /// Puts an operation in front of all others.
@@ -117,7 +146,11 @@ class OperationLog {
             operations_.insert(operations_.begin() + 1, operation);
     }
 
-    void clear() { reset(); }
+    void clear() {
+        operations_.resize(1);
+        operations_.front() = Operation{};
+        next_ = 1;
+    }
 
     /// Gives back the room of operations long gone, so that a process that is always ahead does not fill the memory.
     void compact() {
@@ -128,87 +161,77 @@ class OperationLog {
     }
 
   private:
-    static constexpr std::uint32_t longest_gap = 0xFFF;
     static constexpr std::uint32_t longest_part_of_mix = 16;
-
-    void push(Operation::Kind kind, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
-        Operation operation;
-        operation.kind = kind;
-        operation.ports = ports;
-        operation.gap = gap;
-        operation.count = count;
-        operations_.push_back(operation);
-    }
 
     void split_mix() {
         Operation& mix = operations_[next_];
         std::uint32_t const gaps = mix.gaps();
-        bool const gap = (gaps & 1U) != 0;
-        std::uint32_t const others = gap ? ~gaps : gaps;
-        unsigned const equal = std::min<unsigned>(mix.length(), others == 0 ? Operation::longest_mix
-                                                                            : static_cast<unsigned>(__builtin_ctz(others)));
-        Operation run;
-        run.kind = Operation::Kind::iterate;
-        run.ports = mix.ports;
-        run.gap = gap ? 1 : 0;
-        run.count = equal;
+        unsigned const gap = gaps & 1U;
+        std::uint32_t const others = gap != 0 ? ~gaps : gaps;
+        unsigned const until = others == 0 ? Operation::longest_mix : static_cast<unsigned>(__builtin_ctz(others));
+        unsigned const equal = std::min(mix.length(), until);
+        Operation const run(Kind::iterate, mix.ports(), gap, equal);
         if (equal == mix.length()) {
             mix = run;
         } else {
-            mix.set_mix(mix.length() - equal, gaps >> equal);
+            mix = Operation::mix(mix.ports(), mix.length() - equal, gaps >> equal);
             put_back(run);
         }
     }
 
-    /// Short runs with and without gaps are kept together.
-    bool extend_mix(Operation& last, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
-        bool const is_mix = last.kind == Operation::Kind::mixed;
-        if (last.ports != ports || gap > 1 || count > longest_part_of_mix)
-            return false;
-        if (!is_mix && (last.kind != Operation::Kind::iterate || last.tail_ports != 0 || last.gap > 1 ||
-                        last.gap == gap || last.count > longest_part_of_mix))
-            return false;
-        unsigned const length = is_mix ? last.length() : last.count;
-        if (length + count > Operation::longest_mix)
-            return false;
-        std::uint32_t const before = is_mix ? last.gaps() : Operation::gap_bits(last.gap, last.count);
-        last.kind = Operation::Kind::mixed;
-        last.set_mix(length + count, before | (Operation::gap_bits(gap, count) << length));
-        return true;
-    }
-
     /// Makes iterations part of the last operation, if its pattern allows. The front one may be under way: what it has
     /// begun stays.
-    bool extend(Operation& last, std::uint8_t ports, std::uint16_t gap, std::uint32_t count) {
-        bool const under_way = operations_.size() == next_ + 1;
-        if (ports != 0 && !under_way && extend_mix(last, ports, gap, count))
+    bool extend(Operation& last, std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+        Operation const more(Kind::iterate, ports, gap, count);
+        if (last.repeats(more)) {
+            if (last.count() + count > Operation::longest_count)
+                return false;
+            last.add(count);
             return true;
-        if (last.kind != Operation::Kind::iterate)
-            return false;
-        bool const silent = ports == 0 && gap == 0;
-        if (last.tail_ports != 0) {
-            if (!silent || last.tail_gap + count > longest_gap)
-                return false;
-            last.tail_gap = static_cast<std::uint16_t>(last.tail_gap + count);
-        } else if (last.ports == ports && last.gap == gap) {
-            if (last.count > std::numeric_limits<std::uint32_t>::max() - count)
-                return false;
-            last.count += count;
-        } else if (silent && last.ports != 0 && last.count == 1 && !under_way && last.gap + count <= longest_gap) {
-            last.gap = static_cast<std::uint16_t>(last.gap + count);
-        } else if (ports != 0 && count == 1 && last.ports != 0 && gap <= longest_gap) {
-            last.tail_ports = ports;
-            last.tail_gap = gap;
-        } else {
-            return false;
         }
+        bool const under_way = operations_.size() == next_ + 1;
+        if (!under_way && ports != 0 && ports == last.ports())
+            return extend_mix(last, gap, count) || extend_tail(last, ports, gap, count);
+        if (last.kind() != Kind::iterate || last.ports() == 0)
+            return false;
+        if (ports != 0)
+            return extend_tail(last, ports, gap, count);
+        if (gap != 0)
+            return false;
+        if (last.tail_ports() != 0) {
+            if (last.tail_gap() + count > Operation::longest_gap)
+                return false;
+            last.add_tail_gap(count);
+            return true;
+        }
+        if (under_way || last.count() != 1 || last.gap() + count > Operation::longest_gap)
+            return false;
+        last.add_gap(count);
         return true;
     }
 
-    void reset() {
-        operations_.resize(1);
-        operations_.front() = Operation{};
-        next_ = 1;
+    bool extend_tail(Operation& last, std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+        if (count != 1 || last.kind() != Kind::iterate || last.tail_ports() != 0 || last.ports() == 0)
+            return false;
+        last.add_tail(ports, gap);
+        return true;
+    }
+
+    /// Short runs with and without gaps are kept together.
+    bool extend_mix(Operation& last, std::uint32_t gap, std::uint32_t count) {
+        if (gap > 1 || count > longest_part_of_mix)
+            return false;
+        bool const is_mix = last.kind() == Kind::mixed;
+        if (!is_mix && (last.kind() != Kind::iterate || last.tail_ports() != 0 || last.gap() > 1 ||
+                        last.count() > longest_part_of_mix))
+            return false;
+        unsigned const length = is_mix ? last.length() : last.count();
+        if (length + count > Operation::longest_mix)
+            return false;
+        std::uint32_t const before = is_mix ? last.gaps() : Operation::gap_bits(last.gap(), last.count());
+        std::uint32_t const behind = Operation::gap_bits(gap, count);
+        last = Operation::mix(last.ports(), length + count, before | (length == 32 ? 0 : behind << length));
+        return true;
     }
 
     std::vector<Operation> operations_{Operation{}};

@@ -11,7 +11,7 @@ namespace faster::timing {
 /// a triangle. Written as a list of codes, so that equal phrases are equal lists.
 class Phrase {
   public:
-    using Code = std::uint64_t;
+    using Code = Operation::Code;
     static constexpr unsigned most_codes = 48;
 
     enum class Reading { complete, logs_end, foreign };
@@ -40,25 +40,12 @@ class Phrase {
                     visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
                 continue;
             }
-            group.members()[member].process->log().append(operation_of(codes[i]));
+            group.members()[member].process->log().append(Operation(codes[i]));
         }
     }
 
     /// Members that enter a loop, a bit each.
     static std::uint32_t entered(Code const* codes, unsigned size);
-
-    /// An operation as a code. fits(): its numbers are small enough for that.
-    static Code code_of(Operation const& operation) {
-        if (operation.kind == Operation::Kind::mixed)
-            return code_of_mix(operation.ports, operation.length(), operation.gaps());
-        return (Code{static_cast<std::uint8_t>(operation.kind)} << 61) | (Code{operation.ports} << 53) |
-               (Code{operation.tail_ports} << 45) | (Code{operation.gap} << 33) | (Code{operation.tail_gap} << 21) |
-               operation.count;
-    }
-    static bool fits(Operation const& operation) {
-        return operation.count <= most_count && operation.gap <= most_gap && operation.tail_gap <= most_gap;
-    }
-    static Operation operation_of(Code code);
 
     /// What a process does next, when it goes on from where it is.
     struct Next {
@@ -74,24 +61,17 @@ class Phrase {
         std::uint32_t part;
     };
 
-    static constexpr std::uint32_t most_count = (1U << 21) - 1;
-    static constexpr std::uint16_t most_gap = (1U << 12) - 1;
-
-    static Code code_of_mix(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
-        return (Code{static_cast<std::uint8_t>(Operation::Kind::mixed)} << 61) | (Code{ports} << 53) |
-               (Code{length} << 45) | gaps;
-    }
     bool put(Operation const& operation) {
-        if (size_ >= most_codes || !fits(operation))
+        if (size_ >= most_codes)
             return false;
-        codes_[size_++] = code_of(operation);
+        codes_[size_++] = operation.code();
         return true;
     }
     Reading read_driver(Group const& group);
-    void count_due(Group const& group, Operation const& operation);
+    void count_due(Group const& group, std::uint8_t ports, std::uint32_t times);
     static Next next_in(Operation const& operation, std::uint32_t taken) {
-        bool const goes_on = operation.kind == Operation::Kind::mixed || taken < operation.count;
-        return {goes_on ? operation.ports : operation.tail_ports, true};
+        bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
+        return {goes_on ? operation.ports() : operation.tail_ports(), true};
     }
     /// The accesses of a follower's anchor, being put together to mixes, whatever operations they come from.
     class Mix {

@@ -107,11 +107,11 @@ void ProcessTiming::commit_front() {
     perform(front_ports_);
     front_ports_ = 0;
     Operation& operation = log_.front();
-    if (operation.kind == Operation::Kind::step) {
-        time_ += operation.count;
+    if (operation.kind() == Operation::Kind::step) {
+        time_ += operation.count();
         log_.consume();
     } else if (plan().aligned) {
-        time_ += plan().ii * (1U + operation.gap);
+        time_ += plan().ii * (1U + operation.gap());
         end_iterations(operation, 1);
     } else {
         ++pipeline_.phase;
@@ -129,7 +129,7 @@ std::uint32_t ProcessTiming::advance(bool pause) {
                 if (front() != Status::ready || (pause && stamps_.size() > stamps))
                     return woken;
                 Operation const& operation = log_.front();
-                if (operation.kind != Operation::Kind::iterate || !plan().aligned) {
+                if (operation.kind() != Operation::Kind::iterate || !plan().aligned) {
                     for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
                     commit_front();
                     continue;
@@ -138,7 +138,7 @@ std::uint32_t ProcessTiming::advance(bool pause) {
             start_run(log_.front());
         }
         Operation& operation = log_.front();
-        std::uint32_t const wanted = operation.count;
+        std::uint32_t const wanted = operation.count();
         std::uint32_t const done = (this->*run_.accesses)(wanted);
         if (done == 0)
             return woken;
@@ -155,10 +155,10 @@ std::uint32_t ProcessTiming::advance(bool pause) {
 /// True if the log goes on with iterations of an aligned loop that access something; silent ones before them are
 /// passed.
 bool ProcessTiming::skip_silent_iterations() {
-    while (in_loop_ && plan().aligned && !log_.exhausted() && log_.front().kind == Operation::Kind::iterate) {
+    while (in_loop_ && plan().aligned && !log_.exhausted() && log_.front().kind() == Operation::Kind::iterate) {
         Operation& operation = log_.front();
-        if (operation.ports != 0) {
-            front_ports_ = operation.ports;
+        if (operation.ports() != 0) {
+            front_ports_ = operation.ports();
             return true;
         }
         find_step_in_iterations(operation);
@@ -170,16 +170,16 @@ bool ProcessTiming::skip_silent_iterations() {
 bool ProcessTiming::find_step() {
     while (!log_.exhausted()) {
         Operation& operation = log_.front();
-        switch (operation.kind) {
+        switch (operation.kind()) {
             case Operation::Kind::wait:
-                time_ += operation.count;
+                time_ += operation.count();
                 log_.consume();
                 break;
             case Operation::Kind::step:
-                front_ports_ = operation.ports;
+                front_ports_ = operation.ports();
                 return true;
             case Operation::Kind::enter:
-                enter_loop(operation.count);
+                enter_loop(operation.count());
                 log_.consume();
                 break;
             case Operation::Kind::iterate:
@@ -206,18 +206,18 @@ bool ProcessTiming::find_step() {
 
 bool ProcessTiming::find_step_in_iterations(Operation& operation) {
     if (plan().aligned) {
-        if (operation.ports != 0) {
-            front_ports_ = operation.ports;
+        if (operation.ports() != 0) {
+            front_ports_ = operation.ports();
             return true;
         }
-        time_ += plan().ii * (1U + operation.gap) * operation.count;
-        end_iterations(operation, operation.count);
+        time_ += plan().ii * (1U + operation.gap()) * operation.count();
+        end_iterations(operation, operation.count());
         return false;
     }
-    if (find_step_in_pipeline(pipeline_.gap_left > 0 ? std::uint8_t{0} : operation.ports))
+    if (find_step_in_pipeline(pipeline_.gap_left > 0 ? std::uint8_t{0} : operation.ports()))
         return true;
     // An iteration ended: one of those with accesses, or one of the `gap` that follow it.
-    pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap;
+    pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap();
     count_iterations(1);
     if (pipeline_.gap_left == 0)
         take_off(operation, 1);
@@ -356,14 +356,14 @@ ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
 void ProcessTiming::start_run(Operation const& operation) {
     if (runs_.empty())
         runs_.resize(std::size_t{1} << max_ports);
-    Run& known = runs_[operation.ports];
+    Run& known = runs_[operation.ports()];
     if (known.size == 0)
-        known = make_run(operation.ports);
+        known = make_run(operation.ports());
     std::uint64_t const number = run_.number + 1;
     run_ = known;
     run_.number = number;
     run_.active = true;
-    run_.stride = plan().ii * (1U + operation.gap);
+    run_.stride = plan().ii * (1U + operation.gap());
 }
 
 std::string ProcessTiming::position() const {

@@ -69,7 +69,7 @@ class ProcessTiming {
     void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
 
     /// In the middle of a run with at least this many iterations left.
-    bool is_running(std::uint32_t iterations) const { return run_.active && log_.front().count >= iterations; }
+    bool is_running(std::uint32_t iterations) const { return run_.active && log_.front().count() >= iterations; }
 
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
@@ -149,7 +149,7 @@ class ProcessTiming {
     void count_loop();
     void perform(std::uint8_t ports);
     void end_iterations(Operation& operation, std::uint32_t count) {
-        count_iterations(std::uint64_t{count} * (1U + operation.gap));
+        count_iterations(std::uint64_t{count} * (1U + operation.gap()));
         take_off(operation, count);
     }
     void count_iterations(std::uint64_t iterations) {
@@ -157,10 +157,10 @@ class ProcessTiming {
         loop_counters_[current_loop_].iterations += iterations;
     }
     void take_off(Operation& operation, std::uint32_t count) {
-        operation.count -= count;
-        if (operation.count > 0)
+        operation.subtract(count);
+        if (operation.count() > 0)
             return;
-        if (operation.tail_ports != 0)
+        if (operation.tail_ports() != 0)
             operation.become_tail();
         else
             log_.consume();

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "timing/phrase.hpp"
-
 namespace faster::timing {
 
 bool RelativeState::known(ProcessTiming const& process, unsigned port) {
@@ -27,7 +25,7 @@ Cycles RelativeState::not_before(unsigned member) const {
 
 std::uint8_t RelativeState::next_ports(unsigned member) const {
     ProcessTiming const& p = process(member);
-    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log_.front().ports;
+    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log_.front().ports();
 }
 
 /// The first port of the next step, in program order, whose earliest cycle is not known yet.
@@ -145,7 +143,7 @@ void RelativeState::save_process(unsigned member, Cycles base, bool with_log, Wo
     std::size_t const left = with_log ? p.log_.pending() : 0;
     words.push_back(static_cast<std::int64_t>(left));
     for (std::size_t i = 0; i < left; ++i)
-        words.push_back(static_cast<std::int64_t>(Phrase::code_of(p.log_.at(i))));
+        words.push_back(static_cast<std::int64_t>(p.log_.begin()[i].code()));
 }
 
 /// A time before the local time of who waits for it decides nothing: it could as well be that time.
@@ -199,7 +197,7 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
         }
         auto const left = static_cast<std::size_t>(words[at++]);
         for (std::size_t i = left; i > 0; --i)
-            p.log_.put_back(Phrase::operation_of(static_cast<std::uint64_t>(words[at + i - 1])));
+            p.log_.put_back(Operation(static_cast<Operation::Code>(words[at + i - 1])));
         at += left;
     }
     for (Group::Inner const& inner : group_->fifos()) {

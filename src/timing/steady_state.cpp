@@ -46,7 +46,7 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 bool SteadyState::add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes) {
     for (std::uint32_t mask = member.run_.neighbours; mask != 0; mask &= mask - 1) {
         ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(mask))];
-        if (!other.run_.active || other.log_.front().count < 2)
+        if (!other.run_.active || other.log_.front().count() < 2)
             return false;
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
             group_.push_back(&other);
@@ -104,10 +104,10 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
     for (std::size_t i = 0; i < group_.size(); ++i) {
         Operation const& operation = group_[i]->log_.front();
         std::uint64_t const iterations = now.growing[3 * i + 3] - before_.growing[3 * i + 3];
-        std::uint64_t const done = iterations / (1U + operation.gap);
+        std::uint64_t const done = iterations / (1U + operation.gap());
         if (done == 0)
             return 0;
-        periods = std::min(periods, (operation.count - 1) / done);
+        periods = std::min(periods, (operation.count() - 1) / done);
     }
     return periods;
 }
@@ -127,7 +127,7 @@ void SteadyState::jump(Snapshot const& now) {
         process->iterations_ += iterations;
         process->loop_counters_[process->current_loop_].iterations += iterations;
         Operation& operation = process->log_.front();
-        operation.count -= static_cast<std::uint32_t>(iterations / (1U + operation.gap));
+        operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
     }
     for (FifoTiming* fifo : fifos_) {
         shift(*fifo, growth(at), cycles);

@@ -48,6 +48,11 @@ class ProcessClock {
         timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
         follow();
     }
+    /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at most 32.
+    void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+        timing_.log().iterate_mixed(ports, length, gaps);
+        follow();
+    }
     void leave_loop();
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.

@@ -29,27 +29,23 @@ class EdgeMaps {
     }
 
     /// The iteration after it, for the same token. What it looks at was read one iteration earlier; nothing wrote in
-    /// between.
+    /// between. A neighbour outside the window falls on the maps' guard rows.
     void take_second(EdgeToken const& token) {
         object_.set(token.row, token.col);
         mark_uncovered(token.row + 1, token.col);
         mark_uncovered(token.row - 1, token.col);
     }
 
-    /// Both iterations of each of the object tokens at columns [from, to] of a row, all inside the window. In any order:
-    /// tokens of one row do not look at each other.
-    void take_run(int row, int from, int to) {
-        auto const clear = [](std::uint64_t& word, std::uint64_t mask, std::size_t) { word &= ~mask; };
-        auto const set = [](std::uint64_t& word, std::uint64_t mask, std::size_t) { word |= mask; };
-        auto const mark = [this](std::uint64_t& word, std::uint64_t mask, std::size_t at) {
-            word |= mask & ~object_.word(at);
-        };
-        edge_.for_each_word(row, from, to, clear);
-        object_.for_each_word(row, from, to, set);
-        if (is_inside(row + 1))
-            edge_.for_each_word(row + 1, from, to, mark);
-        if (is_inside(row - 1))
-            edge_.for_each_word(row - 1, from, to, mark);
+    /// Both iterations of an object token inside the window, one after the other.
+    void take_object(EdgeToken const& token) {
+        std::ptrdiff_t const row = edge_.words_per_row();
+        std::uint64_t const bit = std::uint64_t{1} << (token.col & 63);
+        std::uint64_t* const edge = edge_.word_at(token.row, token.col);
+        std::uint64_t* const object = object_.word_at(token.row, token.col);
+        edge[0] &= ~bit;
+        object[0] |= bit;
+        edge[row] |= bit & ~object[row];
+        edge[-row] |= bit & ~object[-row];
     }
 
     Bitmap const& edge() const { return edge_; }
@@ -60,7 +56,7 @@ class EdgeMaps {
   private:
     bool is_inside(int coordinate) const { return static_cast<unsigned>(coordinate) < static_cast<unsigned>(window_); }
     void mark_uncovered(int row, int col) {
-        if (is_inside(row) && !object_.test(row, col))
+        if (!object_.test(row, col))
             edge_.set(row, col);
     }
 

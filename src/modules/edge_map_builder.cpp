@@ -58,46 +58,35 @@ void EdgeMapBuilder::build() {
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
     EdgeToken const* const next = edge_token_->front();
-    std::uint8_t const port = edge_token_->read_port();
-    bool ended = false;
+    EdgeToken token = current;
     std::size_t taken = 0;
-    while (taken < available && !ended) {
-        std::size_t const run = take_object_run(current, next + taken, available - taken);
-        if (run > 0) {
-            taken += run;
-            current = next[taken - 1];
-            clock_.iterate(port, run, 1);
-            continue;
+    for (unsigned length = 0; taken < available && token.kind != EdgeTokenKind::End; length = 0) {
+        // Iterations are told to the clock together, a bit each that says whether a second one follows.
+        std::uint32_t seconds = 0;
+        for (; length < timing::Operation::longest_mix && taken < available && token.kind != EdgeTokenKind::End;
+             ++length) {
+            EdgeToken const after = next[taken++];
+            seconds |= take(token, after) << length;
+            token = after;
         }
-        ended = next[taken].kind == EdgeTokenKind::End;
-        bool const second = maps_.needs_second(current) && (!ended || core_.config.flush_last);
-        maps_.take(current);
-        if (second)
-            maps_.take_second(current);
-        current = next[taken++];
-        clock_.iterate(port, 1, second ? 1 : 0);  // in lockstep the tokens may move meanwhile: there is one
+        clock_.iterate_mixed(edge_token_->read_port(), length, seconds);
     }
+    current = token;
     edge_token_->consume(taken);
-    return !ended;
+    return token.kind != EdgeTokenKind::End;
 }
 
-/// Takes `current` and those that follow it side by side, if they are pixels of the object in one row of the window.
-/// Returns how many it took, each of which took two iterations and read one token; not one before the end token.
-std::size_t EdgeMapBuilder::take_object_run(EdgeToken const& current, EdgeToken const* next, std::size_t available) {
-    if (!maps_.needs_second(current) || next[0].kind == EdgeTokenKind::End)
+/// One token's iteration, and its second one if it has one: then 1. A second iteration that is due when the end token
+/// has been read only runs if the configuration says so.
+std::uint32_t EdgeMapBuilder::take(EdgeToken const& token, EdgeToken const& after) {
+    bool const second =
+        maps_.needs_second(token) && (after.kind != EdgeTokenKind::End || core_.config.flush_last);
+    if (!second) {
+        maps_.take(token);
         return 0;
-    int const step = next[0].col - current.col;
-    std::size_t run = 1;
-    if (step == 1 || step == -1)
-        for (int col = current.col + step; run < available; ++run, col += step) {
-            EdgeToken const& token = next[run - 1];
-            if (token.row != current.row || token.col != col || !maps_.needs_second(token) ||
-                next[run].kind == EdgeTokenKind::End)
-                break;
-        }
-    int const last = current.col + step * static_cast<int>(run - 1);
-    maps_.take_run(current.row, std::min<int>(current.col, last), std::max<int>(current.col, last));
-    return run;
+    }
+    maps_.take_object(token);
+    return 1;
 }
 
 void EdgeMapBuilder::output() {

@@ -28,7 +28,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void clear();
     void build();
     bool take_tokens(EdgeToken& current);
-    std::size_t take_object_run(EdgeToken const& current, EdgeToken const* next, std::size_t available);
+    std::uint32_t take(EdgeToken const& token, EdgeToken const& after);
     void output();
 
     CoreContext const& core_;

@@ -101,6 +101,12 @@ class OperationLog {
         if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
             append(Operation(Kind::iterate, ports, gap, count));
     }
+    void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+        if (gaps == 0 || gaps == Operation::gap_bits(1, length))
+            iterate(ports, gaps & 1U, length);
+        else
+            append(Operation::mix(ports, length, gaps));
+    }
     void append(Operation const& operation) { operations_.push_back(operation); }
 
     bool exhausted() const { return next_ == operations_.size(); }

@@ -37,33 +37,6 @@ unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel
     return timing_.add_loop(std::move(shape));
 }
 
-void ProcessClock::advance(Cycles cycles) {
-    for (; cycles > longest_count; cycles -= longest_count)
-        timing_.log().wait(longest_count);
-    timing_.log().wait(static_cast<std::uint32_t>(cycles));
-    follow();
-}
-
-void ProcessClock::step(std::uint8_t ports) {
-    timing_.log().step(ports, 0);
-    follow();
-}
-
-void ProcessClock::stamp() {
-    timing_.log().stamp();
-    follow();
-}
-
-void ProcessClock::enter_loop(unsigned loop) {
-    timing_.log().enter(loop);
-    follow();
-}
-
-void ProcessClock::leave_loop() {
-    timing_.log().leave();
-    follow();
-}
-
 void ProcessClock::resolve() {
     if (!lockstep())
         core_.resolve(false);

@@ -34,13 +34,27 @@ class ProcessClock {
     unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {});
 
     /// T += cycles.
-    void advance(Cycles cycles);
+    void advance(Cycles cycles) {
+        for (; cycles > longest_count; cycles -= longest_count)
+            timing_.log().wait(longest_count);
+        timing_.log().wait(static_cast<std::uint32_t>(cycles));
+        follow();
+    }
     /// The accesses of one step, together.
-    void step(std::uint8_t ports);
+    void step(std::uint8_t ports) {
+        timing_.log().step(ports, 0);
+        follow();
+    }
     /// Notes the local time; read back from timing().stamps().
-    void stamp();
+    void stamp() {
+        timing_.log().stamp();
+        follow();
+    }
 
-    void enter_loop(unsigned loop);
+    void enter_loop(unsigned loop) {
+        timing_.log().enter(loop);
+        follow();
+    }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
     void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
         for (; count > longest_count; count -= longest_count)
@@ -48,12 +62,16 @@ class ProcessClock {
         timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
         follow();
     }
-    /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at most 32.
+    /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
+    /// most 32.
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
         timing_.log().iterate_mixed(ports, length, gaps);
         follow();
     }
-    void leave_loop();
+    void leave_loop() {
+        timing_.log().leave();
+        follow();
+    }
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     void access(std::uint8_t port) {
@@ -93,7 +111,7 @@ class ProcessClock {
     timing::ProcessTiming& timing_;
     TimeBase time_base_;
     std::uint64_t ticks_per_cycle_;
-    std::vector<FifoChannel*> fifos_;  // by port
+    std::vector<FifoChannel*> fifos_;   // by port
     std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
     bool collecting_ = false;
     std::uint8_t collected_ = 0;

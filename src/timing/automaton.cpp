@@ -7,12 +7,12 @@
 namespace faster::timing {
 
 namespace {
-constexpr Cycles bench_time = Cycles{1} << 40;  // times before it stay positive
-constexpr std::int64_t longest_reach = 4096;    // states with times further apart hardly ever come again
-constexpr std::uint64_t most_room = 1024;       // tokens in FIFOs that a state may have to list
+constexpr Cycles bench_time = Cycles{1} << 40;      // times before it stay positive
+constexpr std::int64_t longest_reach = 4096;        // states with times further apart hardly ever come again
+constexpr std::uint64_t most_room = 1024;           // tokens in FIFOs that a state may have to list
 constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB
-constexpr Cycles longest_cycles = 0xFFFFFFFF;     // that fit a transition
-constexpr std::uint64_t trial = 20000;  // phrases, before giving up a core that rarely repeats itself
+constexpr Cycles longest_cycles = 0xFFFFFFFF;       // that fit a transition
+constexpr std::uint64_t trial = 20000;              // phrases, before giving up a core that rarely repeats itself
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
@@ -186,7 +186,7 @@ bool Automaton::begin(Group const& group) {
         Cycles const own = group.members()[m].process->local_time();
         bool const frozen = ((session_->frozen >> m) & 1U) != 0;
         session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
-                                  static_cast<std::int64_t>(group.members()[m].process->waiting_since()), true});
+                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), true});
     }
     std::vector<std::uint64_t*> const counters = real.counters();
     for (std::size_t i = 0; i < counters.size(); ++i)
@@ -298,8 +298,8 @@ Automaton::Transition const* Automaton::work_out(Print const& print) {
     account.cycles = bench_group_->driver().local_time() - bench_time;
     describe(before, loaded, account);
     bool const recurring = bench_->reach() <= longest_reach;
-    bool const remembered = recurring && session_->state != none && accounts_.size() < most_transitions &&
-                            account.cycles <= longest_cycles;
+    bool const remembered =
+        recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
     session_->words = words_;
     Transition transition;
     transition.print = print.first;

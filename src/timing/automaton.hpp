@@ -12,10 +12,10 @@ namespace faster::timing {
 
 class CoreTiming;
 
-/// Remembers how a group of processes answers to what its driver does. The relative state of the group decides, with the
-/// next phrase of operations, how long that takes, what it costs whom, and the state after it; each such transition is
-/// worked out once, operation by operation on a core of its own, and looked up from then on. Exact: equal states have
-/// equal futures. May be shared by cores of the same shape.
+/// Remembers how a group of processes answers to what its driver does. The relative state of the group decides, with
+/// the next phrase of operations, how long that takes, what it costs whom, and the state after it; each such transition
+/// is worked out once, operation by operation on a core of its own, and looked up from then on. Exact: equal states
+/// have equal futures. May be shared by cores of the same shape.
 class Automaton {
   public:
     struct Progress {
@@ -133,13 +133,13 @@ struct Automaton::Session {
     Words words;  ///< of the state, if it has no number
     Cycles time = 0;
     std::uint32_t frozen = 0;
-    std::vector<Number> history;         ///< of accounts
-    std::vector<Account> loose;          ///< not worth remembering; numbers from first_loose on
-    std::vector<Stand> entry;            ///< of each follower, in absolute cycles
+    std::vector<Number> history;  ///< of accounts
+    std::vector<Account> loose;   ///< not worth remembering; numbers from first_loose on
+    std::vector<Stand> entry;     ///< of each follower, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;
     std::vector<std::uint64_t> iterations;  ///< of each member's loop, before the session
     std::vector<std::uint64_t> entries;     ///< of loops by each member, when the session stopped
-    std::vector<std::uint32_t> uses;     ///< of each account, in all sessions
+    std::vector<std::uint32_t> uses;        ///< of each account, in all sessions
 };
 
 }  // namespace faster::timing

@@ -29,8 +29,9 @@ class CoreTiming {
     FifoTiming& add_fifo(FifoShape shape);
     ProcessTiming& add_process(std::string name);
 
-    /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later whose
-    /// answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the end.
+    /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later
+    /// whose answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the
+    /// end.
     void resolve(bool to_the_end = true);
 
     /// A core of the same FIFOs and processes, in which nothing has happened yet.

@@ -28,8 +28,8 @@ class Operation {
     Operation() = default;
     explicit Operation(Code code) : code_(code) {}
     Operation(Kind kind, std::uint8_t ports, std::uint32_t gap, std::uint32_t count)
-        : code_((Code{static_cast<std::uint8_t>(kind)} << kind_at) | (Code{ports} << ports_at) |
-                (Code{gap} << gap_at) | count) {}
+        : code_((Code{static_cast<std::uint8_t>(kind)} << kind_at) | (Code{ports} << ports_at) | (Code{gap} << gap_at) |
+                count) {}
     static Operation mix(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
         return Operation((Code{static_cast<std::uint8_t>(Kind::mixed)} << kind_at) | (Code{ports} << ports_at) |
                          (Code{length} << length_at) | gaps);
@@ -91,9 +91,7 @@ class OperationLog {
         else
             append(Operation(Kind::wait, 0, 0, cycles));
     }
-    void step(std::uint8_t ports, std::uint32_t cycles_after) {
-        append(Operation(Kind::step, ports, 0, cycles_after));
-    }
+    void step(std::uint8_t ports, std::uint32_t cycles_after) { append(Operation(Kind::step, ports, 0, cycles_after)); }
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }

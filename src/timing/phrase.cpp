@@ -102,6 +102,8 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
     Group::Member const& member = group.members()[m];
     OperationLog& log = member.process->log();
     std::size_t const pending = log.pending();
+    if (pending > 0 && read_part(log, m))
+        return Reading::complete;
     auto const anchor = static_cast<std::uint8_t>(1U << member.anchor_port);
     unsigned const marker_at = size_;
     mark(m, 0, false);
@@ -182,6 +184,24 @@ bool Phrase::Mix::flush() {
     phrase_.codes_[phrase_.size_++] = Operation::mix(ports_, length_, gaps_).code();
     length_ = 0;
     gaps_ = 0;
+    return true;
+}
+
+/// The usual case: the front operation has all that is asked for, and more.
+bool Phrase::read_part(OperationLog& log, unsigned member) {
+    Operation const operation = *log.begin();
+    std::uint32_t const due = due_[member];
+    bool const is_mix = operation.kind() == Kind::mixed && operation.length() > due;
+    bool const is_run = operation.kind() == Kind::iterate && operation.ports() != 0 && operation.gap() <= 1 &&
+                        operation.count() > due && due <= Operation::longest_mix;
+    if ((!is_mix && !is_run) || size_ >= most_codes)
+        return false;
+    std::uint32_t const gaps =
+        Operation::gap_bits(1, due) & (is_mix ? operation.gaps() : ~std::uint32_t{0} * operation.gap());
+    mark(member, operation.ports(), false);
+    codes_[size_++] = Operation::mix(operation.ports(), due, gaps).code();
+    parts_[part_count_++] = {&log, 0, due};
+    active_ |= 1U << member;
     return true;
 }
 

@@ -30,8 +30,7 @@ class Phrase {
 
     /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
     /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
-    template <class Visit>
-    static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
+    template <class Visit> static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
         unsigned member = 0;
         for (unsigned i = 0; i < size; ++i) {
             if (is_marker(codes[i])) {
@@ -89,6 +88,7 @@ class Phrase {
     static bool writes_any(ProcessTiming const& process, std::uint8_t ports) {
         return process.writes(31U - static_cast<unsigned>(__builtin_clz(ports)));  // reads come first
     }
+    bool read_part(OperationLog& log, unsigned member);
     Reading read_follower(Group const& group, unsigned member);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);

@@ -36,16 +36,18 @@ class EdgeMaps {
         mark_uncovered(token.row - 1, token.col);
     }
 
-    /// Both iterations of an object token inside the window, one after the other.
-    void take_object(EdgeToken const& token) {
+    /// All iterations of a token inside the window: those of an object token one after the other, or the one of an edge
+    /// token. Without a branch on the kind, which nobody can foretell.
+    void take_whole(EdgeToken const& token) {
         std::ptrdiff_t const row = edge_.words_per_row();
         std::uint64_t const bit = std::uint64_t{1} << (token.col & 63);
+        std::uint64_t const object_bit = token.kind == EdgeTokenKind::Object ? bit : 0;
         std::uint64_t* const edge = edge_.word_at(token.row, token.col);
         std::uint64_t* const object = object_.word_at(token.row, token.col);
-        edge[0] &= ~bit;
-        object[0] |= bit;
-        edge[row] |= bit & ~object[row];
-        edge[-row] |= bit & ~object[-row];
+        edge[0] = (edge[0] & ~object_bit) | (bit & ~object_bit & ~object[0]);
+        object[0] |= object_bit;
+        edge[row] |= object_bit & ~object[row];
+        edge[-row] |= object_bit & ~object[-row];
     }
 
     Bitmap const& edge() const { return edge_; }

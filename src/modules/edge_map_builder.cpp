@@ -79,13 +79,14 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 /// One token's iteration, and its second one if it has one: then 1. A second iteration that is due when the end token
 /// has been read only runs if the configuration says so.
 std::uint32_t EdgeMapBuilder::take(EdgeToken const& token, EdgeToken const& after) {
-    bool const second = maps_.needs_second(token) && (after.kind != EdgeTokenKind::End || core_.config.flush_last);
-    if (!second) {
+    if (!maps_.covers(token))
+        return 0;
+    if (after.kind == EdgeTokenKind::End && !core_.config.flush_last) {
         maps_.take(token);
         return 0;
     }
-    maps_.take_object(token);
-    return 1;
+    maps_.take_whole(token);
+    return token.kind == EdgeTokenKind::Object ? 1 : 0;
 }
 
 void EdgeMapBuilder::output() {

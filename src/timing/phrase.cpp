@@ -55,7 +55,6 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     bool foreign = false;
     bool iterated = false;  // with accesses
     bool ended = false;
-    mark(0, 0, false);
     for (; i < most && !ended; ++i) {
         Operation const operation = operations[i];
         Kind const kind = operation.kind();
@@ -198,8 +197,7 @@ bool Phrase::read_part(OperationLog& log, unsigned member) {
         return false;
     std::uint32_t const gaps =
         Operation::gap_bits(1, due) & (is_mix ? operation.gaps() : ~std::uint32_t{0} * operation.gap());
-    mark(member, operation.ports(), false);
-    codes_[size_++] = Operation::mix(operation.ports(), due, gaps).code();
+    codes_[size_++] = Operation::mix(operation.ports(), due, gaps).code() | (Code{16U + member} << part_at);
     parts_[part_count_++] = {&log, 0, due};
     active_ |= 1U << member;
     return true;

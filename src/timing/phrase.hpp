@@ -33,6 +33,13 @@ class Phrase {
     template <class Visit> static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
         unsigned member = 0;
         for (unsigned i = 0; i < size; ++i) {
+            if (is_part(codes[i])) {
+                unsigned const follower = static_cast<unsigned>(codes[i] >> part_at) & 0xFU;
+                Operation const operation(codes[i] & ~(Code{0x1F} << part_at));
+                group.members()[follower].process->log().append(operation);
+                visit(follower, operation.ports(), false);
+                continue;
+            }
             if (is_marker(codes[i])) {
                 member = marked_member(codes[i]);
                 if (member != 0)
@@ -93,6 +100,9 @@ class Phrase {
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
     }
+    /// A follower's only operation, a mix of which more is left: a code of its own, with the follower's number.
+    static constexpr unsigned part_at = 40;
+    static bool is_part(Code code) { return (code >> 61) == 6 && ((code >> (part_at + 4)) & 1U) != 0; }
     static constexpr Code marker = Code{7} << 61;
     static bool is_marker(Code code) { return (code >> 61) == 7; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }

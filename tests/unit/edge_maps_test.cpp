@@ -18,7 +18,7 @@ int draw(std::mt19937& random, int below) { return static_cast<int>(random() % s
 
 }  // namespace
 
-TEST_CASE("An object token taken at once leaves what its two iterations leave", "[edge_maps]") {
+TEST_CASE("A token taken as a whole leaves what its iterations leave", "[edge_maps]") {
     unsigned const seed = 7;
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -31,12 +31,9 @@ TEST_CASE("An object token taken at once leaves what its two iterations leave", 
                                   static_cast<std::int16_t>(draw(random, side)),
                                   draw(random, 3) == 0 ? EdgeTokenKind::Edge : EdgeTokenKind::Object};
             in_two.take(token);
-            if (in_two.needs_second(token)) {
+            if (in_two.needs_second(token))
                 in_two.take_second(token);
-                at_once.take_object(token);
-            } else {
-                at_once.take(token);
-            }
+            at_once.take_whole(token);
         }
         CHECK(bits_of(at_once.edge()) == bits_of(in_two.edge()));
         CHECK(bits_of(at_once.object()) == bits_of(in_two.object()));

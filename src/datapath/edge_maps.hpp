@@ -36,19 +36,41 @@ class EdgeMaps {
         mark_uncovered(token.row - 1, token.col);
     }
 
-    /// All iterations of a token inside the window: those of an object token one after the other, or the one of an edge
-    /// token. Without a branch on the kind, which nobody can foretell.
-    void take_whole(EdgeToken const& token) {
-        std::ptrdiff_t const row = edge_.words_per_row();
-        std::uint64_t const bit = std::uint64_t{1} << (token.col & 63);
-        std::uint64_t const object_bit = token.kind == EdgeTokenKind::Object ? bit : 0;
-        std::uint64_t* const edge = edge_.word_at(token.row, token.col);
-        std::uint64_t* const object = object_.word_at(token.row, token.col);
-        edge[0] = (edge[0] & ~object_bit) | (bit & ~object_bit & ~object[0]);
-        object[0] |= object_bit;
-        edge[row] |= object_bit & ~object[row];
-        edge[-row] |= object_bit & ~object[-row];
-    }
+    /// For hot loops: the maps' words, and a token's iterations as plain arithmetic on them.
+    class Pen {
+      public:
+        explicit Pen(EdgeMaps& maps)
+            : edge_(maps.edge_.word_at(0, 0)),
+              object_(maps.object_.word_at(0, 0)),
+              row_(maps.edge_.words_per_row()),
+              window_(static_cast<unsigned>(maps.window_)) {}
+
+        bool covers(EdgeToken const& token) const {
+            return static_cast<unsigned>(token.row) < window_ && static_cast<unsigned>(token.col) < window_;
+        }
+        /// All iterations of a token inside the window: both of an object token, or the one of an edge token. Without a
+        /// branch on the kind, which nobody can foretell. 1 if there were two.
+        std::uint32_t take_whole(EdgeToken const& token) const {
+            static_assert(static_cast<int>(EdgeTokenKind::Object) == 1, "the kind serves as a bit");
+            auto const is_object = static_cast<std::uint32_t>(token.kind) & 1U;
+            std::uint64_t const bit = std::uint64_t{1} << (token.col & 63);
+            std::uint64_t const object_bit = std::uint64_t{is_object} << (token.col & 63);
+            std::ptrdiff_t const at = token.row * row_ + (token.col >> 6);
+            std::uint64_t* const edge = edge_ + at;
+            std::uint64_t* const object = object_ + at;
+            edge[0] = (edge[0] & ~object_bit) | ((bit ^ object_bit) & ~object[0]);
+            object[0] |= object_bit;
+            edge[row_] |= object_bit & ~object[row_];
+            edge[-row_] |= object_bit & ~object[-row_];
+            return is_object;
+        }
+
+      private:
+        std::uint64_t* edge_;
+        std::uint64_t* object_;
+        std::ptrdiff_t row_;
+        unsigned window_;
+    };
 
     Bitmap const& edge() const { return edge_; }
     Bitmap const& object() const { return object_; }

@@ -58,35 +58,36 @@ void EdgeMapBuilder::build() {
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
     EdgeToken const* const next = edge_token_->front();
-    EdgeToken token = current;
     std::size_t taken = 0;
-    for (unsigned length = 0; taken < available && token.kind != EdgeTokenKind::End; length = 0) {
-        // Iterations are told to the clock together, a bit each that says whether a second one follows.
-        std::uint32_t seconds = 0;
-        for (; length < timing::Operation::longest_mix && taken < available && token.kind != EdgeTokenKind::End;
-             ++length) {
-            EdgeToken const after = next[taken++];
-            seconds |= take(token, after) << length;
-            token = after;
-        }
-        clock_.iterate_mixed(edge_token_->read_port(), length, seconds);
+    while (taken < available && current.kind != EdgeTokenKind::End) {
+        std::size_t const most = std::min<std::size_t>(available - taken, timing::Operation::longest_mix);
+        taken += take_some(current, next + taken, static_cast<unsigned>(most));
     }
-    current = token;
     edge_token_->consume(taken);
-    return token.kind != EdgeTokenKind::End;
+    return current.kind != EdgeTokenKind::End;
 }
 
-/// One token's iteration, and its second one if it has one: then 1. A second iteration that is due when the end token
-/// has been read only runs if the configuration says so.
-std::uint32_t EdgeMapBuilder::take(EdgeToken const& token, EdgeToken const& after) {
-    if (!maps_.covers(token))
-        return 0;
-    if (after.kind == EdgeTokenKind::End && !core_.config.flush_last) {
+/// Takes up to `most` tokens, and tells the clock of their iterations together, a bit each that says whether a second
+/// one followed. A second iteration that is due when the end token has been read only runs if the configuration says so.
+unsigned EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned most) {
+    datapath::EdgeMaps::Pen const pen(maps_);
+    EdgeToken token = current;
+    std::uint32_t seconds = 0;
+    unsigned taken = 0;
+    for (; taken < most && next[taken].kind != EdgeTokenKind::End; token = next[taken++])
+        if (pen.covers(token))
+            seconds |= pen.take_whole(token) << taken;
+    if (taken < most) {
+        bool const second = core_.config.flush_last && maps_.needs_second(token);
         maps_.take(token);
-        return 0;
+        if (second)
+            maps_.take_second(token);
+        seconds |= (second ? 1U : 0U) << taken;
+        token = next[taken++];
     }
-    maps_.take_whole(token);
-    return token.kind == EdgeTokenKind::Object ? 1 : 0;
+    current = token;
+    clock_.iterate_mixed(edge_token_->read_port(), taken, seconds);
+    return taken;
 }
 
 void EdgeMapBuilder::output() {

@@ -28,7 +28,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void clear();
     void build();
     bool take_tokens(EdgeToken& current);
-    std::uint32_t take(EdgeToken const& token, EdgeToken const& after);
+    unsigned take_some(EdgeToken& current, EdgeToken const* next, unsigned most);
     void output();
 
     CoreContext const& core_;

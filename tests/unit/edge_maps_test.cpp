@@ -33,7 +33,7 @@ TEST_CASE("A token taken as a whole leaves what its iterations leave", "[edge_ma
             in_two.take(token);
             if (in_two.needs_second(token))
                 in_two.take_second(token);
-            at_once.take_whole(token);
+            EdgeMaps::Pen(at_once).take_whole(token);
         }
         CHECK(bits_of(at_once.edge()) == bits_of(in_two.edge()));
         CHECK(bits_of(at_once.object()) == bits_of(in_two.object()));

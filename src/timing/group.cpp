@@ -1,5 +1,7 @@
 #include "timing/group.hpp"
 
+#include <stdexcept>
+
 #include "timing/core_timing.hpp"
 
 namespace faster::timing {
@@ -9,6 +11,8 @@ constexpr unsigned none = ~0U;
 }
 
 Group::Group(CoreTiming& core, Lead const& lead) {
+    if (lead.followers.size() > sizeof(Lanes) * 8 / lane_bits)
+        throw std::logic_error("a lead has at most 4 followers");
     members_.push_back({&core.process(lead.driver), 0, 0, false, 0});
     for (Lead::Follower const& follower : lead.followers)
         members_.push_back({&core.process(follower.process), 0, 0, false, 0});
@@ -47,7 +51,7 @@ Group::Group(CoreTiming& core, Lead const& lead) {
     for (unsigned ports = 0; ports < followers_at_.size(); ++ports)
         for (unsigned m = 1; m < members_.size(); ++m)
             if ((ports & members_[m].driver_port) != 0)
-                followers_at_[ports] |= static_cast<std::uint8_t>(1U << m);
+                followers_at_[ports] |= Lanes{1} << (lane_bits * (m - 1));
 }
 
 unsigned Group::other_end(unsigned member, unsigned port) const {

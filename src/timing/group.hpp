@@ -31,8 +31,12 @@ class Group {
     /// The driver is number 0.
     std::vector<Member> const& members() const { return members_; }
     std::vector<Inner> const& fifos() const { return fifos_; }
-    /// Followers, a bit each, whose anchors the driver accesses at a mask of ports.
-    std::uint32_t followers_at(std::uint8_t driver_ports) const { return followers_at_[driver_ports]; }
+    /// A small number for each of up to four followers, side by side in one word.
+    using Lanes = std::uint64_t;
+    static constexpr unsigned lane_bits = 16;
+    static constexpr Lanes lane_mask = 0xFFFF;
+    /// 1 for each follower whose anchor the driver accesses at a mask of ports.
+    Lanes followers_at(std::uint8_t driver_ports) const { return followers_at_[driver_ports]; }
     ProcessTiming& driver() const { return *members_.front().process; }
     /// The inner FIFO at a port, and who is at its other end.
     unsigned fifo_at(unsigned member, unsigned port) const { return fifo_at_[member][port]; }
@@ -40,7 +44,7 @@ class Group {
 
   private:
     std::vector<Member> members_;
-    std::array<std::uint8_t, 256> followers_at_{};
+    std::array<Lanes, 256> followers_at_{};
     std::vector<Inner> fifos_;
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
 };

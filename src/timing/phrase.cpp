@@ -7,6 +7,7 @@ namespace faster::timing {
 namespace {
 using Kind = Operation::Kind;
 constexpr unsigned most_driver_operations = 8;
+constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_operations);
 
 /// Ends with iterations that access nothing.
 bool ends_silent(Operation const& operation) {
@@ -30,18 +31,17 @@ Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
     size_ = 0;
     active_ = 0;
     part_count_ = 0;
-    due_.fill(0);
-    Reading const driver = read_driver(group);
-    if (driver != Reading::complete)
-        return driver;
-    for (unsigned m = 1; m < group.members().size(); ++m) {
-        if (due_[m] == 0 || ((frozen >> m) & 1U) != 0)
+    Reading reading = read_driver(group);
+    Group::Lanes due = due_;
+    for (unsigned m = 1; due != 0 && reading == Reading::complete; ++m, due >>= Group::lane_bits) {
+        auto const accesses = static_cast<std::uint32_t>(due & Group::lane_mask);
+        if (accesses == 0 || ((frozen >> m) & 1U) != 0)
             continue;
-        Reading const follower = read_follower(group, m);
-        if (follower != Reading::complete)
-            return follower;
+        OperationLog& log = group.members()[m].process->log();
+        if (!read_part(log, m, accesses))
+            reading = read_follower(group, m, accesses);
     }
-    return Reading::complete;
+    return reading;
 }
 
 /// Silent iterations, then accesses of the loop up to the next silence; or what is between two loops, up to the first
@@ -55,6 +55,7 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     bool foreign = false;
     bool iterated = false;  // with accesses
     bool ended = false;
+    Group::Lanes due = 0;
     for (; i < most && !ended; ++i) {
         Operation const operation = operations[i];
         Kind const kind = operation.kind();
@@ -64,26 +65,22 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
             break;
         codes_[size_++] = operation.code();
         if (iterates) {
-            count_due(group, operation.ports(), operation.count());
-            count_due(group, operation.tail_ports(), 1);
+            if (operation.count() > most_iterations)
+                return Reading::foreign;
+            due += group.followers_at(operation.ports()) * operation.count() + group.followers_at(operation.tail_ports());
             iterated = true;
             ended = ends_silent(operation);
         } else if (operation.ports() != 0) {
-            count_due(group, operation.ports(), 1);
+            due += group.followers_at(operation.ports());
             ended = writes_any(*driver.process, operation.ports());
         }
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
+    due_ = due;
     parts_[part_count_++] = {&log, i, 0};
     active_ |= 1U;
     return Reading::complete;
-}
-
-/// How often the driver accesses each follower's anchor.
-void Phrase::count_due(Group const& group, std::uint8_t ports, std::uint32_t times) {
-    for (std::uint32_t mask = group.followers_at(ports); mask != 0; mask &= mask - 1)
-        due_[static_cast<unsigned>(__builtin_ctz(mask))] += times;
 }
 
 Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
@@ -97,16 +94,13 @@ Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
 
 /// As many of a follower's operations as the driver's accesses of its anchor ask for, and those after them up to its
 /// next access of the anchor.
-Phrase::Reading Phrase::read_follower(Group const& group, unsigned m) {
+Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint32_t due) {
     Group::Member const& member = group.members()[m];
     OperationLog& log = member.process->log();
     std::size_t const pending = log.pending();
-    if (pending > 0 && read_part(log, m))
-        return Reading::complete;
     auto const anchor = static_cast<std::uint8_t>(1U << member.anchor_port);
     unsigned const marker_at = size_;
     mark(m, 0, false);
-    std::uint32_t due = due_[m];
     std::uint32_t part = 0;
     std::size_t i = 0;
     bool foreign = false;
@@ -186,21 +180,35 @@ bool Phrase::Mix::flush() {
     return true;
 }
 
-/// The usual case: the front operation has all that is asked for, and more.
-bool Phrase::read_part(OperationLog& log, unsigned member) {
-    Operation const operation = *log.begin();
-    std::uint32_t const due = due_[member];
-    bool const is_mix = operation.kind() == Kind::mixed && operation.length() > due;
-    bool const is_run = operation.kind() == Kind::iterate && operation.ports() != 0 && operation.gap() <= 1 &&
-                        operation.count() > due && due <= Operation::longest_mix;
-    if ((!is_mix && !is_run) || size_ >= most_codes)
+/// The usual case: the log goes on with enough iterations of one kind of access, and more.
+bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
+    std::size_t const pending = log.pending();
+    Operation const* const operations = log.begin();
+    if (due > Operation::longest_mix || size_ >= most_codes || pending == 0)
         return false;
-    std::uint32_t const gaps =
-        Operation::gap_bits(1, due) & (is_mix ? operation.gaps() : ~std::uint32_t{0} * operation.gap());
-    codes_[size_++] = Operation::mix(operation.ports(), due, gaps).code() | (Code{16U + member} << part_at);
-    parts_[part_count_++] = {&log, 0, due};
-    active_ |= 1U << member;
-    return true;
+    std::uint8_t const ports = operations[0].ports();
+    std::uint64_t gaps = 0;
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < pending; ++i) {
+        Operation const operation = operations[i];
+        bool const is_mix = operation.kind() == Kind::mixed;
+        bool const is_run = operation.kind() == Kind::iterate && operation.gap() <= 1 && operation.tail_ports() == 0;
+        if (operation.ports() != ports || ports == 0 || !(is_mix || is_run))
+            return false;
+        std::uint32_t const offered = is_mix ? operation.length() : operation.count();
+        std::uint32_t const taken = std::min(offered, due - length);
+        std::uint64_t const bits = is_mix ? operation.gaps() : std::uint64_t{0} - operation.gap();
+        gaps |= (bits & ((std::uint64_t{1} << taken) - 1)) << length;
+        length += taken;
+        if (taken == offered)
+            continue;
+        codes_[size_++] = Operation::mix(ports, due, static_cast<std::uint32_t>(gaps)).code() |
+                          (Code{16U + member} << part_at);
+        parts_[part_count_++] = {&log, i, taken};
+        active_ |= 1U << member;
+        return true;
+    }
+    return false;
 }
 
 void Phrase::consume() {

@@ -74,7 +74,6 @@ class Phrase {
         return true;
     }
     Reading read_driver(Group const& group);
-    void count_due(Group const& group, std::uint8_t ports, std::uint32_t times);
     static Next next_in(Operation const& operation, std::uint32_t taken) {
         bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
         return {goes_on ? operation.ports() : operation.tail_ports(), true};
@@ -95,8 +94,8 @@ class Phrase {
     static bool writes_any(ProcessTiming const& process, std::uint8_t ports) {
         return process.writes(31U - static_cast<unsigned>(__builtin_clz(ports)));  // reads come first
     }
-    bool read_part(OperationLog& log, unsigned member);
-    Reading read_follower(Group const& group, unsigned member);
+    bool read_part(OperationLog& log, unsigned member, std::uint32_t due);
+    Reading read_follower(Group const& group, unsigned member, std::uint32_t due);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
     }
@@ -110,7 +109,7 @@ class Phrase {
     std::array<Code, most_codes + 2> codes_{};
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
-    std::array<std::uint32_t, 8> due_{};  // accesses of each anchor by the driver
+    Group::Lanes due_ = 0;  // accesses of each anchor by the driver
     std::array<Part, 8> parts_{};
     unsigned part_count_ = 0;
 };

@@ -62,6 +62,11 @@ class ProcessClock {
         timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
         follow();
     }
+    /// `count` iterations that access `ports`, one that accesses `tail_ports`, and `tail_gap` that access nothing.
+    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+        timing_.log().iterate_with_tail(ports, count, tail_ports, tail_gap);
+        follow();
+    }
     /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
     /// most 32.
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {

@@ -99,33 +99,46 @@ void Rasterizer::send_line(datapath::ScanLine const& line) {
         previous_inside_ = false;
         --silent;
     }
-    clock_.iterate(0, static_cast<std::uint64_t>(silent));
+    if (silent > 0)
+        clock_.iterate(0, static_cast<std::uint64_t>(silent));
     if (line.before > 0) {
         previous_row_ = line.row;
         previous_col_ = line.col(line.before - 1);
     }
-    if (line.inside > 0) {
-        send_fragments(line);
-        previous_inside_ = true;
-    }
-    if (line.after > 0 && previous_inside_) {
-        send_edge(line.row, line.col(line.before + line.inside));
-        previous_inside_ = false;
-        clock_.iterate(0, static_cast<std::uint64_t>(line.after - 1));
-    } else {
+    if (line.inside > 0)
+        send_run(line);
+    else if (line.after > 0)
         clock_.iterate(0, static_cast<std::uint64_t>(line.after));
-    }
     previous_row_ = line.row;
     previous_col_ = line.col(line.pixels() - 1);
 }
 
-/// The run of covered pixels. Where the scan comes in from outside, the pixel before is an edge; it is sent by an
-/// iteration of its own after the first covered pixel, unless the triangle ends there (as in A.1, which then loses it).
-void Rasterizer::send_fragments(datapath::ScanLine const& line) {
-    auto const count = static_cast<std::size_t>(line.inside);
-    bool const enters = !previous_inside_;
+/// The run of covered pixels, and the edge behind it. Where the scan comes in from outside, the pixel before is an edge
+/// as well; it is sent by an iteration of its own after the first covered pixel, unless the triangle ends there (as in
+/// A.1, which then loses it).
+void Rasterizer::send_run(datapath::ScanLine const& line) {
+    auto const count = static_cast<std::uint32_t>(line.inside);
     bool const ends_here = line.last && line.inside == 1 && line.after == 0;
-    bool const flushes = enters && !ends_here;
+    bool const flushes = !previous_inside_ && !ends_here;
+    bool const leaves = line.after > 0;
+    send_tokens(line, flushes, leaves);
+    previous_inside_ = !leaves;
+    if (flushes)
+        clock_.iterate_with_tail(fragment_ports_, 1, edge_port_, 0);
+    std::uint32_t const rest = flushes ? count - 1 : count;
+    auto const silent = static_cast<std::uint32_t>(leaves ? line.after - 1 : 0);
+    if (leaves && rest > 0) {
+        clock_.iterate_with_tail(fragment_ports_, rest, edge_port_, silent);
+    } else if (leaves) {
+        clock_.iterate(edge_port_, 1);
+        clock_.iterate(0, silent);
+    } else {
+        clock_.iterate(fragment_ports_, rest);
+    }
+}
+
+void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves) {
+    auto const count = static_cast<std::size_t>(line.inside);
     command_->await_room();
     fragment_depth_->await_room();
     fragment_index_->await_room();
@@ -133,7 +146,8 @@ void Rasterizer::send_fragments(datapath::ScanLine const& line) {
     std::fill_n(command_->reserve(count), count, Command::Fragment);
     std::int64_t* depth = fragment_depth_->reserve(count);
     FragmentIndex* index = fragment_index_->reserve(count);
-    EdgeToken* token = edge_token_->reserve(count + 1);
+    EdgeToken* const tokens = edge_token_->reserve(count + 2);
+    EdgeToken* token = tokens;
     std::int64_t z_sum = line.z_sum;
     auto const row = static_cast<std::int16_t>(line.row - row_offset_);
     int col = line.col(line.before) - col_offset_;
@@ -146,17 +160,12 @@ void Rasterizer::send_fragments(datapath::ScanLine const& line) {
             *token++ = token_at(previous_row_, previous_col_, EdgeTokenKind::Edge);
         col += line.step;
     }
+    if (leaves)
+        *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Edge};
     command_->commit(count);
     fragment_depth_->commit(count);
     fragment_index_->commit(count);
-    edge_token_->commit(count + (flushes ? 1 : 0));
-    if (flushes) {
-        clock_.iterate(fragment_ports_, 1);
-        clock_.iterate(edge_port_, 1);
-        clock_.iterate(fragment_ports_, count - 1);
-    } else {
-        clock_.iterate(fragment_ports_, count);
-    }
+    edge_token_->commit(static_cast<std::size_t>(token - tokens));
 }
 
 void Rasterizer::send_edge(int row, int col) {

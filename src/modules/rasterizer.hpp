@@ -41,7 +41,8 @@ class Rasterizer : public sc_core::sc_module {
     void announce(datapath::TriangleSetup const& setup);
     void scan(datapath::TriangleSetup const& setup);
     void send_line(datapath::ScanLine const& line);
-    void send_fragments(datapath::ScanLine const& line);
+    void send_run(datapath::ScanLine const& line);
+    void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
     void send_edge(int row, int col);
     void end_sample();
     EdgeToken token_at(int row, int col, EdgeTokenKind kind) const;

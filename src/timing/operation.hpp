@@ -99,6 +99,14 @@ class OperationLog {
         if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
             append(Operation(Kind::iterate, ports, gap, count));
     }
+    /// iterate(), then one iteration that accesses `tail_ports`, and `tail_gap` that access nothing.
+    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+        std::uint32_t const gap = std::min(tail_gap, Operation::longest_gap);
+        Operation operation(Kind::iterate, ports, 0, count);
+        operation.add_tail(tail_ports, gap);
+        append(operation);
+        iterate(0, 0, tail_gap - gap);
+    }
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
         if (gaps == 0 || gaps == Operation::gap_bits(1, length))
             iterate(ports, gaps & 1U, length);

@@ -38,7 +38,7 @@ struct FragmentIndex {
 };
 
 /// What an edge token says of its pixel; `End` closes the sample.
-enum class EdgeTokenKind : std::int16_t { Edge, Object, End };
+enum class EdgeTokenKind : std::int32_t { Edge, Object, End };
 
 /// Token of `edge_token` (thesis: edge_position). Coordinates are relative to the window and may lie outside it.
 struct EdgeToken {

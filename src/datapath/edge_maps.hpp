@@ -36,7 +36,9 @@ class EdgeMaps {
         mark_uncovered(token.row - 1, token.col);
     }
 
-    /// For hot loops: the maps' words, and a token's iterations as plain arithmetic on them.
+    /// All iterations of many tokens, one after the other: both of an object token, the one of an edge token. For hot
+    /// loops: tokens of one row and word are put down together. Their order does not matter: whether the edge or the
+    /// object token of a pixel comes first, the pixel is object and no edge in the end, and rows only look at others.
     class Pen {
       public:
         explicit Pen(EdgeMaps& maps)
@@ -44,32 +46,45 @@ class EdgeMaps {
               object_(maps.object_.word_at(0, 0)),
               row_(maps.edge_.words_per_row()),
               window_(static_cast<unsigned>(maps.window_)) {}
+        ~Pen() { put_down(); }
+        Pen(Pen const&) = delete;
+        Pen& operator=(Pen const&) = delete;
 
-        bool covers(EdgeToken const& token) const {
-            return static_cast<unsigned>(token.row) < window_ && static_cast<unsigned>(token.col) < window_;
-        }
-        /// All iterations of a token inside the window: both of an object token, or the one of an edge token. Without a
-        /// branch on the kind, which nobody can foretell. 1 if there were two.
-        std::uint32_t take_whole(EdgeToken const& token) const {
+        /// 1 if the token took two iterations.
+        std::uint32_t take(EdgeToken const& token) {
             static_assert(static_cast<int>(EdgeTokenKind::Object) == 1, "the kind serves as a bit");
-            auto const is_object = static_cast<std::uint32_t>(token.kind) & 1U;
-            std::uint64_t const bit = std::uint64_t{1} << (token.col & 63);
-            std::uint64_t const object_bit = std::uint64_t{is_object} << (token.col & 63);
+            if (static_cast<unsigned>(token.row) >= window_ || static_cast<unsigned>(token.col) >= window_)
+                return 0;
             std::ptrdiff_t const at = token.row * row_ + (token.col >> 6);
-            std::uint64_t* const edge = edge_ + at;
-            std::uint64_t* const object = object_ + at;
-            edge[0] = (edge[0] & ~object_bit) | ((bit ^ object_bit) & ~object[0]);
-            object[0] |= object_bit;
-            edge[row_] |= object_bit & ~object[row_];
-            edge[-row_] |= object_bit & ~object[-row_];
+            if (at != at_) {
+                put_down();
+                at_ = at;
+            }
+            auto const is_object = static_cast<std::uint32_t>(token.kind) & 1U;
+            objects_ |= std::uint64_t{is_object} << (token.col & 63);
+            edges_ |= std::uint64_t{is_object ^ 1U} << (token.col & 63);
             return is_object;
         }
 
       private:
+        void put_down() {
+            std::uint64_t* const edge = edge_ + at_;
+            std::uint64_t* const object = object_ + at_;
+            object[0] |= objects_;
+            edge[0] = (edge[0] & ~objects_) | (edges_ & ~object[0]);
+            edge[row_] |= objects_ & ~object[row_];
+            edge[-row_] |= objects_ & ~object[-row_];
+            objects_ = 0;
+            edges_ = 0;
+        }
+
         std::uint64_t* edge_;
         std::uint64_t* object_;
         std::ptrdiff_t row_;
         unsigned window_;
+        std::ptrdiff_t at_ = 0;
+        std::uint64_t objects_ = 0;
+        std::uint64_t edges_ = 0;
     };
 
     Bitmap const& edge() const { return edge_; }

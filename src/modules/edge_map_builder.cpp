@@ -7,6 +7,10 @@
 
 namespace faster {
 
+namespace {
+bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
+}  // namespace
+
 EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core)
     : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base), maps_(core.stimulus.window) {
     SC_THREAD(run);
@@ -58,36 +62,42 @@ void EdgeMapBuilder::build() {
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
     EdgeToken const* const next = edge_token_->front();
+    std::size_t const end = static_cast<std::size_t>(std::find_if(next, next + available, is_end) - next);
     std::size_t taken = 0;
-    while (taken < available && current.kind != EdgeTokenKind::End) {
-        std::size_t const most = std::min<std::size_t>(available - taken, timing::Operation::longest_mix);
-        taken += take_some(current, next + taken, static_cast<unsigned>(most));
+    while (taken < end) {
+        auto const count = static_cast<unsigned>(std::min<std::size_t>(end - taken, timing::Operation::longest_mix));
+        take_some(current, next + taken, count);
+        taken += count;
+    }
+    if (end < available) {
+        take_last(current);
+        taken += 1;
     }
     edge_token_->consume(taken);
-    return current.kind != EdgeTokenKind::End;
+    return end == available;
 }
 
-/// Takes up to `most` tokens, and tells the clock of their iterations together, a bit each that says whether a second
-/// one followed. A second iteration that is due when the end token has been read only runs if the configuration says so.
-unsigned EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned most) {
-    datapath::EdgeMaps::Pen const pen(maps_);
-    EdgeToken token = current;
+/// The iterations of `current` and of all but the last of `next`, told to the clock together: a bit each that says
+/// whether a second one followed.
+void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
     std::uint32_t seconds = 0;
-    unsigned taken = 0;
-    for (; taken < most && next[taken].kind != EdgeTokenKind::End; token = next[taken++])
-        if (pen.covers(token))
-            seconds |= pen.take_whole(token) << taken;
-    if (taken < most) {
-        bool const second = core_.config.flush_last && maps_.needs_second(token);
-        maps_.take(token);
-        if (second)
-            maps_.take_second(token);
-        seconds |= (second ? 1U : 0U) << taken;
-        token = next[taken++];
+    {
+        datapath::EdgeMaps::Pen pen(maps_);
+        seconds = pen.take(current);
+        for (unsigned i = 1; i < count; ++i)
+            seconds |= pen.take(next[i - 1]) << i;
     }
-    current = token;
-    clock_.iterate_mixed(edge_token_->read_port(), taken, seconds);
-    return taken;
+    current = next[count - 1];
+    clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
+}
+
+/// The last token before the end: its second iteration only runs if the configuration says so.
+void EdgeMapBuilder::take_last(EdgeToken const& current) {
+    bool const second = core_.config.flush_last && maps_.needs_second(current);
+    maps_.take(current);
+    if (second)
+        maps_.take_second(current);
+    clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
 }
 
 void EdgeMapBuilder::output() {

@@ -28,7 +28,8 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void clear();
     void build();
     bool take_tokens(EdgeToken& current);
-    unsigned take_some(EdgeToken& current, EdgeToken const* next, unsigned most);
+    void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
+    void take_last(EdgeToken const& current);
     void output();
 
     CoreContext const& core_;

@@ -67,7 +67,8 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
         if (iterates) {
             if (operation.count() > most_iterations)
                 return Reading::foreign;
-            due += group.followers_at(operation.ports()) * operation.count() + group.followers_at(operation.tail_ports());
+            due +=
+                group.followers_at(operation.ports()) * operation.count() + group.followers_at(operation.tail_ports());
             iterated = true;
             ended = ends_silent(operation);
         } else if (operation.ports() != 0) {
@@ -202,8 +203,8 @@ bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
         length += taken;
         if (taken == offered)
             continue;
-        codes_[size_++] = Operation::mix(ports, due, static_cast<std::uint32_t>(gaps)).code() |
-                          (Code{16U + member} << part_at);
+        codes_[size_++] =
+            Operation::mix(ports, due, static_cast<std::uint32_t>(gaps)).code() | (Code{16U + member} << part_at);
         parts_[part_count_++] = {&log, i, taken};
         active_ |= 1U << member;
         return true;

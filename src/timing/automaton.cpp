@@ -77,13 +77,13 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
         Print const print = print_of_phrase();
-        Transition const* transition = session.state == none ? nullptr : find(print);
-        if (transition == nullptr)
-            transition = work_out(print);
-        if (transition == nullptr)
+        Slot const* slot = session.state == none ? nullptr : find(print);
+        if (slot == nullptr)
+            slot = work_out(print);
+        if (slot == nullptr)
             break;
         phrase_.consume();
-        apply(*transition);
+        apply(*slot);
     }
     progress.moved = !session.history.empty();
     progress.later = reading == Phrase::Reading::logs_end;
@@ -91,19 +91,23 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     return progress;
 }
 
-void Automaton::apply(Transition const& transition) {
+void Automaton::apply(Slot const& slot) {
     Session& session = *session_;
     ++phrases_;
-    session.time += transition.number < first_loose ? transition.cycles : account(transition.number).cycles;
-    session.state = transition.next;
-    session.history.push_back(transition.number);
-    if (transition.number < first_loose) {
-        if (transition.number >= session.uses.size())
-            session.uses.resize(accounts_.size());
-        ++session.uses[transition.number];
+    session.state = slot.next;
+    session.history.push_back(slot.number);
+    if (slot.number >= first_loose) {
+        session.time += account(slot.number).cycles;
+        note(account(slot.number));
+        return;
     }
+    Transition const& transition = transitions_[slot.number];
+    session.time += transition.cycles;
+    if (slot.number >= session.uses.size())
+        session.uses.resize(accounts_.size());
+    ++session.uses[slot.number];
     if (transition.notable)
-        note(account(transition.number));
+        note(accounts_[slot.number]);
 }
 
 void Automaton::note(Account const& account) {
@@ -261,16 +265,16 @@ Automaton::Print Automaton::print_of_phrase() const {
     return {mixed(first, second >> 32), mixed(second, first)};
 }
 
-Automaton::Transition const* Automaton::find(Print const& print) const {
+Automaton::Slot const* Automaton::find(Print const& print) const {
     std::size_t const mask = table_.size() - 1;
     for (std::size_t i = print.first & mask; table_[i].number != none; i = (i + 1) & mask)
-        if (table_[i].print == print.first && table_[i].second_print == print.second)
+        if (table_[i].print == print.first && transitions_[table_[i].number].second_print == print.second)
             return &table_[i];
     return nullptr;
 }
 
 /// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
-Automaton::Transition const* Automaton::work_out(Print const& print) {
+Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     std::vector<std::uint64_t> before;
@@ -301,22 +305,22 @@ Automaton::Transition const* Automaton::work_out(Print const& print) {
     bool const remembered =
         recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
     session_->words = words_;
-    Transition transition;
-    transition.print = print.first;
-    transition.second_print = print.second;
-    transition.cycles = static_cast<std::uint32_t>(account.cycles);
-    transition.next = recurring ? number_of(words_) : none;
-    transition.notable = account.froze != 0 || !account.rooms.empty();
-    std::vector<Account>& accounts = remembered ? accounts_ : session_->loose;
-    transition.number = static_cast<Number>(accounts.size()) + (remembered ? 0 : first_loose);
-    accounts.push_back(std::move(account));
+    Slot slot;
+    slot.print = print.first;
+    slot.next = recurring ? number_of(words_) : none;
     if (!remembered) {
-        once_ = transition;
+        slot.number = first_loose + static_cast<Number>(session_->loose.size());
+        session_->loose.push_back(std::move(account));
+        once_ = slot;
         return &once_;
     }
-    if (accounts_.size() * 2 > table_.size())
+    slot.number = static_cast<Number>(accounts_.size());
+    transitions_.push_back({print.second, static_cast<std::uint32_t>(account.cycles),
+                            account.froze != 0 || !account.rooms.empty()});
+    accounts_.push_back(std::move(account));
+    if (accounts_.size() * 3 > table_.size() * 2)
         grow_table();
-    return put_into_table(transition);
+    return put_into_table(slot);
 }
 
 void Automaton::describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded,
@@ -370,21 +374,21 @@ std::uint32_t Automaton::number_of(Words const& words) {
     return place->second;
 }
 
-Automaton::Transition const* Automaton::put_into_table(Transition const& transition) {
+Automaton::Slot const* Automaton::put_into_table(Slot const& slot) {
     std::size_t const mask = table_.size() - 1;
-    std::size_t i = transition.print & mask;
+    std::size_t i = slot.print & mask;
     while (table_[i].number != none)
         i = (i + 1) & mask;
-    table_[i] = transition;
+    table_[i] = slot;
     return &table_[i];
 }
 
 void Automaton::grow_table() {
-    std::vector<Transition> old(table_.size() * 2);
+    std::vector<Slot> old(table_.size() * 2);
     old.swap(table_);
-    for (Transition const& transition : old)
-        if (transition.number != none)
-            put_into_table(transition);
+    for (Slot const& slot : old)
+        if (slot.number != none)
+            put_into_table(slot);
 }
 
 }  // namespace faster::timing

@@ -73,14 +73,16 @@ class Automaton {
         std::vector<Stand> stands;
         std::vector<Room> rooms;
     };
-    /// What a transition comes to, and what it is recognized by: the state before and the phrase, as a number of 128
-    /// bits of which the table's index is a part. Half a cache line, because looking it up is what takes the time.
-    struct Transition {
+    /// What a transition is recognized by - the state before and the phrase, as a number of 128 bits - and what it
+    /// comes to. In two, because what the next look-up waits for should be small.
+    struct Slot {
         std::uint64_t print = 0;
+        Number number = none;
+        Number next = none;  ///< state after it
+    };
+    struct Transition {
         std::uint64_t second_print = 0;
         std::uint32_t cycles = 0;
-        Number number = none;  ///< of its account
-        Number next = none;    ///< state after it
         bool notable = false;  ///< something besides time to take down
     };
     struct Print {
@@ -93,10 +95,10 @@ class Automaton {
 
     bool begin(Group const& group);
     void end(Group const& group);
-    void apply(Transition const& transition);
+    void apply(Slot const& slot);
     void note(Account const& account);
-    Transition const* find(Print const& print) const;
-    Transition const* work_out(Print const& print);
+    Slot const* find(Print const& print) const;
+    Slot const* work_out(Print const& print);
     void describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded, Account& account);
     void describe_stands(std::vector<Cycles> const& loaded, Account& account);
     void describe_rooms(Account& account);
@@ -105,7 +107,7 @@ class Automaton {
     void add_iterations(Group const& group, Session& session) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
-    Transition const* put_into_table(Transition const& transition);
+    Slot const* put_into_table(Slot const& slot);
     void grow_table();
 
     Phrase phrase_;
@@ -120,8 +122,9 @@ class Automaton {
     std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
     std::vector<Words const*> states_;
     std::vector<Account> accounts_;
-    std::vector<Transition> table_ = std::vector<Transition>(1U << 12);
-    Transition once_;  ///< the last that was not worth remembering
+    std::vector<Transition> transitions_;  // by number, like the accounts
+    std::vector<Slot> table_ = std::vector<Slot>(1U << 12);
+    Slot once_;  ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;

@@ -6,7 +6,7 @@ namespace faster::timing {
 
 namespace {
 using Kind = Operation::Kind;
-constexpr unsigned most_driver_operations = 8;
+constexpr unsigned most_driver_operations = 16;
 constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_operations);
 
 /// Ends with iterations that access nothing.
@@ -45,7 +45,7 @@ Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
 }
 
 /// Silent iterations, then accesses of the loop up to the next silence; or what is between two loops, up to the first
-/// step that writes.
+/// step that more than one follower answers.
 Phrase::Reading Phrase::read_driver(Group const& group) {
     Group::Member const& driver = group.members().front();
     OperationLog& log = driver.process->log();
@@ -72,8 +72,9 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
             iterated = true;
             ended = ends_silent(operation);
         } else if (operation.ports() != 0) {
-            due += group.followers_at(operation.ports());
-            ended = writes_any(*driver.process, operation.ports());
+            Group::Lanes const at = group.followers_at(operation.ports());
+            due += at;
+            ended = (at & (at - 1)) != 0;
         }
     }
     if (i == 0)

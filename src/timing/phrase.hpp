@@ -91,9 +91,6 @@ class Phrase {
         unsigned length_ = 0;
         std::uint32_t gaps_ = 0;
     };
-    static bool writes_any(ProcessTiming const& process, std::uint8_t ports) {
-        return process.writes(31U - static_cast<unsigned>(__builtin_clz(ports)));  // reads come first
-    }
     bool read_part(OperationLog& log, unsigned member, std::uint32_t due);
     Reading read_follower(Group const& group, unsigned member, std::uint32_t due);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+
+using namespace faster::test;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+namespace {
+
+fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
+Words const tables{"samples.csv", "fifos.csv", "loops.csv"};
+
+/// Folders of traces/, by name.
+Words trace_names() {
+    Words names;
+    for (auto const& entry : fs::directory_iterator(traces))
+        if (entry.is_directory())
+            names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// Replays a trace on the machine of the main job. Its tables are in OUT afterwards.
+void replay(std::string const& name, int cores, std::string const& engine, fs::path const& out) {
+    CommandResult const result =
+        run_command(FASTER_SIM_BINARY,
+                    {"run", (fs::path(FASTER_SOURCE_DIR) / "configs" / "faster_zcu102.yaml").string(), "--trace",
+                     (traces / name).string(), "--set", "accelerator.raster_cores=" + std::to_string(cores), "--set",
+                     "simulation.engine=" + engine, "--out", out.string()},
+                    out.parent_path());
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    REQUIRE(result.err.empty());
+}
+
+Words lines_of(std::string const& text) {
+    Words lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+/// Where two texts differ first, for people; empty if they are the same bytes.
+std::string first_difference(std::string const& found, std::string const& expected) {
+    if (found == expected)
+        return {};
+    Words const ours = lines_of(found);
+    Words const theirs = lines_of(expected);
+    for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i)
+        if (ours[i] != theirs[i])
+            return "line " + std::to_string(i + 1) + ": " + ours[i] + " against " + theirs[i];
+    return std::to_string(ours.size()) + " lines against " + std::to_string(theirs.size());
+}
+
+void check_expected_tables(std::string const& engine) {
+    TempFolder const folder;
+    for (std::string const& name : trace_names()) {
+        fs::path const out = folder / name;
+        replay(name, 2, engine, out);
+        for (std::string const& table : tables) {
+            CAPTURE(name, engine, table);
+            std::string const expected = content_of(traces / name / "expected" / table);
+            REQUIRE_FALSE(expected.empty());
+            CHECK(first_difference(content_of(out / table), expected) == "");
+        }
+    }
+}
+
+/// end_cycle of the last row of a samples.csv.
+std::uint64_t last_end_cycle(std::string const& samples) {
+    std::istringstream row(lines_of(samples).back());
+    std::string field;
+    for (int column = 0; column < 4; ++column)
+        std::getline(row, field, ',');
+    return std::stoull(field);
+}
+
+}  // namespace
+
+TEST_CASE("The stored traces are there, and each is explained") {
+    Words const names = trace_names();
+    CHECK(names == Words{"edge_heavy", "empty", "full_window", "one_triangle"});
+    std::string const readme = content_of(traces / "README.md");
+    for (std::string const& name : names)
+        CHECK_THAT(readme, Catch::Matchers::Contains("`" + name + "`"));
+}
+
+TEST_CASE("Every stored trace gives its expected tables with the decoupled engine") {
+    check_expected_tables("decoupled");
+}
+
+TEST_CASE("Every stored trace gives its expected tables with the lockstep engine") {
+    check_expected_tables("lockstep");
+}
+
+TEST_CASE("The trace without triangles takes the cycles of the closed form on one core") {
+    constexpr std::uint64_t pixels = 32 * 32;
+    constexpr std::uint64_t samples = 4;
+    TempFolder const folder;
+    for (std::string const& engine : Words{"decoupled", "lockstep"}) {
+        CAPTURE(engine);
+        replay("empty", 1, engine, folder / engine);
+        std::uint64_t const total = last_end_cycle(content_of(folder / engine / "samples.csv")) + 1;
+        CHECK(total == 4 * pixels + 15 + (samples - 1) * (4 * pixels + 10));
+    }
+}

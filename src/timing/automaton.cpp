@@ -190,7 +190,8 @@ bool Automaton::begin(Group const& group) {
         Cycles const own = group.members()[m].process->local_time();
         bool const frozen = ((session_->frozen >> m) & 1U) != 0;
         session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
-                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), true});
+                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port,
+                                   true});
     }
     std::vector<std::uint64_t*> const counters = real.counters();
     for (std::size_t i = 0; i < counters.size(); ++i)
@@ -236,8 +237,10 @@ void Automaton::restore_stands(RelativeState& real) {
         std::uint32_t const number = session_->history[i - 1];
         for (Stand const& stand : account(number).stands) {
             std::uint32_t const bit = 1U << stand.member;
-            if ((missing_since & bit) != 0)
+            if ((missing_since & bit) != 0) {
                 found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
+                found[stand.member - 1].port = stand.port;
+            }
             missing_since &= ~bit;
             if (stand.arrived && (missing_arrival & bit) != 0)
                 found[stand.member - 1].arrival = stand.arrival + static_cast<std::int64_t>(time);
@@ -247,7 +250,7 @@ void Automaton::restore_stands(RelativeState& real) {
         time -= account(number).cycles;
     }
     for (Stand const& stand : found)
-        real.unpark(stand.member, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
+        real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
 }
 
 Automaton::Print Automaton::print_of_phrase() const {
@@ -277,13 +280,13 @@ Automaton::Slot const* Automaton::find(Print const& print) const {
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
-    std::vector<std::uint64_t> before;
+    Before before;
     for (std::uint64_t const* counter : bench_->counters())
-        before.push_back(*counter);
+        before.counters.push_back(*counter);
     Account account;
-    std::vector<Cycles> loaded;
     for (unsigned m = 0; m < bench_group_->members().size(); ++m) {
-        loaded.push_back(bench_group_->members()[m].process->local_time());
+        before.times.push_back(bench_group_->members()[m].process->local_time());
+        before.ports.push_back(bench_->waited_for(m));
         account.iterations[m] = bench_->iterations(m);
     }
     Phrase::write(phrase_.codes(), phrase_.size(), *bench_group_,
@@ -295,12 +298,12 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     bench_core_->resolve();
     if (!bench_group_->driver().finished())
         return nullptr;
-    for (unsigned m = 0; m < loaded.size(); ++m) {
+    for (unsigned m = 0; m < before.times.size(); ++m) {
         bool const entered = ((account.entered >> m) & 1U) != 0;
         account.iterations[m] = bench_->iterations(m) - (entered ? 0 : account.iterations[m]);
     }
     account.cycles = bench_group_->driver().local_time() - bench_time;
-    describe(before, loaded, account);
+    describe(before, account);
     bool const recurring = bench_->reach() <= longest_reach;
     bool const remembered =
         recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
@@ -315,37 +318,37 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
         return &once_;
     }
     slot.number = static_cast<Number>(accounts_.size());
-    transitions_.push_back({print.second, static_cast<std::uint32_t>(account.cycles),
-                            account.froze != 0 || !account.rooms.empty()});
+    transitions_.push_back(
+        {print.second, static_cast<std::uint32_t>(account.cycles), account.froze != 0 || !account.rooms.empty()});
     accounts_.push_back(std::move(account));
     if (accounts_.size() * 3 > table_.size() * 2)
         grow_table();
     return put_into_table(slot);
 }
 
-void Automaton::describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded,
-                         Account& account) {
+void Automaton::describe(Before const& before, Account& account) {
     describe_rooms(account);
-    describe_stands(loaded, account);
+    describe_stands(before, account);
     bench_->save(words_, true);
     bench_->count_tokens();
     std::vector<std::uint64_t*> const after = bench_->counters();
     for (std::uint32_t i = 0; i < after.size(); ++i)
-        if (*after[i] != before[i])
-            account.growth.push_back({i, *after[i] - before[i]});
+        if (*after[i] != before.counters[i])
+            account.growth.push_back({i, *after[i] - before.counters[i]});
 }
 
-void Automaton::describe_stands(std::vector<Cycles> const& loaded, Account& account) {
+void Automaton::describe_stands(Before const& before, Account& account) {
     Cycles const end = bench_group_->driver().local_time();
     auto const since_end = [end](Cycles cycle) { return static_cast<std::int64_t>(cycle - end); };
-    for (unsigned m = 1; m < loaded.size(); ++m) {
+    for (unsigned m = 1; m < before.times.size(); ++m) {
         bool const active = ((phrase_.active() >> m) & 1U) != 0;
         bool const frozen = bench_->outlooks()[m].frozen;
         if (frozen && !active)
             continue;
         RelativeState::Waiting const waiting = bench_->park(m);
-        if (active || waiting.since != loaded[m])
-            account.stands.push_back({m, since_end(waiting.since), since_end(waiting.arrival), active});
+        bool const waits_anew = waiting.waits && waiting.port != before.ports[m];
+        if (active || waits_anew || waiting.since != before.times[m])
+            account.stands.push_back({m, since_end(waiting.since), since_end(waiting.arrival), waiting.port, active});
     }
 }
 

@@ -57,6 +57,7 @@ class Automaton {
         unsigned member;
         std::int64_t since;
         std::int64_t arrival;
+        unsigned port;  ///< waited for since then
         bool arrived;
     };
     struct Room {  ///< cycles from which a frozen writer will find room, relative to the driver
@@ -99,8 +100,14 @@ class Automaton {
     void note(Account const& account);
     Slot const* find(Print const& print) const;
     Slot const* work_out(Print const& print);
-    void describe(std::vector<std::uint64_t> const& before, std::vector<Cycles> const& loaded, Account& account);
-    void describe_stands(std::vector<Cycles> const& loaded, Account& account);
+    /// Where the members stood before a transition.
+    struct Before {
+        std::vector<std::uint64_t> counters;
+        std::vector<Cycles> times;
+        std::vector<unsigned> ports;  ///< waited for
+    };
+    void describe(Before const& before, Account& account);
+    void describe_stands(Before const& before, Account& account);
     void describe_rooms(Account& account);
     Account const& account(Number number) const;
     void restore_stands(RelativeState& real);

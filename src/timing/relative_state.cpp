@@ -84,14 +84,13 @@ RelativeState::Waiting RelativeState::park(unsigned member) {
     return waiting;
 }
 
-void RelativeState::unpark(unsigned member, Cycles arrival, Cycles since) {
+void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since) {
     ProcessTiming& p = process(member);
-    unsigned port = 0;
-    if (blocked_port(member, port)) {
+    if (port != no_port) {
         charge(member, port, since - p.time_);  // in two's complement: what was charged ahead is taken back
         // What the step has found already was there when the waiting began; the state only knows that it is there now.
-        for (std::uint32_t mask = next_ports(member); static_cast<unsigned>(__builtin_ctz(mask)) != port;
-             mask &= mask - 1)
+        std::uint32_t const before = (1U << port) - 1U;
+        for (std::uint32_t mask = next_ports(member) & before; mask != 0; mask &= mask - 1)
             make_legal(member, static_cast<unsigned>(__builtin_ctz(mask)), since);
         p.charged_until_ = since;
         p.arrival_ = arrival;

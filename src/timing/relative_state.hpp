@@ -18,11 +18,12 @@ class RelativeState {
         bool frozen = false;          ///< goes on with something outside the group: does not take part any more
     };
     /// Where a follower stands that waits for the driver.
+    static constexpr unsigned no_port = ~0U;
     struct Waiting {
         bool waits = false;
-        unsigned port = 0;   ///< what for
-        Cycles arrival = 0;  ///< local time at which it reached its step
-        Cycles since = 0;    ///< local time at which only the port was left to wait for
+        unsigned port = no_port;  ///< what for
+        Cycles arrival = 0;       ///< local time at which it reached its step
+        Cycles since = 0;         ///< local time at which only the port was left to wait for
     };
 
     explicit RelativeState(Group const& group) : group_(&group) {}
@@ -55,8 +56,13 @@ class RelativeState {
     std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
     std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
     void set_iterations(unsigned member, std::uint64_t iterations) { process(member).iterations_ = iterations; }
-    /// Moves a follower back to when its waiting began.
-    void unpark(unsigned member, Cycles arrival, Cycles since);
+    /// The port a follower waits for the driver at, or no_port.
+    unsigned waited_for(unsigned member) const {
+        unsigned port = no_port;
+        return waits_for_driver(member) && blocked_port(member, port) ? port : no_port;
+    }
+    /// Moves a follower back to when its waiting for a port began.
+    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
     std::vector<Cycles> room_times(unsigned fifo) const;
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);

@@ -31,7 +31,7 @@ TEST_CASE("The engines pass the contract's own check", "[closed_form]") {
 TEST_CASE("Without triangles an engine takes 4 W^2 + 15 cycles and 4 W^2 + 10 each further sample", "[closed_form]") {
     Engine const engine = either_engine();
     for (int const window : {4, 5, 12, 33}) {
-        Cycles const pixels = static_cast<Cycles>(window * window);
+        Cycles const pixels = static_cast<Cycles>(window) * static_cast<Cycles>(window);
         for (int samples = 1; samples <= 4; ++samples) {
             CAPTURE(engine, window, samples);
             RunStatistics const run = run_forked(with_cores(1), empty_stimulus(window, samples), engine).statistics;

@@ -138,7 +138,7 @@ TEST_CASE("Engines and twin agree: every kind of triangle under the default mach
         options.kind = static_cast<TriangleKind>(kind);
         options.samples = {3, 3};
         options.triangles = {1, 12};
-        Stimulus const stimulus = random_stimulus(static_cast<std::uint64_t>(6000 + kind), options);
+        Stimulus const stimulus = random_stimulus(6000 + static_cast<std::uint64_t>(kind), options);
         AcceleratorConfig config;
         config.raster_cores = 2;
         Trial const trial{run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,

@@ -9,7 +9,7 @@
 namespace faster::testing {
 namespace {
 
-__extension__ typedef __int128 WideInt;
+__extension__ using WideInt = __int128;
 
 /// A point in vertex_xy codes.
 struct Point {

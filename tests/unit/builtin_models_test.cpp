@@ -124,6 +124,7 @@ double volume_litres(std::string const& name) {
 
 TEST_CASE("The built-in models are the 21 YCB classes, sorted by name", "[models]") {
     std::vector<std::string> expected;
+    expected.reserve(scanned_sizes.size());
     for (ClassSize const& each : scanned_sizes) {
         expected.push_back(each.name);
     }

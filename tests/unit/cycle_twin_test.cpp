@@ -74,7 +74,7 @@ TEST_CASE("Without triangles a sample takes 4 W^2 + 15 cycles, and 4 W^2 + 10 ea
     // 3 (W^2 - 1) + 8 cycles, at 4 W^2 + 13, when the result is written; it is read one later, at 4 W^2 + 14.
     // The next sample's sweep starts 1 + (W^2 - 1 + 2) + 2 after the unit's last state, at 4 W^2 + 14.
     for (int const window : {4, 5, 12}) {
-        Cycles const pixels = static_cast<Cycles>(window * window);
+        Cycles const pixels = static_cast<Cycles>(window) * static_cast<Cycles>(window);
         for (int samples = 1; samples <= 4; ++samples) {
             CAPTURE(window, samples);
             Cycles const further = static_cast<Cycles>(samples - 1);

@@ -23,7 +23,7 @@ std::string ascii_ply(std::string const& vertices, std::string const& faces) {
 }
 
 std::string load_error(std::filesystem::path const& path) {
-    std::string const text = input_error_text([&] { load_mesh(path); });
+    std::string text = input_error_text([&] { load_mesh(path); });
     CHECK(text.find('\n') == std::string::npos);
     return text;
 }

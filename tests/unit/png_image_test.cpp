@@ -27,7 +27,7 @@ Image<std::uint16_t> gradient16() {
 }
 
 std::filesystem::path write_with_opencv(TempFolder const& folder, int type) {
-    std::filesystem::path const path = folder / "image.png";
+    std::filesystem::path path = folder / "image.png";
     cv::imwrite(path.string(), cv::Mat(4, 4, type, cv::Scalar::all(7)));
     return path;
 }

@@ -51,8 +51,8 @@ Mesh sphere(double radius, unsigned rings) {
     for (unsigned ring = 0; ring <= rings; ++ring) {
         for (unsigned sector = 0; sector < sectors; ++sector) {
             double const polar = ring * step, azimuth = sector * step;
-            mesh.vertices.push_back(radius * Eigen::Vector3d(std::sin(polar) * std::cos(azimuth),
-                                                             std::sin(polar) * std::sin(azimuth), std::cos(polar)));
+            mesh.vertices.emplace_back(radius * Eigen::Vector3d(std::sin(polar) * std::cos(azimuth),
+                                                                std::sin(polar) * std::sin(azimuth), std::cos(polar)));
         }
     }
     for (unsigned ring = 0; ring < rings; ++ring) {
@@ -264,7 +264,7 @@ TEST_CASE("A mesh of unconnected triangles is simplified nevertheless", "[object
     for (auto const& face : sphere(0.1, 20).faces) {
         auto const first = static_cast<std::uint32_t>(soup.vertices.size());
         for (std::uint32_t const corner : face) {  // a hair's breadth apart, so that nothing is shared
-            soup.vertices.push_back(sphere(0.1, 20).vertices[corner] * (1 + 1e-4 * first));
+            soup.vertices.emplace_back(sphere(0.1, 20).vertices[corner] * (1 + 1e-4 * first));
         }
         soup.faces.push_back({first, first + 1, first + 2});
     }

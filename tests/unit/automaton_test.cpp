@@ -1,0 +1,242 @@
+#include "timing/automaton.hpp"
+
+#include <catch2/catch.hpp>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "timing/core_timing.hpp"
+
+namespace faster::timing {
+namespace {
+
+/// Draws small numbers; the same with every compiler.
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : random_(seed) {}
+    unsigned below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
+    unsigned between(unsigned low, unsigned high) { return low + below(high - low + 1); }
+    bool chance(unsigned percent) { return below(100) < percent; }
+
+  private:
+    std::mt19937 random_;
+};
+
+enum Fifo : unsigned { vertex, area, area_reciprocal, command, fragment, edge, result };
+enum Process : unsigned { source, driver, divider, builder, drawer, collector };
+
+/// A core in the manner of the machine's: a source of vertices, a driver that scans, a divider, a builder that takes
+/// one or two iterations per edge token, a drawer that reads commands one ahead, and a collector.
+struct Machine {
+    CoreTiming core;
+
+    Machine(unsigned seed, bool irregular) {
+        Dice dice(seed);
+        std::vector<Cycles> latencies(7, 0);
+        latencies[vertex] = dice.below(5);
+        for (unsigned const written : {command, fragment, edge})
+            latencies[written] = irregular ? dice.below(7) : 3;
+        for (unsigned fifo = 0; fifo < 7; ++fifo) {
+            FifoShape shape;
+            shape.name = std::to_string(fifo);
+            shape.capacity = dice.between(2, dice.chance(20) ? 40 : 4);
+            if (irregular && (fifo == command || fifo == fragment))
+                shape.capacity += 8;  // or read ahead and written behind, it would lock
+            shape.read_latency = dice.between(1, 2);
+            shape.write_latency = latencies[fifo];
+            shape.issue_latency = fifo == area_reciprocal ? dice.below(12) : 0;
+            core.add_fifo(shape);
+        }
+        for (char const* name : {"source", "driver", "divider", "builder", "drawer", "collector"})
+            core.add_process(name);
+        core.process(source).add_writes(core.fifo(vertex));
+        core.process(driver).add_reads(core.fifo(vertex));
+        for (unsigned const written : {area, command, fragment, edge})
+            core.process(driver).add_writes(core.fifo(written));
+        core.process(divider).add_reads(core.fifo(area));
+        core.process(divider).add_writes(core.fifo(area_reciprocal));
+        core.process(builder).add_reads(core.fifo(edge));
+        for (unsigned const read : {area_reciprocal, fragment, command})
+            core.process(drawer).add_reads(core.fifo(read));
+        core.process(drawer).add_writes(core.fifo(result));
+        core.process(collector).add_reads(core.fifo(result));
+        core.process(source).add_loop(loop(dice, 8, {{0, latencies[vertex]}}));
+        core.process(driver).add_loop(
+            loop(dice, 8, {{2, latencies[command]}, {3, latencies[fragment]}, {4, latencies[edge]}}));
+        core.process(builder).add_loop(loop(dice, 4, {}));
+        core.process(drawer).add_loop(loop(dice, 9, {}));
+    }
+
+    static LoopShape loop(Dice& dice, Cycles depth, std::vector<LoopWrite> writes) {
+        LoopShape shape;
+        shape.interval.achieved = shape.interval.target = dice.chance(70) ? 1 : dice.between(2, 3);
+        shape.depth = depth;
+        shape.writes = std::move(writes);
+        return shape;
+    }
+
+    static Lead lead() { return {driver, {{source, vertex}, {divider, area}, {builder, edge}, {drawer, command}}}; }
+};
+
+/// What all processes of a machine do in some samples, with few shapes of lines, as in a real scan.
+void log_samples(CoreTiming& core, unsigned seed, unsigned samples) {
+    Dice dice(seed);
+    auto const log = [&core](Process process) -> OperationLog& { return core.process(process).log(); };
+    constexpr std::uint8_t fragment_ports = 0b11100;
+    constexpr std::uint8_t edge_port = 0b10000;
+    for (unsigned sample = 0; sample < samples; ++sample) {
+        unsigned const triangles = dice.between(1, 100);
+        log(source).enter(0);
+        log(source).iterate(1, 0, 3 * triangles);
+        log(source).leave();
+        log(driver).stamp();
+        log(driver).wait(1);
+        log(builder).wait(dice.between(1, 400));
+        log(builder).step(1, 1);  // the first token
+        log(builder).enter(0);
+        log(drawer).wait(dice.between(1, 400));
+        log(drawer).step(0b100, 1);  // the first command
+        std::vector<unsigned> gaps;  // of the builder, by token
+        for (unsigned triangle = 0; triangle < triangles; ++triangle) {
+            for (int corner = 0; corner < 3; ++corner)
+                log(driver).step(1, 1);
+            log(driver).wait(5);
+            bool const drawn = dice.chance(60);
+            log(driver).step(drawn ? 0b110 : 0b10, 1);
+            log(divider).step(1, 0);
+            if (drawn)
+                log(divider).step(2, 0);
+            log(divider).wait(1);
+            if (!drawn)
+                continue;
+            unsigned fragments = 0;
+            log(driver).enter(0);
+            for (unsigned line = dice.between(1, 3); line > 0; --line) {
+                log(driver).iterate(0, 0, dice.below(2));
+                unsigned const inside = dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
+                bool const leaves = inside > 0 && dice.chance(80);
+                log(driver).iterate(fragment_ports, 0, inside);
+                log(driver).iterate(edge_port, 0, leaves ? 1 : 0);
+                log(driver).iterate(0, 0, dice.below(2));
+                gaps.insert(gaps.end(), inside, dice.chance(95) ? 1 : 0);
+                if (leaves)
+                    gaps.push_back(0);
+                fragments += inside;
+            }
+            log(driver).leave();
+            log(drawer).step(0b101, 1);
+            if (fragments == 0) {
+                log(drawer).wait(1);
+                continue;
+            }
+            log(drawer).enter(0);
+            log(drawer).iterate(0b110, 0, fragments);
+            log(drawer).leave();
+        }
+        log(driver).wait(1);
+        log(driver).step(0b10100, 1);  // the end, for drawer and builder
+        for (unsigned const gap : gaps)
+            log(builder).iterate(1, gap, 1);
+        log(builder).leave();
+        log(builder).wait(dice.between(1, 300));
+        log(drawer).wait(dice.between(1, 500));
+        log(drawer).step(0b1000, 1);
+        log(collector).step(1, 0);
+        log(collector).stamp();
+        log(collector).wait(1);
+    }
+}
+
+std::vector<std::uint64_t> figures_of(CoreTiming& core) {
+    std::vector<std::uint64_t> figures;
+    for (ProcessTiming const& process : core.processes()) {
+        ProcessCounters const counters = process.counters();
+        figures.insert(figures.end(), {process.local_time(), counters.empty_stall_cycles, counters.full_stall_cycles,
+                                       process.finished() ? 1U : 0U});
+        figures.insert(figures.end(), process.stamps().begin(), process.stamps().end());
+        for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+            figures.insert(figures.end(),
+                           {process.loop_counters(loop).entries, process.loop_counters(loop).iterations});
+    }
+    for (FifoTiming const& fifo : core.fifos())
+        figures.insert(figures.end(), {fifo.writes(), fifo.reads(), fifo.full_stall_cycles(), fifo.empty_stall_cycles(),
+                                       fifo.max_occupancy()});
+    for (Wait const& wait : core.waits())
+        figures.insert(figures.end(),
+                       {wait.since, wait.occupancy, std::hash<std::string>{}(wait.position + wait.fifo)});
+    return figures;
+}
+
+/// With and without the automaton; logs come in portions, as from a run. Returns phrases per transition.
+double compare(unsigned seed, bool irregular, unsigned portions) {
+    auto const automaton = std::make_shared<Automaton>();
+    Machine followed(seed, irregular);
+    Machine plain(seed, irregular);
+    followed.core.let_follow(Machine::lead(), automaton);
+    for (unsigned portion = 0; portion < portions; ++portion)
+        for (Machine* const machine : {&followed, &plain}) {
+            log_samples(machine->core, 1000 * seed + portion, 4);
+            machine->core.resolve(false);
+        }
+    followed.core.resolve();
+    plain.core.resolve();
+    CHECK(figures_of(followed.core) == figures_of(plain.core));
+    return automaton->transitions() == 0
+               ? 0
+               : static_cast<double>(automaton->phrases()) / static_cast<double>(automaton->transitions());
+}
+
+}  // namespace
+
+TEST_CASE("The automaton gives every figure that working out every operation gives", "[automaton]") {
+    double most = 0;
+    for (unsigned seed = 1; seed <= 150; ++seed) {
+        CAPTURE(seed);
+        most = std::max(most, compare(seed, false, 3));
+    }
+    CHECK(most > 2);  // or nothing was ever looked up
+}
+
+TEST_CASE("The automaton follows loops whose tokens leave in different stages", "[automaton]") {
+    for (unsigned seed = 500; seed <= 600; ++seed) {
+        CAPTURE(seed);
+        compare(seed, true, 2);
+    }
+}
+
+TEST_CASE("Joined operations mean what they were joined of", "[operation]") {
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        CAPTURE(seed);
+        Dice dice(seed);
+        OperationLog log;
+        std::vector<unsigned> expected;  // ports of every iteration
+        for (int i = 0; i < 60; ++i) {
+            auto const ports = static_cast<std::uint8_t>(dice.below(3));
+            unsigned const gap = dice.chance(50) ? 0 : dice.below(3);
+            unsigned const count = dice.below(dice.chance(10) ? 60 : 4);
+            log.iterate(ports, gap, count);
+            for (unsigned k = 0; k < count; ++k) {
+                expected.push_back(ports);
+                expected.insert(expected.end(), gap, 0);
+            }
+        }
+        CHECK(log.pending() < 60);
+        std::vector<unsigned> found;
+        while (!log.exhausted()) {
+            Operation const operation = log.front();
+            REQUIRE(operation.kind() == Operation::Kind::iterate);
+            for (unsigned k = 0; k < operation.count(); ++k) {
+                found.push_back(operation.ports());
+                found.insert(found.end(), operation.gap(), 0);
+            }
+            if (operation.tail_ports() != 0)
+                log.consume(0, operation.count());
+            else
+                log.consume();
+        }
+        CHECK(found == expected);
+    }
+}
+
+}  // namespace faster::timing

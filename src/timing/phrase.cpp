@@ -7,6 +7,7 @@ namespace faster::timing {
 namespace {
 using Kind = Operation::Kind;
 constexpr unsigned most_driver_operations = 16;
+constexpr std::uint32_t longest_part = 8 * Operation::longest_mix;
 constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_operations);
 
 /// Ends with iterations that access nothing.
@@ -106,10 +107,9 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
     std::uint32_t part = 0;
     std::size_t i = 0;
     bool foreign = false;
-    Mix mix(*this);
     Operation const* const operations = log.begin();
-    for (; i < pending; ++i) {
-        Operation const operation = operations[i];
+    for (; i < pending && part == 0; ++i) {
+        Operation operation = operations[i];
         Kind const kind = operation.kind();
         bool const anchored = (operation.ports() & anchor) != 0;
         if (anchored && due == 0)
@@ -117,26 +117,21 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
         foreign = kind == Kind::stamp || (operation.all_ports() & ~member.inner_ports) != 0;
         if (foreign)
             break;
-        if (!anchored || kind == Kind::step) {
-            due -= anchored ? 1 : 0;
-            if (!mix.flush() || !put(operation))
-                return Reading::foreign;
-            continue;
+        if (anchored && kind == Kind::step) {
+            --due;
+        } else if (anchored) {
+            std::uint32_t const offered = kind == Kind::mixed ? operation.length() : operation.count();
+            std::uint32_t const all = offered + (operation.tail_ports() != 0 ? 1 : 0);
+            if (due < all) {
+                part = std::min(due, offered);
+                operation = operation.first(part);
+            }
+            due -= std::min(due, all);
         }
-        std::uint32_t const offered = kind == Kind::mixed ? operation.length() : operation.count();
-        std::uint32_t const taken = std::min(due, offered);
-        bool const has_tail = operation.tail_ports() != 0;
-        bool const with_tail = has_tail && taken < due;
-        due -= taken + (with_tail ? 1 : 0);
-        if (!(with_tail ? mix.flush() && put(operation) : mix.add(operation, taken)))
+        if (!put(operation))
             return Reading::foreign;
-        if (taken < offered || has_tail != with_tail) {
-            part = taken;
-            break;
-        }
     }
-    if (!mix.flush())
-        return Reading::foreign;
+    i -= part > 0 ? 1 : 0;
     // A writer is ahead: it may have nothing more to write, and is out of the game then. A reader must follow.
     bool const frozen = foreign && member.writes_anchor;
     if (foreign && !frozen)
@@ -150,44 +145,14 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
     return Reading::complete;
 }
 
-bool Phrase::Mix::add(Operation const& operation, std::uint32_t count) {
-    bool const is_mix = operation.kind() == Kind::mixed;
-    bool const fits = is_mix || (operation.gap() <= 1 && count <= Operation::longest_mix);
-    if (!fits || (length_ > 0 && operation.ports() != ports_))
-        return flush() && phrase_.put(operation.first(count));
-    ports_ = operation.ports();
-    std::uint64_t const gaps =
-        is_mix ? operation.gaps() & Operation::gap_bits(1, count) : Operation::gap_bits(operation.gap(), count);
-    std::uint64_t const both = gaps_ | (gaps << length_);
-    unsigned const length = length_ + count;
-    gaps_ = static_cast<std::uint32_t>(both);
-    length_ = std::min(length, Operation::longest_mix);
-    if (length <= Operation::longest_mix)
-        return true;
-    if (!flush())
-        return false;
-    gaps_ = static_cast<std::uint32_t>(both >> Operation::longest_mix);
-    length_ = length - Operation::longest_mix;
-    return true;
-}
-
-bool Phrase::Mix::flush() {
-    if (length_ == 0)
-        return true;
-    if (phrase_.size_ >= most_codes)
-        return false;
-    phrase_.codes_[phrase_.size_++] = Operation::mix(ports_, length_, gaps_).code();
-    length_ = 0;
-    gaps_ = 0;
-    return true;
-}
-
-/// The usual case: the log goes on with enough iterations of one kind of access, and more.
+/// The usual case: the log goes on with enough iterations of one kind of access, and more. Put as mixes of equal
+/// length, whatever operations they come from, so that equal answers are equal codes.
 bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
     std::size_t const pending = log.pending();
     Operation const* const operations = log.begin();
-    if (due > Operation::longest_mix || size_ >= most_codes || pending == 0)
+    if (due > longest_part || size_ + longest_part / Operation::longest_mix >= most_codes || pending == 0)
         return false;
+    unsigned const first = size_;
     std::uint8_t const ports = operations[0].ports();
     std::uint64_t gaps = 0;
     std::uint32_t length = 0;
@@ -196,21 +161,38 @@ bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
         bool const is_mix = operation.kind() == Kind::mixed;
         bool const is_run = operation.kind() == Kind::iterate && operation.gap() <= 1 && operation.tail_ports() == 0;
         if (operation.ports() != ports || ports == 0 || !(is_mix || is_run))
-            return false;
+            break;
         std::uint32_t const offered = is_mix ? operation.length() : operation.count();
-        std::uint32_t const taken = std::min(offered, due - length);
-        std::uint64_t const bits = is_mix ? operation.gaps() : std::uint64_t{0} - operation.gap();
-        gaps |= (bits & ((std::uint64_t{1} << taken) - 1)) << length;
-        length += taken;
+        std::uint32_t const taken = std::min(offered, due);
+        std::uint64_t bits = is_mix ? operation.gaps() : std::uint64_t{0} - operation.gap();
+        due -= taken;
+        for (std::uint32_t left = taken; left > 0;) {
+            std::uint32_t const now = std::min(left, Operation::longest_mix - length);
+            gaps |= (bits & ((std::uint64_t{1} << now) - 1)) << length;
+            bits = is_mix ? bits >> now : bits;
+            left -= now;
+            length += now;
+            if (length == Operation::longest_mix) {
+                put_part(ports, length, gaps, member);
+                length = 0;
+                gaps = 0;
+            }
+        }
         if (taken == offered)
             continue;
-        codes_[size_++] =
-            Operation::mix(ports, due, static_cast<std::uint32_t>(gaps)).code() | (Code{16U + member} << part_at);
+        if (length > 0)
+            put_part(ports, length, gaps, member);
         parts_[part_count_++] = {&log, i, taken};
         active_ |= 1U << member;
         return true;
     }
+    size_ = first;
     return false;
+}
+
+void Phrase::put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member) {
+    codes_[size_++] =
+        Operation::mix(ports, length, static_cast<std::uint32_t>(gaps)).code() | (Code{16U + member} << part_at);
 }
 
 void Phrase::consume() {

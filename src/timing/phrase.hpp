@@ -78,20 +78,8 @@ class Phrase {
         bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
         return {goes_on ? operation.ports() : operation.tail_ports(), true};
     }
-    /// The accesses of a follower's anchor, being put together to mixes, whatever operations they come from.
-    class Mix {
-      public:
-        explicit Mix(Phrase& phrase) : phrase_(phrase) {}
-        bool add(Operation const& operation, std::uint32_t count);
-        bool flush();
-
-      private:
-        Phrase& phrase_;
-        std::uint8_t ports_ = 0;
-        unsigned length_ = 0;
-        std::uint32_t gaps_ = 0;
-    };
     bool read_part(OperationLog& log, unsigned member, std::uint32_t due);
+    void put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member);
     Reading read_follower(Group const& group, unsigned member, std::uint32_t due);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
@@ -103,7 +91,7 @@ class Phrase {
     static bool is_marker(Code code) { return (code >> 61) == 7; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
-    std::array<Code, most_codes + 2> codes_{};
+    std::array<Code, most_codes + 8> codes_{};  // with room for a mark of every member
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     Group::Lanes due_ = 0;  // accesses of each anchor by the driver

@@ -1,14 +1,33 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs all tests but the long ones, and checks the format.
 #   scripts/test.sh            preset release
-#   CI=true scripts/test.sh    preset ci (warnings are errors), and the format check is not skipped
+#   scripts/test.sh --tidy     also clang-tidy, which takes minutes
+#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, and the format check is not skipped
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset=release
-setup_options=()
+tidy=false
+for argument in "$@"; do
+    case "$argument" in
+        --tidy) tidy=true ;;
+        -h | --help)
+            echo "usage: test.sh [--tidy]"
+            exit 0
+            ;;
+        *)
+            echo "test: unknown argument '$argument'; expected --tidy" >&2
+            exit 2
+            ;;
+    esac
+done
 if [[ "${CI:-}" == true ]]; then
     preset=ci
+    tidy=true
+fi
+
+setup_options=()
+if [[ "$tidy" == true ]]; then
     setup_options=(--dev)
 fi
 
@@ -24,4 +43,12 @@ elif [[ "${CI:-}" == true ]]; then
     exit 1
 else
     echo "test: no clang-format, format not checked (scripts/setup.sh --dev installs it)"
+fi
+
+if [[ "$tidy" == true ]]; then
+    if ! command -v clang-tidy >/dev/null; then
+        echo "test: clang-tidy is missing" >&2
+        exit 1
+    fi
+    bash scripts/check-tidy.sh "build/$preset"
 fi

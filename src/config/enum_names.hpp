@@ -26,6 +26,7 @@ template <> struct EnumNames<Engine> {
 /// The written names, in the order of the table above.
 template <class Enum> std::vector<std::string> names_of_choices() {
     std::vector<std::string> names;
+    names.reserve(EnumNames<Enum>::all.size());
     for (auto const& entry : EnumNames<Enum>::all) {
         names.emplace_back(entry.second);
     }

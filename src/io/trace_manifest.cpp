@@ -41,8 +41,8 @@ std::vector<IntegerKey> fraction_keys(FractionBits& fraction) {
 /// One mapping of the file: hands out its keys and knows how to complain about them.
 class Section {
   public:
-    Section(std::string path, std::string prefix, YAML::Node node, std::vector<std::string> const& known_keys)
-        : path_(std::move(path)), prefix_(std::move(prefix)), node_(std::move(node)) {
+    Section(std::string path, std::string prefix, YAML::Node const& node, std::vector<std::string> const& known_keys)
+        : path_(std::move(path)), prefix_(std::move(prefix)), node_(node) {
         if (!node_.IsMap()) {
             fail(node_.Mark(),
                  fmt::format("{} is no mapping, expected the keys {}", name(), fmt::join(known_keys, ", ")));

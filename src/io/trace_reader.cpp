@@ -56,7 +56,7 @@ std::vector<SampleInput> read_samples(fs::path const& path, std::size_t triangle
 }
 
 Image<std::uint16_t> read_depth(fs::path const& path, TraceManifest const& manifest) {
-    Image<std::uint16_t> const depth = read_png16(path);
+    Image<std::uint16_t> depth = read_png16(path);
     require_size(path, depth.width(), depth.height(), manifest.width, manifest.height, "trace.yaml");
     for (int row = 0; row < depth.height(); ++row) {
         for (int column = 0; column < depth.width(); ++column) {

@@ -16,41 +16,41 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
       observation_reader("observation_reader", context_),
       inlier_unit("inlier_unit", context_),
       result_collector("result_collector", context_) {
-    sample_dispatcher.sample_vertex_out(sample_vertex);
-    sample_dispatcher.sample_raster_out(sample_raster);
-    sample_dispatcher.sample_observation_out(sample_observation);
+    sample_dispatcher.sample_vertex_out(sample_vertex_);
+    sample_dispatcher.sample_raster_out(sample_raster_);
+    sample_dispatcher.sample_observation_out(sample_observation_);
 
-    vertex_transform.sample_vertex_in(sample_vertex);
-    vertex_transform.vertex_out(vertex);
+    vertex_transform.sample_vertex_in(sample_vertex_);
+    vertex_transform.vertex_out(vertex_);
 
-    rasterizer.sample_raster_in(sample_raster);
-    rasterizer.vertex_in(vertex);
-    rasterizer.area_out(area);
-    rasterizer.command_out(command);
-    rasterizer.fragment_depth_out(fragment_depth);
-    rasterizer.fragment_index_out(fragment_index);
-    rasterizer.edge_token_out(edge_token);
+    rasterizer.sample_raster_in(sample_raster_);
+    rasterizer.vertex_in(vertex_);
+    rasterizer.area_out(area_);
+    rasterizer.command_out(command_);
+    rasterizer.fragment_depth_out(fragment_depth_);
+    rasterizer.fragment_index_out(fragment_index_);
+    rasterizer.edge_token_out(edge_token_);
 
-    area_reciprocal_unit.area_in(area);
-    area_reciprocal_unit.area_reciprocal_out(area_reciprocal);
+    area_reciprocal_unit.area_in(area_);
+    area_reciprocal_unit.area_reciprocal_out(area_reciprocal_);
 
-    edge_map_builder.edge_token_in(edge_token);
-    edge_map_builder.edge_map_out(edge_map);
+    edge_map_builder.edge_token_in(edge_token_);
+    edge_map_builder.edge_map_out(edge_map_);
 
-    observation_reader.sample_observation_in(sample_observation);
-    observation_reader.observed_depth_out(observed_depth);
-    observation_reader.observed_edge_out(observed_edge);
+    observation_reader.sample_observation_in(sample_observation_);
+    observation_reader.observed_depth_out(observed_depth_);
+    observation_reader.observed_edge_out(observed_edge_);
 
-    inlier_unit.area_reciprocal_in(area_reciprocal);
-    inlier_unit.fragment_depth_in(fragment_depth);
-    inlier_unit.fragment_index_in(fragment_index);
-    inlier_unit.command_in(command);
-    inlier_unit.edge_map_in(edge_map);
-    inlier_unit.observed_depth_in(observed_depth);
-    inlier_unit.observed_edge_in(observed_edge);
-    inlier_unit.result_out(result);
+    inlier_unit.area_reciprocal_in(area_reciprocal_);
+    inlier_unit.fragment_depth_in(fragment_depth_);
+    inlier_unit.fragment_index_in(fragment_index_);
+    inlier_unit.command_in(command_);
+    inlier_unit.edge_map_in(edge_map_);
+    inlier_unit.observed_depth_in(observed_depth_);
+    inlier_unit.observed_edge_in(observed_edge_);
+    inlier_unit.result_out(result_);
 
-    result_collector.result_in(result);
+    result_collector.result_in(result_);
 }
 
 timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }

@@ -41,20 +41,20 @@ class RasterCore : public sc_core::sc_module {
     CoreContext context_;
 
     // In the order of FifoId: the tables of the report rely on it.
-    ClockedFifo<SampleHeader> sample_vertex{"sample_vertex", fifo_timing(FifoId::sample_vertex)};
-    ClockedFifo<SampleHeader> sample_raster{"sample_raster", fifo_timing(FifoId::sample_raster)};
-    ClockedFifo<SampleHeader> sample_observation{"sample_observation", fifo_timing(FifoId::sample_observation)};
-    ClockedFifo<VertexCode> vertex{"vertex", fifo_timing(FifoId::vertex)};
-    ClockedFifo<std::int64_t> area{"area", fifo_timing(FifoId::area)};
-    ClockedFifo<std::uint64_t> area_reciprocal{"area_reciprocal", fifo_timing(FifoId::area_reciprocal)};
-    ClockedFifo<Command> command{"command", fifo_timing(FifoId::command)};
-    ClockedFifo<std::int64_t> fragment_depth{"fragment_depth", fifo_timing(FifoId::fragment_depth)};
-    ClockedFifo<FragmentIndex> fragment_index{"fragment_index", fifo_timing(FifoId::fragment_index)};
-    ClockedFifo<EdgeToken> edge_token{"edge_token", fifo_timing(FifoId::edge_token)};
-    ClockedFifo<std::uint8_t> edge_map{"edge_map", fifo_timing(FifoId::edge_map)};
-    ClockedFifo<std::uint16_t> observed_depth{"observed_depth", fifo_timing(FifoId::observed_depth)};
-    ClockedFifo<std::uint8_t> observed_edge{"observed_edge", fifo_timing(FifoId::observed_edge)};
-    ClockedFifo<SampleCounters> result{"result", fifo_timing(FifoId::result)};
+    ClockedFifo<SampleHeader> sample_vertex_{"sample_vertex", fifo_timing(FifoId::sample_vertex)};
+    ClockedFifo<SampleHeader> sample_raster_{"sample_raster", fifo_timing(FifoId::sample_raster)};
+    ClockedFifo<SampleHeader> sample_observation_{"sample_observation", fifo_timing(FifoId::sample_observation)};
+    ClockedFifo<VertexCode> vertex_{"vertex", fifo_timing(FifoId::vertex)};
+    ClockedFifo<std::int64_t> area_{"area", fifo_timing(FifoId::area)};
+    ClockedFifo<std::uint64_t> area_reciprocal_{"area_reciprocal", fifo_timing(FifoId::area_reciprocal)};
+    ClockedFifo<Command> command_{"command", fifo_timing(FifoId::command)};
+    ClockedFifo<std::int64_t> fragment_depth_{"fragment_depth", fifo_timing(FifoId::fragment_depth)};
+    ClockedFifo<FragmentIndex> fragment_index_{"fragment_index", fifo_timing(FifoId::fragment_index)};
+    ClockedFifo<EdgeToken> edge_token_{"edge_token", fifo_timing(FifoId::edge_token)};
+    ClockedFifo<std::uint8_t> edge_map_{"edge_map", fifo_timing(FifoId::edge_map)};
+    ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth)};
+    ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge)};
+    ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
 
   public:
     // In the order of ModuleId.

@@ -26,6 +26,12 @@ bool is_regular(LoopShape const& loop) {
     return true;
 }
 
+std::vector<std::uint64_t> values_of(std::vector<std::uint64_t*> const& counters) {
+    std::vector<std::uint64_t> values(counters.size());
+    std::transform(counters.begin(), counters.end(), values.begin(), [](std::uint64_t const* value) { return *value; });
+    return values;
+}
+
 bool can_follow(Group const& group) {
     std::uint64_t room = 0;
     for (Group::Inner const& inner : group.fifos())
@@ -181,9 +187,7 @@ bool Automaton::begin(Group const& group) {
     session_->time = group.driver().local_time();
     bench_->load(words_, bench_time);
     std::vector<std::uint64_t*> const bench_counters = bench_->counters();
-    std::vector<std::uint64_t> before;
-    for (std::uint64_t const* counter : bench_counters)
-        before.push_back(*counter);
+    std::vector<std::uint64_t> const before = values_of(bench_counters);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         RelativeState::Waiting const waiting = bench_->park(m);
         Cycles const shift = session_->time - bench_time;
@@ -281,8 +285,7 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     Before before;
-    for (std::uint64_t const* counter : bench_->counters())
-        before.counters.push_back(*counter);
+    before.counters = values_of(bench_->counters());
     Account account;
     for (unsigned m = 0; m < bench_group_->members().size(); ++m) {
         before.times.push_back(bench_group_->members()[m].process->local_time());

@@ -95,11 +95,13 @@ void mark_row(PointSum const* points, std::vector<PointSum> const& column_sums, 
         square += column_sums[static_cast<std::size_t>(column)];
     }
     for (int column = 0; column < width; ++column) {
-        if (column + radius < width) {
-            square += column_sums[static_cast<std::size_t>(column + radius)];
+        int const entering = column + radius;
+        if (entering < width) {
+            square += column_sums[static_cast<std::size_t>(entering)];
         }
-        if (column - radius - 1 >= 0) {
-            square -= column_sums[static_cast<std::size_t>(column - radius - 1)];
+        int const leaving = column - radius - 1;
+        if (leaving >= 0) {
+            square -= column_sums[static_cast<std::size_t>(leaving)];
         }
         edges[column] = is_edge(points[column], square, threshold) ? 1 : 0;
     }

@@ -176,6 +176,7 @@ Mesh skin(std::vector<Section> const& sections, double edge_length, Between betw
     }
     Mesh mesh;
     std::vector<Ring> rings;
+    rings.reserve(rows.size());
     for (Section const& row : rows) {
         rings.push_back(append_ring(mesh, outline_of(row, edge_length)));
     }

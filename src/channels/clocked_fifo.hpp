@@ -89,12 +89,15 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         while (tokens_.size() > host_limit_)
             writer_->wait_for_room(*this);
     }
-    /// Room for `count` tokens, valid until the process is next suspended.
+    /// Room for `count` tokens, valid until the next call. append() makes them part of the channel, wake_reader() tells
+    /// the reader, if it waits for tokens; commit() does both.
     Token* reserve(std::size_t count) { return tokens_.room(count); }
+    void append(std::size_t count) { tokens_.append(count); }
     void commit(std::size_t count) {
-        tokens_.append(count);
+        append(count);
         wake_reader();
     }
+    using FifoChannel::wake_reader;
 
   private:
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its

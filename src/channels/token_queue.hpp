@@ -11,8 +11,11 @@ template <class Token> class TokenQueue {
   public:
     std::size_t size() const { return tail_ - head_; }
 
-    /// Room for `count` more tokens behind the last; valid until the next call. append() makes them part of the queue.
+    /// Room for `count` more tokens behind the last; valid until the next call, whatever is dropped meanwhile. append()
+    /// makes them part of the queue.
     Token* room(std::size_t count) {
+        if (head_ == tail_)
+            head_ = tail_ = 0;
         if (tail_ + count > tokens_.size())
             make_room(count);
         return tokens_.data() + tail_;
@@ -20,11 +23,7 @@ template <class Token> class TokenQueue {
     void append(std::size_t count) { tail_ += count; }
 
     Token const* front() const { return tokens_.data() + head_; }
-    void drop(std::size_t count) {
-        head_ += count;
-        if (head_ == tail_)
-            head_ = tail_ = 0;
-    }
+    void drop(std::size_t count) { head_ += count; }
 
   private:
     void make_room(std::size_t count) {

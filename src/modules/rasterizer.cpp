@@ -85,9 +85,11 @@ void Rasterizer::scan(datapath::TriangleSetup const& setup) {
     previous_col_ = setup.start_col;
     previous_inside_ = setup.starts_inside();
     clock_.enter_loop(scan_loop_);
+    begin_burst(setup);
     datapath::ZigzagScan zigzag(setup);
     while (!zigzag.done())
         send_line(zigzag.next_line());
+    end_burst();
     clock_.leave_loop();
 }
 
@@ -139,22 +141,14 @@ void Rasterizer::send_run(datapath::ScanLine const& line) {
 
 void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves) {
     auto const count = static_cast<std::size_t>(line.inside);
-    command_->await_room();
-    fragment_depth_->await_room();
-    fragment_index_->await_room();
-    edge_token_->await_room();
-    std::fill_n(command_->reserve(count), count, Command::Fragment);
-    std::int64_t* depth = fragment_depth_->reserve(count);
-    FragmentIndex* index = fragment_index_->reserve(count);
-    EdgeToken* const tokens = edge_token_->reserve(count + 2);
-    EdgeToken* token = tokens;
+    EdgeToken* token = burst_.token;
     std::int64_t z_sum = line.z_sum;
     auto const row = static_cast<std::int16_t>(line.row - row_offset_);
     int col = line.col(line.before) - col_offset_;
     for (std::size_t i = 0; i < count; ++i) {
-        depth[i] = z_sum;
+        burst_.depth[i] = z_sum;
         z_sum += line.z_sum_per_step;
-        index[i] = {row, static_cast<std::int16_t>(col)};
+        burst_.index[i] = {row, static_cast<std::int16_t>(col)};
         *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Object};
         if (i == 0 && flushes)
             *token++ = token_at(previous_row_, previous_col_, EdgeTokenKind::Edge);
@@ -162,17 +156,42 @@ void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool 
     }
     if (leaves)
         *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Edge};
-    command_->commit(count);
-    fragment_depth_->commit(count);
-    fragment_index_->commit(count);
-    edge_token_->commit(static_cast<std::size_t>(token - tokens));
+    std::fill_n(burst_.command, count, Command::Fragment);
+    command_->append(count);
+    fragment_depth_->append(count);
+    fragment_index_->append(count);
+    edge_token_->append(static_cast<std::size_t>(token - burst_.token));
+    burst_.command += count;
+    burst_.depth += count;
+    burst_.index += count;
+    burst_.token = token;
 }
 
 void Rasterizer::send_edge(int row, int col) {
-    edge_token_->await_room();
-    *edge_token_->reserve(1) = token_at(row, col, EdgeTokenKind::Edge);
-    edge_token_->commit(1);
+    *burst_.token++ = token_at(row, col, EdgeTokenKind::Edge);
+    edge_token_->append(1);
     clock_.iterate(edge_port_, 1);
+}
+
+/// Room for all that a scan may send: a fragment and an edge for every pixel of the box.
+void Rasterizer::begin_burst(datapath::TriangleSetup const& setup) {
+    command_->await_room();
+    fragment_depth_->await_room();
+    fragment_index_->await_room();
+    edge_token_->await_room();
+    auto const pixels = static_cast<std::size_t>(setup.right_wall - setup.left_wall + 1) *
+                        static_cast<std::size_t>(setup.bottom - setup.start_row + 1);
+    burst_.command = command_->reserve(pixels);
+    burst_.depth = fragment_depth_->reserve(pixels);
+    burst_.index = fragment_index_->reserve(pixels);
+    burst_.token = edge_token_->reserve(2 * pixels);
+}
+
+void Rasterizer::end_burst() {
+    command_->wake_reader();
+    fragment_depth_->wake_reader();
+    fragment_index_->wake_reader();
+    edge_token_->wake_reader();
 }
 
 void Rasterizer::end_sample() {

@@ -44,6 +44,8 @@ class Rasterizer : public sc_core::sc_module {
     void send_run(datapath::ScanLine const& line);
     void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
     void send_edge(int row, int col);
+    void begin_burst(datapath::TriangleSetup const& setup);
+    void end_burst();
     void end_sample();
     EdgeToken token_at(int row, int col, EdgeTokenKind kind) const;
 
@@ -57,6 +59,15 @@ class Rasterizer : public sc_core::sc_module {
     ClockedFifo<EdgeToken>* edge_token_ = nullptr;
     std::uint8_t fragment_ports_ = 0;  ///< of an iteration that finds a covered pixel
     std::uint8_t edge_port_ = 0;       ///< of an iteration that sends an edge
+
+    /// Where the scan at hand writes its next tokens.
+    struct Burst {
+        Command* command = nullptr;
+        std::int64_t* depth = nullptr;
+        FragmentIndex* index = nullptr;
+        EdgeToken* token = nullptr;
+    };
+    Burst burst_;
 
     int row_offset_ = 0;  ///< of the window, kept within 16 bits
     int col_offset_ = 0;

@@ -14,6 +14,19 @@ constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_op
 bool ends_silent(Operation const& operation) {
     return operation.tail_ports() != 0 ? operation.tail_gap() > 0 : operation.gap() > 0;
 }
+
+/// Iterations with or without a silent one behind each, which a mix can say.
+bool can_mix(Operation const& operation) {
+    return operation.kind() == Kind::mixed || (operation.kind() == Kind::iterate && operation.ports() != 0 &&
+                                               operation.gap() <= 1 && operation.tail_ports() == 0);
+}
+std::uint32_t mixable(Operation const& operation) {
+    return operation.kind() == Kind::mixed ? operation.length() : operation.count();
+}
+/// At least as many bits as a mix has.
+std::uint64_t gaps_of(Operation const& operation) {
+    return operation.kind() == Kind::mixed ? operation.gaps() : std::uint64_t{0} - operation.gap();
+}
 }  // namespace
 
 std::uint32_t Phrase::entered(Code const* codes, unsigned size) {
@@ -154,17 +167,18 @@ bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
         return false;
     unsigned const first = size_;
     std::uint8_t const ports = operations[0].ports();
+    if (read_short_part(log, member, due))
+        return true;
     std::uint64_t gaps = 0;
     std::uint32_t length = 0;
     for (std::size_t i = 0; i < pending; ++i) {
         Operation const operation = operations[i];
         bool const is_mix = operation.kind() == Kind::mixed;
-        bool const is_run = operation.kind() == Kind::iterate && operation.gap() <= 1 && operation.tail_ports() == 0;
-        if (operation.ports() != ports || ports == 0 || !(is_mix || is_run))
+        if (operation.ports() != ports || !can_mix(operation))
             break;
-        std::uint32_t const offered = is_mix ? operation.length() : operation.count();
+        std::uint32_t const offered = mixable(operation);
         std::uint32_t const taken = std::min(offered, due);
-        std::uint64_t bits = is_mix ? operation.gaps() : std::uint64_t{0} - operation.gap();
+        std::uint64_t bits = gaps_of(operation);
         due -= taken;
         for (std::uint32_t left = taken; left > 0;) {
             std::uint32_t const now = std::min(left, Operation::longest_mix - length);
@@ -188,6 +202,32 @@ bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
     }
     size_ = first;
     return false;
+}
+
+/// One mix, from one operation or two: nearly always.
+bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uint32_t due) {
+    Operation const* const operations = log.begin();
+    Operation const front = operations[0];
+    if (due > Operation::longest_mix || !can_mix(front))
+        return false;
+    std::uint32_t taken = mixable(front);
+    std::uint64_t gaps = gaps_of(front);
+    std::size_t whole = 0;
+    std::uint32_t part = due;
+    if (taken <= due) {
+        if (log.pending() < 2)
+            return false;
+        Operation const second = operations[1];
+        if (second.ports() != front.ports() || !can_mix(second) || mixable(second) <= due - taken)
+            return false;
+        gaps = (gaps & ((std::uint64_t{1} << taken) - 1)) | (gaps_of(second) << taken);
+        whole = 1;
+        part = due - taken;
+    }
+    put_part(front.ports(), due, gaps & ((std::uint64_t{1} << due) - 1), member);
+    parts_[part_count_++] = {&log, whole, part};
+    active_ |= 1U << member;
+    return true;
 }
 
 void Phrase::put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member) {

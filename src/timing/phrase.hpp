@@ -79,6 +79,7 @@ class Phrase {
         return {goes_on ? operation.ports() : operation.tail_ports(), true};
     }
     bool read_part(OperationLog& log, unsigned member, std::uint32_t due);
+    bool read_short_part(OperationLog& log, unsigned member, std::uint32_t due);
     void put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member);
     Reading read_follower(Group const& group, unsigned member, std::uint32_t due);
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "datapath/triangle_setup.hpp"
 
@@ -30,12 +32,21 @@ class ZigzagScan {
     ScanLine next_line();
 
   private:
+    /// The pixels before the run inside, and its length.
+    struct Run {
+        int before = 0;
+        int inside = 0;
+    };
+    Run find_run(int pixels) const;
+
     TriangleSetup const& setup_;
     int row_;
     int col_;
     int step_;
     std::int64_t z_per_column_ = 0;
-    std::int64_t w_[3];  ///< edge values at (row_, col_)
+    std::int64_t change_[3];  ///< of each edge value per column, without its sign
+    double inverse_[3];       ///< one over that
+    std::int64_t w_[3];       ///< edge values at (row_, col_)
     bool done_ = false;
 };
 
@@ -47,8 +58,39 @@ inline ZigzagScan::ZigzagScan(TriangleSetup const& setup)
       col_(setup.start_col),
       step_(setup.start_col == setup.left_wall ? 1 : -1),
       w_{setup.edge[0].at_start, setup.edge[1].at_start, setup.edge[2].at_start} {
-    for (int i = 0; i < 3; ++i)
-        z_per_column_ += setup.edge[i].per_column * setup.z[i];
+    for (int i = 0; i < 3; ++i) {
+        std::int64_t const change = setup.edge[i].per_column;
+        z_per_column_ += change * setup.z[i];
+        change_[i] = std::abs(change);
+        inverse_[i] = 1.0 / static_cast<double>(change_[i]);
+    }
+}
+
+/// Where the line's run inside begins and ends. An edge value that grows along the line bounds it from the left, one
+/// that falls from the right. A quotient of two integers below 2^53, taken as a product with the divisor's reciprocal,
+/// is off by less than one, and only where it comes out even: that is put right in integers.
+inline ZigzagScan::Run ZigzagScan::find_run(int pixels) const {
+    std::int64_t first = 0;
+    std::int64_t end = pixels;
+    for (int i = 0; i < 3; ++i) {
+        std::int64_t const w = w_[i];
+        if (change_[i] == 0) {
+            end = w < 0 ? 0 : end;
+            continue;
+        }
+        auto const quotient = static_cast<std::int64_t>(static_cast<double>(w < 0 ? -w : w) * inverse_[i]);
+        std::int64_t const exact = (quotient + 1) * change_[i];
+        if (setup_.edge[i].per_column * step_ > 0) {
+            std::int64_t const steps = quotient + (quotient * change_[i] < -w ? 1 : 0);
+            first = w < 0 ? std::max(first, steps) : first;
+        } else {
+            std::int64_t const steps = quotient + (exact <= w ? 1 : 0);
+            end = w < 0 ? 0 : std::min(end, steps + 1);
+        }
+    }
+    if (end <= first)
+        return {pixels, 0};
+    return {static_cast<int>(first), static_cast<int>(end - first)};
 }
 
 inline ScanLine ZigzagScan::next_line() {
@@ -60,22 +102,13 @@ inline ScanLine ZigzagScan::next_line() {
     int const end = step_ > 0 ? setup_.right_wall : setup_.left_wall;
     int const pixels = (end - col_) * step_ + 1;
 
-    std::int64_t const d0 = setup_.edge[0].per_column * step_;
-    std::int64_t const d1 = setup_.edge[1].per_column * step_;
-    std::int64_t const d2 = setup_.edge[2].per_column * step_;
-    std::int64_t w0 = w_[0], w1 = w_[1], w2 = w_[2];
-    // An edge value that is negative and does not grow keeps the whole line outside.
-    bool const misses = (w0 < 0 && d0 <= 0) || (w1 < 0 && d1 <= 0) || (w2 < 0 && d2 <= 0);
-    int at = misses ? pixels : 0;
-    for (; at < pixels && (w0 | w1 | w2) < 0; ++at)
-        w0 += d0, w1 += d1, w2 += d2;
-    line.before = at;
-    line.z_sum = w0 * setup_.z[0] + w1 * setup_.z[1] + w2 * setup_.z[2];
+    Run const run = find_run(pixels);
+    line.before = run.before;
+    line.inside = run.inside;
+    line.after = pixels - run.before - run.inside;
+    for (int i = 0; i < 3; ++i)
+        line.z_sum += (w_[i] + run.before * step_ * setup_.edge[i].per_column) * setup_.z[i];
     line.z_sum_per_step = step_ * z_per_column_;
-    for (; at < pixels && (w0 | w1 | w2) >= 0; ++at)
-        w0 += d0, w1 += d1, w2 += d2;
-    line.inside = at - line.before;
-    line.after = pixels - at;
 
     for (int i = 0; i < 3; ++i)
         w_[i] += setup_.edge[i].per_column * (end - col_) + setup_.edge[i].per_row;

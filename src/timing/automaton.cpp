@@ -65,6 +65,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         bench_core_ = core.blank_copy();
         bench_group_ = std::make_unique<Group>(*bench_core_, lead);
         bench_ = std::make_unique<RelativeState>(*bench_group_);
+        bench_counters_ = bench_->counters();
     }
     if (phrases_ > trial && worked_out_ * 4 > phrases_)
         usable_ = false;
@@ -186,8 +187,7 @@ bool Automaton::begin(Group const& group) {
         return false;
     session_->time = group.driver().local_time();
     bench_->load(words_, bench_time);
-    std::vector<std::uint64_t*> const bench_counters = bench_->counters();
-    std::vector<std::uint64_t> const before = values_of(bench_counters);
+    std::vector<std::uint64_t> const before = values_of(bench_counters_);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         RelativeState::Waiting const waiting = bench_->park(m);
         Cycles const shift = session_->time - bench_time;
@@ -199,7 +199,7 @@ bool Automaton::begin(Group const& group) {
     }
     std::vector<std::uint64_t*> const counters = real.counters();
     for (std::size_t i = 0; i < counters.size(); ++i)
-        *counters[i] += *bench_counters[i] - before[i];
+        *counters[i] += *bench_counters_[i] - before[i];
     bench_->save(session_->words, true);
     session_->state = bench_->reach() > longest_reach ? none : number_of(session_->words);
     session_->loose.clear();
@@ -285,7 +285,7 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     Before before;
-    before.counters = values_of(bench_->counters());
+    before.counters = values_of(bench_counters_);
     Account account;
     for (unsigned m = 0; m < bench_group_->members().size(); ++m) {
         before.times.push_back(bench_group_->members()[m].process->local_time());
@@ -334,10 +334,9 @@ void Automaton::describe(Before const& before, Account& account) {
     describe_stands(before, account);
     bench_->save(words_, true);
     bench_->count_tokens();
-    std::vector<std::uint64_t*> const after = bench_->counters();
-    for (std::uint32_t i = 0; i < after.size(); ++i)
-        if (*after[i] != before.counters[i])
-            account.growth.push_back({i, *after[i] - before.counters[i]});
+    for (std::uint32_t i = 0; i < bench_counters_.size(); ++i)
+        if (*bench_counters_[i] != before.counters[i])
+            account.growth.push_back({i, *bench_counters_[i] - before.counters[i]});
 }
 
 void Automaton::describe_stands(Before const& before, Account& account) {

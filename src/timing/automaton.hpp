@@ -125,6 +125,7 @@ class Automaton {
     std::unique_ptr<CoreTiming> bench_core_;
     std::unique_ptr<Group> bench_group_;
     std::unique_ptr<RelativeState> bench_;
+    std::vector<std::uint64_t*> bench_counters_;
 
     std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
     std::vector<Words const*> states_;

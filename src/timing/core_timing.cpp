@@ -80,9 +80,9 @@ void CoreTiming::resolve(bool to_the_end) {
             if (!let_driver_go() && !progress.moved)
                 break;
         }
-        if (to_the_end)
-            automaton_->settle(*group_, session_);
     }
+    if (to_the_end && automaton_ != nullptr)
+        automaton_->settle(*group_, session_);
     for (ProcessTiming& process : processes_)
         process.log().compact();
 }

@@ -10,9 +10,11 @@ namespace {
 constexpr Cycles bench_time = Cycles{1} << 40;      // times before it stay positive
 constexpr std::int64_t longest_reach = 4096;        // states with times further apart hardly ever come again
 constexpr std::uint64_t most_room = 1024;           // tokens in FIFOs that a state may have to list
-constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB
+constexpr std::size_t most_transitions = 1U << 17;  // about 150 MB
 constexpr Cycles longest_cycles = 0xFFFFFFFF;       // that fit a transition
-constexpr std::uint64_t trial = 20000;              // phrases, before giving up a core that rarely repeats itself
+// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
+constexpr std::uint64_t trial = 1U << 17;
+constexpr std::uint64_t one_in = 4;
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
@@ -59,6 +61,7 @@ std::size_t Automaton::WordsHash::operator()(Words const& words) const {
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
     if (!decided_) {
         decided_ = true;
+        next_trial_ = trial;
         usable_ = can_follow(group);
         auto const& loops = group.driver().loops();
         driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
@@ -67,8 +70,11 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         bench_ = std::make_unique<RelativeState>(*bench_group_);
         bench_counters_ = bench_->counters();
     }
-    if (phrases_ > trial && worked_out_ * 4 > phrases_)
-        usable_ = false;
+    if (phrases_ >= next_trial_) {
+        usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in <= trial;
+        worked_out_before_ = worked_out_;
+        next_trial_ = phrases_ + trial;
+    }
     return usable_;
 }
 

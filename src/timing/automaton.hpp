@@ -38,6 +38,8 @@ class Automaton {
     /// Enters what the session still holds in the counters of the core's processes and FIFOs.
     void settle(Group const& group, Session& session) const;
 
+    /// The core cannot be followed, or repeats itself too rarely.
+    bool gave_up() const { return decided_ && !usable_; }
     std::size_t states() const { return states_.size(); }
     std::size_t transitions() const { return accounts_.size(); }
     std::uint64_t phrases() const { return phrases_; }
@@ -136,6 +138,8 @@ class Automaton {
     Words words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
+    std::uint64_t worked_out_before_ = 0;  ///< the trial at hand
+    std::uint64_t next_trial_ = 0;
 };
 
 /// One following of a group: from where it stood to where it stopped. And what is to be entered in its counters.

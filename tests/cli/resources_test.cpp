@@ -23,10 +23,8 @@ struct Resources {
 /// Runs the tool without a shell, its output thrown away.
 Resources resources_of(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), FASTER_SIM_BINARY);
-    std::vector<char*> words;
-    for (std::string& argument : arguments)
-        words.push_back(argument.data());
-    words.push_back(nullptr);
+    std::vector<char*> words(arguments.size() + 1, nullptr);
+    std::transform(arguments.begin(), arguments.end(), words.begin(), [](std::string& word) { return word.data(); });
     auto const start = std::chrono::steady_clock::now();
     pid_t const child = fork();
     if (child == 0) {

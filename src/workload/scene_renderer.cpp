@@ -79,7 +79,7 @@ void draw_mesh(Mesh const& mesh, Pose const& pose, Camera const& camera, DepthIm
     std::vector<Vector3d> in_camera;
     in_camera.reserve(mesh.vertices.size());
     for (auto const& vertex : mesh.vertices) {
-        in_camera.push_back(pose.rotation * vertex + pose.translation);
+        in_camera.emplace_back(pose.rotation * vertex + pose.translation);
     }
     for (auto const& face : mesh.faces) {
         draw_triangle({in_camera[face[0]], in_camera[face[1]], in_camera[face[2]]}, camera, depth);

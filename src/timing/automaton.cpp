@@ -90,7 +90,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
         Print const print = print_of_phrase();
-        Slot const* slot = session.state == none ? nullptr : find(print);
+        Slot const* slot = session.state == none ? nullptr : table_.find(print);
         if (slot == nullptr)
             slot = work_out(print);
         if (slot == nullptr)
@@ -110,8 +110,9 @@ void Automaton::apply(Slot const& slot) {
     session.state = slot.next;
     session.history.push_back(slot.number);
     if (slot.number >= first_loose) {
-        session.time += account(slot.number).cycles;
-        note(account(slot.number));
+        Account const& loose = account(session, slot.number);
+        session.time += loose.cycles;
+        note(loose);
         return;
     }
     Transition const& transition = transitions_[slot.number];
@@ -134,8 +135,8 @@ void Automaton::note(Account const& account) {
     }
 }
 
-Automaton::Account const& Automaton::account(Number number) const {
-    return number < first_loose ? accounts_[number] : session_->loose[number - first_loose];
+Automaton::Account const& Automaton::account(Session const& session, Number number) const {
+    return number < first_loose ? accounts_[number] : session.loose[number - first_loose];
 }
 
 void Automaton::settle(Group const& group, Session& session) const {
@@ -157,8 +158,7 @@ void Automaton::add_iterations(Group const& group, Session& session) const {
         std::uint64_t sum = 0;
         bool entered = false;
         for (std::size_t i = session.history.size(); i > 0 && !entered; --i) {
-            Number const number = session.history[i - 1];
-            Account const& each = number < first_loose ? accounts_[number] : session.loose[number - first_loose];
+            Account const& each = account(session, session.history[i - 1]);
             sum += each.iterations[m];
             entered = ((each.entered >> m) & 1U) != 0;
         }
@@ -244,8 +244,8 @@ void Automaton::restore_stands(RelativeState& real) {
     std::uint32_t missing_arrival = missing_since;
     Cycles time = session_->time;
     for (std::size_t i = session_->history.size(); i > 0 && missing_arrival != 0; --i) {
-        std::uint32_t const number = session_->history[i - 1];
-        for (Stand const& stand : account(number).stands) {
+        Account const& account_of = account(*session_, session_->history[i - 1]);
+        for (Stand const& stand : account_of.stands) {
             std::uint32_t const bit = 1U << stand.member;
             if ((missing_since & bit) != 0) {
                 found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
@@ -257,7 +257,7 @@ void Automaton::restore_stands(RelativeState& real) {
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
-        time -= account(number).cycles;
+        time -= account_of.cycles;
     }
     for (Stand const& stand : found)
         real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
@@ -276,14 +276,6 @@ Automaton::Print Automaton::print_of_phrase() const {
         factor += 0xA0761D6478BD642EU;
     }
     return {mixed(first, second >> 32), mixed(second, first)};
-}
-
-Automaton::Slot const* Automaton::find(Print const& print) const {
-    std::size_t const mask = table_.size() - 1;
-    for (std::size_t i = print.first & mask; table_[i].number != none; i = (i + 1) & mask)
-        if (table_[i].print == print.first && transitions_[table_[i].number].second_print == print.second)
-            return &table_[i];
-    return nullptr;
 }
 
 /// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
@@ -317,22 +309,15 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     bool const remembered =
         recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
     session_->words = words_;
-    Slot slot;
-    slot.print = print.first;
-    slot.next = recurring ? number_of(words_) : none;
+    Number const next = recurring ? number_of(words_) : none;
     if (!remembered) {
-        slot.number = first_loose + static_cast<Number>(session_->loose.size());
+        once_ = {print.first, first_loose + static_cast<Number>(session_->loose.size()), next};
         session_->loose.push_back(std::move(account));
-        once_ = slot;
         return &once_;
     }
-    slot.number = static_cast<Number>(accounts_.size());
-    transitions_.push_back(
-        {print.second, static_cast<std::uint32_t>(account.cycles), account.froze != 0 || !account.rooms.empty()});
+    transitions_.push_back({static_cast<std::uint32_t>(account.cycles), account.froze != 0 || !account.rooms.empty()});
     accounts_.push_back(std::move(account));
-    if (accounts_.size() * 3 > table_.size() * 2)
-        grow_table();
-    return put_into_table(slot);
+    return table_.add(print, next);
 }
 
 void Automaton::describe(Before const& before, Account& account) {
@@ -383,23 +368,6 @@ std::uint32_t Automaton::number_of(Words const& words) {
     if (is_new)
         states_.push_back(&place->first);
     return place->second;
-}
-
-Automaton::Slot const* Automaton::put_into_table(Slot const& slot) {
-    std::size_t const mask = table_.size() - 1;
-    std::size_t i = slot.print & mask;
-    while (table_[i].number != none)
-        i = (i + 1) & mask;
-    table_[i] = slot;
-    return &table_[i];
-}
-
-void Automaton::grow_table() {
-    std::vector<Slot> old(table_.size() * 2);
-    old.swap(table_);
-    for (Slot const& slot : old)
-        if (slot.number != none)
-            put_into_table(slot);
 }
 
 }  // namespace faster::timing

@@ -7,6 +7,7 @@
 
 #include "timing/phrase.hpp"
 #include "timing/relative_state.hpp"
+#include "timing/transition_table.hpp"
 
 namespace faster::timing {
 
@@ -46,8 +47,8 @@ class Automaton {
 
   private:
     using Words = RelativeState::Words;
-    using Number = std::uint32_t;
-    static constexpr Number none = ~0U;
+    using Number = TransitionTable::Number;
+    static constexpr Number none = TransitionTable::none;
     static constexpr Number first_loose = 1U << 31;
     static constexpr unsigned most_members = 8;
 
@@ -76,21 +77,12 @@ class Automaton {
         std::vector<Stand> stands;
         std::vector<Room> rooms;
     };
-    /// What a transition is recognized by - the state before and the phrase, as a number of 128 bits - and what it
-    /// comes to. In two, because what the next look-up waits for should be small.
-    struct Slot {
-        std::uint64_t print = 0;
-        Number number = none;
-        Number next = none;  ///< state after it
-    };
+    using Slot = TransitionTable::Slot;
+    using Print = TransitionTable::Print;
+    /// What of an account is looked at every time.
     struct Transition {
-        std::uint64_t second_print = 0;
         std::uint32_t cycles = 0;
         bool notable = false;  ///< something besides time to take down
-    };
-    struct Print {
-        std::uint64_t first;
-        std::uint64_t second;
     };
     struct WordsHash {
         std::size_t operator()(Words const& words) const;
@@ -100,7 +92,6 @@ class Automaton {
     void end(Group const& group);
     void apply(Slot const& slot);
     void note(Account const& account);
-    Slot const* find(Print const& print) const;
     Slot const* work_out(Print const& print);
     /// Where the members stood before a transition.
     struct Before {
@@ -111,13 +102,11 @@ class Automaton {
     void describe(Before const& before, Account& account);
     void describe_stands(Before const& before, Account& account);
     void describe_rooms(Account& account);
-    Account const& account(Number number) const;
+    Account const& account(Session const& session, Number number) const;
     void restore_stands(RelativeState& real);
     void add_iterations(Group const& group, Session& session) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
-    Slot const* put_into_table(Slot const& slot);
-    void grow_table();
 
     Phrase phrase_;
     Session* session_ = nullptr;  ///< at hand
@@ -133,7 +122,7 @@ class Automaton {
     std::vector<Words const*> states_;
     std::vector<Account> accounts_;
     std::vector<Transition> transitions_;  // by number, like the accounts
-    std::vector<Slot> table_ = std::vector<Slot>(1U << 12);
+    TransitionTable table_;
     Slot once_;  ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;

@@ -31,7 +31,7 @@ class Phrase {
     /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
     /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
     template <class Visit> static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
-        unsigned member = 0;
+        unsigned member = 0;  // the driver comes first, unmarked
         for (unsigned i = 0; i < size; ++i) {
             if (is_part(codes[i])) {
                 unsigned const follower = static_cast<unsigned>(codes[i] >> part_at) & 0xFU;
@@ -42,8 +42,7 @@ class Phrase {
             }
             if (is_marker(codes[i])) {
                 member = marked_member(codes[i]);
-                if (member != 0)
-                    visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
+                visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
                 continue;
             }
             group.members()[member].process->log().append(Operation(codes[i]));

@@ -8,16 +8,7 @@ if [[ "${1:-}" == --fix ]]; then
     mode=(-i)
 fi
 
-# A checkout owned by another user (a container) is fine for reading names.
-list=$(git -c safe.directory="$PWD" ls-files -- \
-    'src/*.hpp' 'src/*.cpp' 'tests/*.hpp' 'tests/*.cpp' 'bench/*.hpp' 'bench/*.cpp')
-files=()
-while IFS= read -r file; do
-    if [[ -f "$file" ]]; then
-        files+=("$file")
-    fi
-done <<<"$list"
-
+mapfile -t files < <(bash scripts/list-cpp-files.sh cpp hpp)
 if ((${#files[@]} == 0)); then
     echo "check-format: no files found" >&2
     exit 1

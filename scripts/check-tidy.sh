@@ -10,15 +10,7 @@ if [[ ! -f "$build/compile_commands.json" ]]; then
     exit 1
 fi
 
-# Headers are checked where they are included. A checkout owned by another user (a container) is fine for reading names.
-list=$(git -c safe.directory="$PWD" ls-files -- 'src/*.cpp' 'tests/*.cpp' 'bench/*.cpp')
-files=()
-while IFS= read -r file; do
-    if [[ -f "$file" ]]; then
-        files+=("$file")
-    fi
-done <<<"$list"
-
+mapfile -t files < <(bash scripts/list-cpp-files.sh cpp)  # headers are checked where they are included
 if ((${#files[@]} == 0)); then
     echo "check-tidy: no files found" >&2
     exit 1

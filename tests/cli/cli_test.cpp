@@ -12,6 +12,7 @@
 
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
 
 using namespace faster::test;
 using Catch::Matchers::Contains;
@@ -75,20 +76,6 @@ class Workspace {
   private:
     TempFolder folder_;
 };
-
-void require_done(CommandResult const& result) {
-    INFO(result.err);
-    REQUIRE(result.exit_code == 0);
-    REQUIRE(result.err.empty());
-}
-
-Words lines_of(std::string const& text) {
-    Words lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
 
 Words fields_of(std::string const& line) {
     Words fields;

@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
 
 using namespace faster::test;
 namespace fs = std::filesystem;
@@ -30,23 +30,12 @@ Words trace_names() {
 
 /// Replays a trace on the machine of the main job. Its tables are in OUT afterwards.
 void replay(std::string const& name, int cores, std::string const& engine, fs::path const& out) {
-    CommandResult const result =
+    require_done(
         run_command(FASTER_SIM_BINARY,
                     {"run", (fs::path(FASTER_SOURCE_DIR) / "configs" / "faster_zcu102.yaml").string(), "--trace",
                      (traces / name).string(), "--set", "accelerator.raster_cores=" + std::to_string(cores), "--set",
                      "simulation.engine=" + engine, "--out", out.string()},
-                    out.parent_path());
-    INFO(result.err);
-    REQUIRE(result.exit_code == 0);
-    REQUIRE(result.err.empty());
-}
-
-Words lines_of(std::string const& text) {
-    Words lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
+                    out.parent_path()));
 }
 
 /// Where two texts differ first, for people; empty if they are the same bytes.

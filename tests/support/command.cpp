@@ -1,9 +1,11 @@
 #include "support/command.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,22 +48,25 @@ CommandResult run_command(std::string const& program, std::vector<std::string> c
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
 
+    auto const start = std::chrono::steady_clock::now();
     pid_t const child = fork();
     if (child < 0)
         throw std::runtime_error(program + ": no process");
     if (child == 0)
         become(pointers.data(), folder.c_str(), out.c_str(), err.c_str());
     int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
+    rusage usage{};
+    while (wait4(child, &status, 0, &usage) < 0) {
         if (errno != EINTR)
             throw std::runtime_error(program + ": cannot be waited for");
     }
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (WIFSIGNALED(status))
         throw std::runtime_error(program + ": ended by signal " + std::to_string(WTERMSIG(status)) + "\n" +
                                  content_of(err));
     if (WEXITSTATUS(status) == cannot_start)
         throw std::runtime_error(program + ": cannot be started");
-    return {WEXITSTATUS(status), content_of(out), content_of(err)};
+    return {WEXITSTATUS(status), content_of(out), content_of(err), seconds, usage.ru_maxrss / 1024};
 }
 
 }  // namespace faster::test

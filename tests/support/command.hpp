@@ -9,6 +9,8 @@ struct CommandResult {
     int exit_code = 0;
     std::string out;  ///< stdout
     std::string err;  ///< stderr
+    double seconds = 0;
+    long peak_megabytes = 0;
 };
 
 /// Runs a program in `folder`, without a shell, and waits for its end. Throws std::runtime_error if it cannot be

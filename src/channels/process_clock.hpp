@@ -67,6 +67,12 @@ class ProcessClock {
         timing_.log().iterate_with_tail(ports, count, tail_ports, tail_gap);
         follow();
     }
+    /// An iteration that accesses `ports`, one that accesses `tail_ports`, then iterate_with_tail() for the other
+    /// `count` - 1, which is not 0.
+    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+        timing_.log().iterate_flanked(ports, count, tail_ports, tail_gap);
+        follow();
+    }
     /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
     /// most 32.
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {

@@ -32,86 +32,111 @@ class ZigzagScan {
     ScanLine next_line();
 
   private:
-    /// The pixels before the run inside, and its length.
-    struct Run {
-        int before = 0;
-        int inside = 0;
-    };
-    Run find_run(int pixels) const;
+    /// Where an edge function changes its sign along the rows: the columns, counted from the left wall, at which it
+    /// falls below zero, or from which on it no longer is. A quotient with its remainder, so that the next row's
+    /// follows by adding.
+    struct Bound {
+        std::int64_t quotient;
+        std::int64_t remainder;
+        std::int64_t quotient_step;
+        std::int64_t remainder_step;
+        std::int64_t divisor;
+        std::int64_t from_left;  ///< all bits set: the function grows along the row; otherwise none
 
-    TriangleSetup const& setup_;
+        /// Without a branch: nobody could foretell it.
+        void next_row() {
+            std::int64_t const carried = remainder + remainder_step - divisor;
+            std::int64_t const stays = carried >> 63;  // -1: no carry
+            quotient += quotient_step + 1 + stays;
+            remainder = carried + (divisor & stays);
+        }
+        /// First column inside, if it bounds from the left.
+        std::int64_t first() const { return -quotient & from_left; }
+        /// Last column inside, if it bounds from the right.
+        std::int64_t last() const { return (quotient & ~from_left) | (widest & from_left); }
+    };
+    static Bound bound_of(EdgeFunction const& edge, std::int64_t at_left_wall);
+
+    /// More columns than any box has.
+    static constexpr std::int64_t widest = 0x7FFF;
+
+    int width_;  ///< of the box, less one
+    int left_wall_;
+    int bottom_;
     int row_;
-    int col_;
+    int col_;  ///< counted from the left wall
     int step_;
+    Bound bound_[3];
+    std::int64_t z_sum_ = 0;  ///< at the left wall
     std::int64_t z_per_column_ = 0;
-    std::int64_t change_[3];  ///< of each edge value per column, without its sign
-    double inverse_[3];       ///< one over that
-    std::int64_t w_[3];       ///< edge values at (row_, col_)
+    std::int64_t z_per_row_ = 0;
     bool done_ = false;
 };
 
 // Inline: the rasterizer calls it for every few pixels.
 
-inline ZigzagScan::ZigzagScan(TriangleSetup const& setup)
-    : setup_(setup),
-      row_(setup.start_row),
-      col_(setup.start_col),
-      step_(setup.start_col == setup.left_wall ? 1 : -1),
-      w_{setup.edge[0].at_start, setup.edge[1].at_start, setup.edge[2].at_start} {
-    for (int i = 0; i < 3; ++i) {
-        std::int64_t const change = setup.edge[i].per_column;
-        z_per_column_ += change * setup.z[i];
-        change_[i] = std::abs(change);
-        inverse_[i] = 1.0 / static_cast<double>(change_[i]);
-    }
+inline ZigzagScan::Bound ZigzagScan::bound_of(EdgeFunction const& edge, std::int64_t at_left_wall) {
+    if (edge.per_column == 0)  // all of a row is inside or none
+        return {at_left_wall * (widest + 1) + widest, 0, edge.per_row * (widest + 1), 0, 1, 0};
+    std::int64_t const divisor = std::abs(edge.per_column);
+    double const inverse = 1.0 / static_cast<double>(divisor);
+    // The product of an integer below 2^53 with a reciprocal is off by less than one: put right in integers.
+    auto const divide = [divisor, inverse](std::int64_t value, std::int64_t& quotient, std::int64_t& remainder) {
+        quotient = static_cast<std::int64_t>(static_cast<double>(value) * inverse);
+        remainder = value - quotient * divisor;
+        std::int64_t const correction = (remainder >= divisor ? 1 : 0) - (remainder < 0 ? 1 : 0);
+        quotient += correction;
+        remainder -= correction * divisor;
+    };
+    Bound bound{};
+    bound.divisor = divisor;
+    bound.from_left = edge.per_column > 0 ? -1 : 0;
+    divide(at_left_wall, bound.quotient, bound.remainder);
+    divide(edge.per_row, bound.quotient_step, bound.remainder_step);
+    return bound;
 }
 
-/// Where the line's run inside begins and ends. An edge value that grows along the line bounds it from the left, one
-/// that falls from the right. A quotient of two integers below 2^53, taken as a product with the divisor's reciprocal,
-/// is off by less than one, and only where it comes out even: that is put right in integers.
-inline ZigzagScan::Run ZigzagScan::find_run(int pixels) const {
-    std::int64_t first = 0;
-    std::int64_t end = pixels;
+inline ZigzagScan::ZigzagScan(TriangleSetup const& setup)
+    : width_(setup.right_wall - setup.left_wall),
+      left_wall_(setup.left_wall),
+      bottom_(setup.bottom),
+      row_(setup.start_row),
+      col_(setup.start_col - setup.left_wall),
+      step_(col_ == 0 ? 1 : -1) {
     for (int i = 0; i < 3; ++i) {
-        std::int64_t const w = w_[i];
-        if (change_[i] == 0) {
-            end = w < 0 ? 0 : end;
-            continue;
-        }
-        auto const quotient = static_cast<std::int64_t>(static_cast<double>(w < 0 ? -w : w) * inverse_[i]);
-        std::int64_t const exact = (quotient + 1) * change_[i];
-        if (setup_.edge[i].per_column * step_ > 0) {
-            std::int64_t const steps = quotient + (quotient * change_[i] < -w ? 1 : 0);
-            first = w < 0 ? std::max(first, steps) : first;
-        } else {
-            std::int64_t const steps = quotient + (exact <= w ? 1 : 0);
-            end = w < 0 ? 0 : std::min(end, steps + 1);
-        }
+        EdgeFunction const& edge = setup.edge[i];
+        std::int64_t const at_left_wall = edge.at_start - edge.per_column * col_;
+        bound_[i] = bound_of(edge, at_left_wall);
+        z_sum_ += at_left_wall * setup.z[i];
+        z_per_column_ += edge.per_column * setup.z[i];
+        z_per_row_ += edge.per_row * setup.z[i];
     }
-    if (end <= first)
-        return {pixels, 0};
-    return {static_cast<int>(first), static_cast<int>(end - first)};
 }
 
 inline ScanLine ZigzagScan::next_line() {
+    bool const rightwards = step_ > 0;
+    int const end = rightwards ? width_ : 0;
+    int const pixels = std::abs(end - col_) + 1;
+    std::int64_t const first =
+        std::max({std::int64_t{std::min(col_, end)}, bound_[0].first(), bound_[1].first(), bound_[2].first()});
+    std::int64_t const last =
+        std::min({std::int64_t{std::max(col_, end)}, bound_[0].last(), bound_[1].last(), bound_[2].last()});
+    std::int64_t const from = rightwards ? first : last;
+
     ScanLine line;
     line.row = row_;
-    line.first_col = col_;
+    line.first_col = left_wall_ + col_;
     line.step = step_;
-    line.last = row_ == setup_.bottom;
-    int const end = step_ > 0 ? setup_.right_wall : setup_.left_wall;
-    int const pixels = (end - col_) * step_ + 1;
+    line.last = row_ == bottom_;
+    line.inside = last < first ? 0 : static_cast<int>(last - first) + 1;
+    line.before = last < first ? pixels : std::abs(static_cast<int>(from) - col_);
+    line.after = pixels - line.before - line.inside;
+    line.z_sum = z_sum_ + from * z_per_column_;
+    line.z_sum_per_step = rightwards ? z_per_column_ : -z_per_column_;
 
-    Run const run = find_run(pixels);
-    line.before = run.before;
-    line.inside = run.inside;
-    line.after = pixels - run.before - run.inside;
-    for (int i = 0; i < 3; ++i)
-        line.z_sum += (w_[i] + run.before * step_ * setup_.edge[i].per_column) * setup_.z[i];
-    line.z_sum_per_step = step_ * z_per_column_;
-
-    for (int i = 0; i < 3; ++i)
-        w_[i] += setup_.edge[i].per_column * (end - col_) + setup_.edge[i].per_row;
+    for (Bound& bound : bound_)
+        bound.next_row();
+    z_sum_ += z_per_row_;
     col_ = end;
     step_ = -step_;
     ++row_;

@@ -70,6 +70,7 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
         taken += count;
     }
     if (end < available) {
+        maps_.settle();
         take_last(current);
         taken += 1;
     }
@@ -80,13 +81,9 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 /// The iterations of `current` and of all but the last of `next`, told to the clock together: a bit each that says
 /// whether a second one followed.
 void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
-    std::uint32_t seconds = 0;
-    {
-        datapath::EdgeMaps::Pen pen(maps_);
-        seconds = pen.take(current);
-        for (unsigned i = 1; i < count; ++i)
-            seconds |= pen.take(next[i - 1]) << i;
-    }
+    std::uint32_t seconds = maps_.mark(current);
+    for (unsigned i = 1; i < count; ++i)
+        seconds |= maps_.mark(next[i - 1]) << i;
     current = next[count - 1];
     clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
 }
@@ -108,7 +105,7 @@ void EdgeMapBuilder::output() {
     for (std::size_t done = 0; done < pixels;) {
         std::size_t const n = std::min(burst, pixels - done);
         out.await_room();
-        maps_.edge().unpack(done, n, out.reserve(n));
+        std::copy_n(maps_.edge() + done, n, out.reserve(n));
         out.commit(n);
         clock_.iterate(out.write_port(), n);
         done += n;

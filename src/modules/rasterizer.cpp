@@ -125,10 +125,14 @@ void Rasterizer::send_run(datapath::ScanLine const& line) {
     bool const leaves = line.after > 0;
     send_tokens(line, flushes, leaves);
     previous_inside_ = !leaves;
+    auto const silent = static_cast<std::uint32_t>(leaves ? line.after - 1 : 0);
+    if (flushes && leaves && count > 1) {
+        clock_.iterate_flanked(fragment_ports_, count, edge_port_, silent);
+        return;
+    }
     if (flushes)
         clock_.iterate_with_tail(fragment_ports_, 1, edge_port_, 0);
     std::uint32_t const rest = flushes ? count - 1 : count;
-    auto const silent = static_cast<std::uint32_t>(leaves ? line.after - 1 : 0);
     if (leaves && rest > 0) {
         clock_.iterate_with_tail(fragment_ports_, rest, edge_port_, silent);
     } else if (leaves) {
@@ -140,36 +144,38 @@ void Rasterizer::send_run(datapath::ScanLine const& line) {
 }
 
 void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves) {
-    auto const count = static_cast<std::size_t>(line.inside);
+    std::int64_t* depth = burst_.depth;
+    FragmentIndex* index = burst_.index;
     EdgeToken* token = burst_.token;
     std::int64_t z_sum = line.z_sum;
     auto const row = static_cast<std::int16_t>(line.row - row_offset_);
     int col = line.col(line.before) - col_offset_;
-    for (std::size_t i = 0; i < count; ++i) {
-        burst_.depth[i] = z_sum;
-        z_sum += line.z_sum_per_step;
-        burst_.index[i] = {row, static_cast<std::int16_t>(col)};
+    int const end = col + line.inside * line.step;
+    auto const send = [&] {
+        *depth++ = z_sum;
+        *index++ = {row, static_cast<std::int16_t>(col)};
         *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Object};
-        if (i == 0 && flushes)
-            *token++ = token_at(previous_row_, previous_col_, EdgeTokenKind::Edge);
+        z_sum += line.z_sum_per_step;
         col += line.step;
-    }
+    };
+    send();
+    if (flushes)
+        *token++ = token_at(previous_row_, previous_col_, EdgeTokenKind::Edge);
+    while (col != end)
+        send();
     if (leaves)
         *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Edge};
-    std::fill_n(burst_.command, count, Command::Fragment);
-    command_->append(count);
-    fragment_depth_->append(count);
-    fragment_index_->append(count);
-    edge_token_->append(static_cast<std::size_t>(token - burst_.token));
-    burst_.command += count;
-    burst_.depth += count;
-    burst_.index += count;
+    burst_.depth = depth;
+    burst_.index = index;
     burst_.token = token;
+    if (clock_.lockstep())
+        hand_over();
 }
 
 void Rasterizer::send_edge(int row, int col) {
     *burst_.token++ = token_at(row, col, EdgeTokenKind::Edge);
-    edge_token_->append(1);
+    if (clock_.lockstep())
+        hand_over();
     clock_.iterate(edge_port_, 1);
 }
 
@@ -182,12 +188,25 @@ void Rasterizer::begin_burst(datapath::TriangleSetup const& setup) {
     auto const pixels = static_cast<std::size_t>(setup.right_wall - setup.left_wall + 1) *
                         static_cast<std::size_t>(setup.bottom - setup.start_row + 1);
     burst_.command = command_->reserve(pixels);
-    burst_.depth = fragment_depth_->reserve(pixels);
+    burst_.first_depth = burst_.depth = fragment_depth_->reserve(pixels);
     burst_.index = fragment_index_->reserve(pixels);
-    burst_.token = edge_token_->reserve(2 * pixels);
+    burst_.first_token = burst_.token = edge_token_->reserve(2 * pixels);
+}
+
+/// Makes what the scan has written part of the channels.
+void Rasterizer::hand_over() {
+    auto const fragments = static_cast<std::size_t>(burst_.depth - burst_.first_depth);
+    burst_.command = std::fill_n(burst_.command, fragments, Command::Fragment);
+    command_->append(fragments);
+    fragment_depth_->append(fragments);
+    fragment_index_->append(fragments);
+    edge_token_->append(static_cast<std::size_t>(burst_.token - burst_.first_token));
+    burst_.first_depth = burst_.depth;
+    burst_.first_token = burst_.token;
 }
 
 void Rasterizer::end_burst() {
+    hand_over();
     command_->wake_reader();
     fragment_depth_->wake_reader();
     fragment_index_->wake_reader();

@@ -45,6 +45,7 @@ class Rasterizer : public sc_core::sc_module {
     void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
     void send_edge(int row, int col);
     void begin_burst(datapath::TriangleSetup const& setup);
+    void hand_over();
     void end_burst();
     void end_sample();
     EdgeToken token_at(int row, int col, EdgeTokenKind kind) const;
@@ -60,8 +61,10 @@ class Rasterizer : public sc_core::sc_module {
     std::uint8_t fragment_ports_ = 0;  ///< of an iteration that finds a covered pixel
     std::uint8_t edge_port_ = 0;       ///< of an iteration that sends an edge
 
-    /// Where the scan at hand writes its next tokens.
+    /// Where the scan at hand writes its next tokens, and which it has not handed over yet.
     struct Burst {
+        std::int64_t const* first_depth = nullptr;
+        EdgeToken const* first_token = nullptr;
         Command* command = nullptr;
         std::int64_t* depth = nullptr;
         FragmentIndex* index = nullptr;

@@ -12,11 +12,10 @@ namespace {
 
 constexpr std::uint8_t lit = 255;
 
-Image<std::uint8_t> picture_of(datapath::Bitmap const& bitmap) {
-    Image<std::uint8_t> picture(bitmap.side(), bitmap.side());
-    for (int row = 0; row < bitmap.side(); ++row)
-        for (int col = 0; col < bitmap.side(); ++col)
-            picture.at(row, col) = bitmap.test(row, col) ? lit : std::uint8_t{0};
+Image<std::uint8_t> picture_of(std::uint8_t const* map, int side) {
+    Image<std::uint8_t> picture(side, side);
+    for (std::uint8_t& pixel : picture.pixels())
+        pixel = *map++ != 0 ? lit : std::uint8_t{0};
     return picture;
 }
 
@@ -25,8 +24,8 @@ Image<std::uint8_t> picture_of(datapath::Bitmap const& bitmap) {
 void SamplePictures::edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) {
     if (sample >= count_)
         return;
-    maps_[sample].edge_map = picture_of(maps.edge());
-    maps_[sample].object_map = picture_of(maps.object());
+    maps_[sample].edge_map = picture_of(maps.edge(), maps.side());
+    maps_[sample].object_map = picture_of(maps.object(), maps.side());
 }
 
 void SamplePictures::depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {

@@ -115,12 +115,11 @@ void Automaton::apply(Slot const& slot) {
         note(loose);
         return;
     }
-    Transition const& transition = transitions_[slot.number];
-    session.time += transition.cycles;
+    session.time += slot.cycles;
     if (slot.number >= session.uses.size())
         session.uses.resize(accounts_.size());
     ++session.uses[slot.number];
-    if (transition.notable)
+    if (slot.notable)
         note(accounts_[slot.number]);
 }
 
@@ -263,19 +262,23 @@ void Automaton::restore_stands(RelativeState& real) {
         real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
 }
 
+/// Two codes at a time go into a product of 128 bits, with what came before.
 Automaton::Print Automaton::print_of_phrase() const {
-    // Sums of products, so that the multiplications do not wait for each other.
+    __extension__ using Wide = unsigned __int128;
     std::uint64_t first = (session_->state + std::uint64_t{1}) * 0x9E3779B97F4A7C15U;
-    std::uint64_t second = (session_->state + std::uint64_t{1}) * 0xC2B2AE3D27D4EB4FU;
-    std::uint64_t factor = 0xD6E8FEB86659FD93U;
-    for (unsigned i = 0; i < phrase_.size(); ++i) {
-        std::uint64_t const code = phrase_.codes()[i];
-        std::uint64_t const product = (code ^ (code >> 32)) * factor;
-        first += product;
-        second = ((second << 7) | (second >> 57)) ^ (product + (product >> 29));
-        factor += 0xA0761D6478BD642EU;
-    }
-    return {mixed(first, second >> 32), mixed(second, first)};
+    std::uint64_t second = 0xC2B2AE3D27D4EB4FU + phrase_.size();
+    auto const take = [&first, &second](std::uint64_t one, std::uint64_t other) {
+        Wide const product = Wide{one ^ first} * (other ^ second);
+        std::uint64_t const turned = (first << 32) | (first >> 32);
+        first = static_cast<std::uint64_t>(product) + second;
+        second = static_cast<std::uint64_t>(product >> 64) ^ turned;
+    };
+    Phrase::Code const* const codes = phrase_.codes();
+    unsigned i = 0;
+    for (; i + 1 < phrase_.size(); i += 2)
+        take(codes[i], codes[i + 1]);
+    take(i < phrase_.size() ? codes[i] : 0, 0xD6E8FEB86659FD93U);
+    return {first ^ (first >> 32), second};
 }
 
 /// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
@@ -310,14 +313,20 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
         recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
     session_->words = words_;
     Number const next = recurring ? number_of(words_) : none;
+    Slot slot;
+    slot.print = print;
+    slot.next = next;
     if (!remembered) {
-        once_ = {print.first, first_loose + static_cast<Number>(session_->loose.size()), next};
+        slot.number = first_loose + static_cast<Number>(session_->loose.size());
         session_->loose.push_back(std::move(account));
+        once_ = slot;
         return &once_;
     }
-    transitions_.push_back({static_cast<std::uint32_t>(account.cycles), account.froze != 0 || !account.rooms.empty()});
+    slot.number = static_cast<Number>(accounts_.size());
+    slot.cycles = static_cast<std::uint32_t>(account.cycles);
+    slot.notable = account.froze != 0 || !account.rooms.empty();
     accounts_.push_back(std::move(account));
-    return table_.add(print, next);
+    return table_.add(slot);
 }
 
 void Automaton::describe(Before const& before, Account& account) {

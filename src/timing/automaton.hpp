@@ -79,11 +79,6 @@ class Automaton {
     };
     using Slot = TransitionTable::Slot;
     using Print = TransitionTable::Print;
-    /// What of an account is looked at every time.
-    struct Transition {
-        std::uint32_t cycles = 0;
-        bool notable = false;  ///< something besides time to take down
-    };
     struct WordsHash {
         std::size_t operator()(Words const& words) const;
     };
@@ -121,7 +116,6 @@ class Automaton {
     std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
     std::vector<Words const*> states_;
     std::vector<Account> accounts_;
-    std::vector<Transition> transitions_;  // by number, like the accounts
     TransitionTable table_;
     Slot once_;  ///< the last that was not worth remembering
     Words words_;

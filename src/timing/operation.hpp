@@ -19,6 +19,7 @@ class Operation {
         leave,    ///< drain the loop and leave it
         stamp,    ///< note the local time
         mixed,    ///< `length` iterations that access `ports`, the i-th with a silent one behind it if bit i of `gaps`
+        flanked,  ///< iterate with a tail, and one more iteration that accesses tail_ports behind the first of `count`
     };
     using Code = std::uint64_t;
     static constexpr std::uint32_t longest_count = (1U << 25) - 1;
@@ -38,9 +39,11 @@ class Operation {
     Code code() const { return code_; }
     Kind kind() const { return static_cast<Kind>(code_ >> kind_at); }
     std::uint8_t ports() const { return static_cast<std::uint8_t>(code_ >> ports_at); }
-    std::uint8_t tail_ports() const {
-        return kind() == Kind::mixed ? std::uint8_t{0} : static_cast<std::uint8_t>(code_ >> tail_ports_at);
-    }
+    std::uint8_t tail_ports() const { return kind() == Kind::mixed ? std::uint8_t{0} : own_tail_ports(); }
+    /// tail_ports() of what is no mix.
+    std::uint8_t own_tail_ports() const { return static_cast<std::uint8_t>(code_ >> tail_ports_at); }
+    /// The bits of a code that are set if one of `ports` is accessed; not for a mix.
+    static Code at_ports(std::uint8_t ports) { return (Code{ports} << ports_at) | (Code{ports} << tail_ports_at); }
     std::uint8_t all_ports() const { return ports() | tail_ports(); }
     std::uint32_t gap() const { return static_cast<std::uint32_t>(code_ >> gap_at) & longest_gap; }
     std::uint32_t tail_gap() const { return static_cast<std::uint32_t>(code_ >> tail_gap_at) & longest_gap; }
@@ -64,6 +67,18 @@ class Operation {
     }
     /// What is left once all `count` iterations are done.
     void become_tail() { *this = Operation(Kind::iterate, tail_ports(), tail_gap(), 1); }
+
+    /// Of a flanked one, `count` at least 2: the first iteration with the one behind it, and all others.
+    Operation head() const {
+        Operation head(Kind::iterate, ports(), 0, 1);
+        head.add_tail(tail_ports(), 0);
+        return head;
+    }
+    Operation rest() const {
+        Operation rest(Kind::iterate, ports(), 0, count() - 1);
+        rest.add_tail(tail_ports(), tail_gap());
+        return rest;
+    }
 
     /// `count` iterations with a silent one behind each, or without, as bits of a mix.
     static std::uint32_t gap_bits(unsigned gap, std::uint32_t count) {
@@ -101,11 +116,12 @@ class OperationLog {
     }
     /// iterate(), then one iteration that accesses `tail_ports`, and `tail_gap` that access nothing.
     void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
-        std::uint32_t const gap = std::min(tail_gap, Operation::longest_gap);
-        Operation operation(Kind::iterate, ports, 0, count);
-        operation.add_tail(tail_ports, gap);
-        append(operation);
-        iterate(0, 0, tail_gap - gap);
+        iterate_with_tail(Kind::iterate, ports, count, tail_ports, tail_gap);
+    }
+    /// An iteration that accesses `ports`, one that accesses `tail_ports`, and iterate_with_tail() for the other
+    /// `count` - 1, which is not 0.
+    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+        iterate_with_tail(Kind::flanked, ports, count, tail_ports, tail_gap);
     }
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
         if (gaps == 0 || gaps == Operation::gap_bits(1, length))
@@ -117,10 +133,10 @@ class OperationLog {
 
     bool exhausted() const { return next_ == operations_.size(); }
     std::size_t pending() const { return operations_.size() - next_; }
-    /// The front operation, never a mix: equal iterations at its start are split off.
+    /// The front operation, never a mix or a flanked one: what is simple at its start is split off.
     Operation& front() {
-        if (operations_[next_].kind() == Kind::mixed)
-            split_mix();
+        if (operations_[next_].kind() >= Kind::mixed)
+            split_front();
         return operations_[next_];
     }
     Operation const& front() const { return operations_[next_]; }
@@ -175,6 +191,25 @@ class OperationLog {
   private:
     static constexpr std::uint32_t longest_part_of_mix = 16;
 
+    void iterate_with_tail(Kind kind, std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
+                           std::uint32_t tail_gap) {
+        std::uint32_t const gap = std::min(tail_gap, Operation::longest_gap);
+        Operation operation(kind, ports, 0, count);
+        operation.add_tail(tail_ports, gap);
+        append(operation);
+        iterate(0, 0, tail_gap - gap);
+    }
+
+    void split_front() {
+        Operation const operation = operations_[next_];
+        if (operation.kind() == Kind::mixed) {
+            split_mix();
+            return;
+        }
+        operations_[next_] = operation.rest();
+        put_back(operation.head());
+    }
+
     void split_mix() {
         Operation& mix = operations_[next_];
         std::uint32_t const gaps = mix.gaps();
@@ -204,7 +239,8 @@ class OperationLog {
         bool const under_way = operations_.size() == next_ + 1;
         if (!under_way && ports != 0 && ports == last.ports())
             return extend_mix(last, gap, count) || extend_tail(last, ports, gap, count);
-        if (last.kind() != Kind::iterate || last.ports() == 0)
+        bool const is_plain = last.kind() == Kind::iterate;
+        if ((!is_plain && last.kind() != Kind::flanked) || last.ports() == 0)
             return false;
         if (ports != 0)
             return extend_tail(last, ports, gap, count);

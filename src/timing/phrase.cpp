@@ -10,9 +10,9 @@ constexpr unsigned most_driver_operations = 16;
 constexpr std::uint32_t longest_part = 8 * Operation::longest_mix;
 constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_operations);
 
-/// Ends with iterations that access nothing.
+/// Ends with iterations that access nothing: no mix.
 bool ends_silent(Operation const& operation) {
-    return operation.tail_ports() != 0 ? operation.tail_gap() > 0 : operation.gap() > 0;
+    return (operation.own_tail_ports() != 0 ? operation.tail_gap() : operation.gap()) != 0;
 }
 
 /// Iterations with or without a silent one behind each, which a mix can say.
@@ -61,10 +61,10 @@ Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
 /// Silent iterations, then accesses of the loop up to the next silence; or what is between two loops, up to the first
 /// step that more than one follower answers.
 Phrase::Reading Phrase::read_driver(Group const& group) {
-    Group::Member const& driver = group.members().front();
-    OperationLog& log = driver.process->log();
+    OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();
+    Operation::Code const outer = Operation::at_ports(static_cast<std::uint8_t>(~group.members().front().inner_ports));
     std::size_t i = 0;
     bool foreign = false;
     bool iterated = false;  // with accesses
@@ -73,20 +73,20 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     for (; i < most && !ended; ++i) {
         Operation const operation = operations[i];
         Kind const kind = operation.kind();
-        bool const iterates = kind == Kind::iterate && operation.ports() != 0;
-        foreign = kind == Kind::stamp || kind == Kind::mixed || (operation.all_ports() & ~driver.inner_ports) != 0;
+        foreign = kind == Kind::stamp || kind == Kind::mixed || (operation.code() & outer) != 0;
+        bool const iterates = (kind == Kind::iterate || kind == Kind::flanked) && operation.ports() != 0;
         if (foreign || (iterated && !iterates))
             break;
         codes_[size_++] = operation.code();
+        Group::Lanes const at = group.followers_at(operation.ports());
         if (iterates) {
             if (operation.count() > most_iterations)
                 return Reading::foreign;
-            due +=
-                group.followers_at(operation.ports()) * operation.count() + group.followers_at(operation.tail_ports());
+            due += at * operation.count() +
+                   (group.followers_at(operation.own_tail_ports()) << (kind == Kind::flanked ? 1U : 0U));
             iterated = true;
             ended = ends_silent(operation);
-        } else if (operation.ports() != 0) {
-            Group::Lanes const at = group.followers_at(operation.ports());
+        } else {
             due += at;
             ended = (at & (at - 1)) != 0;
         }
@@ -127,7 +127,7 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
         bool const anchored = (operation.ports() & anchor) != 0;
         if (anchored && due == 0)
             break;
-        foreign = kind == Kind::stamp || (operation.all_ports() & ~member.inner_ports) != 0;
+        foreign = kind == Kind::stamp || kind == Kind::flanked || (operation.all_ports() & ~member.inner_ports) != 0;
         if (foreign)
             break;
         if (anchored && kind == Kind::step) {
@@ -205,7 +205,7 @@ bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
 }
 
 /// One mix, from one operation or two: nearly always.
-bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uint32_t due) {
+inline bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uint32_t due) {
     Operation const* const operations = log.begin();
     Operation const front = operations[0];
     if (due > Operation::longest_mix || !can_mix(front))

@@ -87,8 +87,8 @@ class Phrase {
     /// A follower's only operation, a mix of which more is left: a code of its own, with the follower's number.
     static constexpr unsigned part_at = 40;
     static bool is_part(Code code) { return (code >> 61) == 6 && ((code >> (part_at + 4)) & 1U) != 0; }
-    static constexpr Code marker = Code{7} << 61;
-    static bool is_marker(Code code) { return (code >> 61) == 7; }
+    static constexpr Code marker = (Code{6} << 61) | (Code{1} << (part_at - 1));
+    static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
     std::array<Code, most_codes + 8> codes_{};  // with room for a mark of every member

@@ -198,6 +198,7 @@ bool ProcessTiming::find_step() {
                 log_.consume();
                 break;
             case Operation::Kind::mixed:
+            case Operation::Kind::flanked:
                 break;  // front() has split it
         }
     }

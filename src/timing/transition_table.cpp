@@ -2,17 +2,15 @@
 
 namespace faster::timing {
 
-TransitionTable::Slot const* TransitionTable::add(Print const& print, Number next) {
-    auto const number = static_cast<Number>(size());
-    second_prints_.push_back(print.second);
-    if (size() * 3 > slots_.size() * 2)
+TransitionTable::Slot const* TransitionTable::add(Slot const& slot) {
+    if (++size_ * 3 > slots_.size() * 2)
         grow();
-    return put({print.first, number, next});
+    return put(slot);
 }
 
 TransitionTable::Slot const* TransitionTable::put(Slot const& slot) {
     std::size_t const mask = slots_.size() - 1;
-    std::size_t i = slot.print & mask;
+    std::size_t i = slot.print.first & mask;
     while (slots_[i].number != none)
         i = (i + 1) & mask;
     slots_[i] = slot;

@@ -4,8 +4,7 @@
 
 namespace faster::timing {
 
-/// Finds transitions by their print, a number of 128 bits, in an open-addressing hash table. They are numbered in the
-/// order in which they come.
+/// Finds transitions by their print, a number of 128 bits, in an open-addressing hash table.
 class TransitionTable {
   public:
     using Number = std::uint32_t;
@@ -15,31 +14,32 @@ class TransitionTable {
         std::uint64_t first;
         std::uint64_t second;
     };
-    /// What the next look-up waits for: small.
-    struct Slot {
-        std::uint64_t print = 0;
+    /// All of a transition that is looked at every time, in half a cache line.
+    struct alignas(32) Slot {
+        Print print{0, 0};
         Number number = none;
-        Number next = none;  ///< state after the transition
+        Number next = none;        ///< state after the transition
+        std::uint32_t cycles = 0;  ///< that it takes
+        bool notable = false;      ///< something besides time to take down
     };
 
     /// Null if the print is not known.
     Slot const* find(Print const& print) const {
         std::size_t const mask = slots_.size() - 1;
         for (std::size_t i = print.first & mask; slots_[i].number != none; i = (i + 1) & mask)
-            if (slots_[i].print == print.first && second_prints_[slots_[i].number] == print.second)
+            if (slots_[i].print.first == print.first && slots_[i].print.second == print.second)
                 return &slots_[i];
         return nullptr;
     }
 
     /// Adds what is not there yet. The slot stays where it is until the next call.
-    Slot const* add(Print const& print, Number next);
-    std::size_t size() const { return second_prints_.size(); }
+    Slot const* add(Slot const& slot);
 
   private:
     Slot const* put(Slot const& slot);
     void grow();
 
-    std::vector<std::uint64_t> second_prints_;  // by number
+    std::size_t size_ = 0;
     std::vector<Slot> slots_ = std::vector<Slot>(1U << 12);
 };
 

@@ -36,11 +36,9 @@ class MapCollector : public SampleProbe {
     std::vector<SampleMaps> const& maps() const { return maps_; }
 
   private:
-    Image<std::uint8_t> picture(datapath::Bitmap const& bitmap) const {
+    Image<std::uint8_t> picture(std::uint8_t const* map) const {
         Image<std::uint8_t> image(window_, window_);
-        for (int row = 0; row < window_; ++row)
-            for (int col = 0; col < window_; ++col)
-                image.at(row, col) = bitmap.test(row, col) ? 1 : 0;
+        std::copy_n(map, image.pixels().size(), image.pixels().begin());
         return image;
     }
 

@@ -116,10 +116,18 @@ void log_samples(CoreTiming& core, unsigned seed, unsigned samples, bool varied)
                 log(driver).iterate(0, 0, dice.below(2));
                 unsigned const inside = varied || dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
                 bool const leaves = inside > 0 && dice.chance(80);
-                log(driver).iterate(fragment_ports, 0, inside);
-                log(driver).iterate(edge_port, 0, leaves ? 1 : 0);
-                log(driver).iterate(0, 0, dice.below(varied ? 60 : 2));
+                bool const flanked = leaves && inside > 1 && dice.chance(50);
+                unsigned const silent = dice.below(varied ? 60 : 2);
+                if (flanked) {
+                    log(driver).iterate_flanked(fragment_ports, inside, edge_port, silent);
+                } else {
+                    log(driver).iterate(fragment_ports, 0, inside);
+                    log(driver).iterate(edge_port, 0, leaves ? 1 : 0);
+                    log(driver).iterate(0, 0, silent);
+                }
                 gaps.insert(gaps.end(), inside, dice.chance(95) ? 1 : 0);
+                if (flanked)
+                    gaps.insert(gaps.end() - inside + 1, 0);
                 if (leaves)
                     gaps.push_back(0);
                 fragments += inside;
@@ -221,6 +229,14 @@ TEST_CASE("Joined operations mean what they were joined of", "[operation]") {
             auto const ports = static_cast<std::uint8_t>(dice.below(3));
             unsigned const gap = dice.chance(50) ? 0 : dice.below(3);
             unsigned const count = dice.below(dice.chance(10) ? 60 : 4);
+            if (ports != 0 && count > 1 && dice.chance(20)) {
+                log.iterate_flanked(ports, count, 4, gap);
+                expected.insert(expected.end(), {ports, 4});
+                expected.insert(expected.end(), count - 1, ports);
+                expected.push_back(4);
+                expected.insert(expected.end(), gap, 0);
+                continue;
+            }
             log.iterate(ports, gap, count);
             for (unsigned k = 0; k < count; ++k) {
                 expected.push_back(ports);

@@ -17,15 +17,22 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
     return object;
 }
 
+/// What is not zero, by name.
+template <std::size_t N> Json by_name(std::array<Cycles, N> const& cycles, std::array<char const*, N> const& names) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < N; ++i)
+        if (cycles[i] > 0)
+            object[names[i]] = cycles[i];
+    return object;
+}
+
 Json module_row(std::size_t core, std::size_t i, ProcessStatistics const& p) {
-    return {{"core", core},
-            {"module", module_names[i]},
-            {"busy_cycles", p.busy_cycles},
-            {"empty_stall_cycles", p.empty_stall_cycles},
-            {"full_stall_cycles", p.full_stall_cycles},
-            {"port_conflict_cycles", p.port_conflict_cycles},
-            {"recurrence_cycles", p.recurrence_cycles},
-            {"idle_cycles", p.idle_cycles}};
+    Json row{{"core", core}, {"module", module_names[i]}};
+    for (std::size_t c = 0; c < cycle_class_count; ++c)
+        row[std::string(cycle_class_names[c]) + "_cycles"] = p.cycles[c];
+    row["stalls"] = by_name(p.stalls, fifo_names);
+    row["port_conflicts"] = by_name(p.port_conflicts, bram_names);
+    return row;
 }
 
 Json fifo_row(std::size_t core, std::size_t i, FifoStatistics const& f) {

@@ -20,37 +20,32 @@ double percent(Cycles part, Cycles whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// A name as a column's title.
+std::string in_words(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+std::size_t column_width(std::string_view name) { return std::max<std::size_t>(name.size(), 6); }
+
 void headline(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
     line(text, "{} samples on {} raster cores, window {} x {} px, {:g} MHz", run.samples.size(), run.cores.size(),
          config.window, config.window, config.clock_mhz);
     line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, milliseconds(run.total_cycles, config));
 }
 
-ProcessStatistics process_sum(RunStatistics const& run, std::size_t i) {
-    ProcessStatistics sum;
-    for (CoreStatistics const& core : run.cores) {
-        ProcessStatistics const& p = core.processes[i];
-        sum.busy_cycles += p.busy_cycles;
-        sum.empty_stall_cycles += p.empty_stall_cycles;
-        sum.full_stall_cycles += p.full_stall_cycles;
-        sum.port_conflict_cycles += p.port_conflict_cycles;
-        sum.recurrence_cycles += p.recurrence_cycles;
-        sum.idle_cycles += p.idle_cycles;
-    }
-    return sum;
-}
-
 void module_table(std::string& text, RunStatistics const& run) {
     Cycles const lane_cycles = run.total_cycles * run.cores.size();
     line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
-    line(text, "  {:<19} {:>7} {:>12} {:>11} {:>14} {:>11} {:>7}", "module", "busy", "empty stall", "full stall",
-         "port conflict", "recurrence", "idle");
+    std::string header = fmt::format("  {:<19}", "module");
+    for (char const* name : cycle_class_names)
+        header += fmt::format(" {:>{}}", in_words(name), column_width(name));
+    line(text, "{}", header);
     for (std::size_t i = 0; i < module_count; ++i) {
         ProcessStatistics const p = process_sum(run, i);
-        line(text, "  {:<19} {:>7.2f} {:>12.2f} {:>11.2f} {:>14.2f} {:>11.2f} {:>7.2f}", module_names[i],
-             percent(p.busy_cycles, lane_cycles), percent(p.empty_stall_cycles, lane_cycles),
-             percent(p.full_stall_cycles, lane_cycles), percent(p.port_conflict_cycles, lane_cycles),
-             percent(p.recurrence_cycles, lane_cycles), percent(p.idle_cycles, lane_cycles));
+        std::string row = fmt::format("  {:<19}", module_names[i]);
+        for (std::size_t c = 0; c < cycle_class_count; ++c)
+            row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
+        line(text, "{}", row);
     }
 }
 

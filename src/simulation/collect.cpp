@@ -30,6 +30,10 @@ timing::LoopCounters counters_of(LoopId id, timing::ProcessTiming const& process
     return {};
 }
 
+template <std::size_t N> std::size_t number_of(std::string const& name, std::array<char const*, N> const& names) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, AcceleratorConfig const& config) {
     timing::InitiationInterval const interval = initiation_interval(id, config);
     timing::LoopCounters const counters = counters_of(id, core.processes()[index_of(loop_names[index_of(id)].module)]);
@@ -44,22 +48,53 @@ LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, Accele
     row.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration;
     row.limited_by = interval.limited_by;
     row.bram = interval.bram;
+    row.bram_accesses = interval.bram_accesses;
     return row;
+}
+
+/// By FIFO: what its reader or writer waited for. The wait for a process's first token is no stall.
+void add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) {
+    for (unsigned port = 0; port < process.port_count(); ++port) {
+        timing::FifoTiming const& fifo = process.fifo(port);
+        bool const writes = process.writes(port);
+        Cycles const idle = port == process.first_port() ? process.idle_before_cycles() : 0;
+        Cycles const stall = (writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles()) - idle;
+        row.stalls[number_of(fifo.name(), fifo_names)] += stall;
+        row[writes ? CycleClass::full_stall : CycleClass::empty_stall] += stall;
+    }
+    row[CycleClass::idle_before] = process.idle_before_cycles();
+}
+
+void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) {
+    for (unsigned i = 0; i < process.loops().size(); ++i) {
+        timing::LoopCost const cost = process.loop_cost(i);
+        row[CycleClass::port_conflict] += cost.port_conflict_cycles;
+        row[CycleClass::recurrence] += cost.recurrence_cycles;
+        row[CycleClass::fill_drain] += cost.fill_drain_cycles;
+        if (cost.port_conflict_cycles > 0)
+            row.port_conflicts[number_of(process.loops()[i].interval.bram, bram_names)] += cost.port_conflict_cycles;
+    }
 }
 
 /// A process that drains a deep pipeline may end after the last result was read; what lies beyond is not part of the
 /// run.
-ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycles total_cycles) {
-    timing::ProcessCounters const& counters = process.counters();
+ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycles setup_cycles, Cycles total_cycles) {
     ProcessStatistics row;
-    row.empty_stall_cycles = counters.empty_stall_cycles;
-    row.full_stall_cycles = counters.full_stall_cycles;
-    row.port_conflict_cycles = counters.port_conflict_cycles;
-    row.recurrence_cycles = counters.recurrence_cycles;
+    add_stalls(process, row);
+    add_loop_costs(process, row);
+    row[CycleClass::setup] = setup_cycles;
     Cycles const end = std::min(process.local_time(), total_cycles);
-    row.idle_cycles = total_cycles - end;
-    row.busy_cycles = end - (row.sum() - row.idle_cycles);
+    Cycles& drain = row[CycleClass::fill_drain];
+    drain -= std::min(drain, process.local_time() - end);
+    row[CycleClass::busy] = end - row.sum();
+    row[CycleClass::idle_after] = total_cycles - end;
     return row;
+}
+
+/// Cycles in which a process of a core prepares triangles: the rasterizer, one area each.
+Cycles setup_cycles(std::size_t process, timing::CoreTiming const& core, AcceleratorConfig const& config) {
+    bool const sets_up = process == index_of(ModuleId::rasterizer);
+    return sets_up ? core.fifos()[index_of(FifoId::area)].writes() * config.setup_depth : 0;
 }
 
 CoreStatistics core_statistics(RasterCore const& core, AcceleratorConfig const& config) {
@@ -99,10 +134,12 @@ RunStatistics collect(Accelerator const& accelerator, AcceleratorConfig const& c
         run.cores.push_back(core_statistics(*core, config));
         run.total_cycles = std::max(run.total_cycles, run.cores.back().end_cycle);
     }
-    for (std::size_t k = 0; k < run.cores.size(); ++k)
+    for (std::size_t k = 0; k < run.cores.size(); ++k) {
+        timing::CoreTiming const& core = accelerator.cores()[k]->timing();
         for (std::size_t i = 0; i < module_count; ++i)
             run.cores[k].processes[i] =
-                process_statistics(accelerator.cores()[k]->timing().processes()[i], run.total_cycles);
+                process_statistics(core.processes()[i], setup_cycles(i, core, config), run.total_cycles);
+    }
     return run;
 }
 

@@ -1,6 +1,7 @@
 #include "stats/run_statistics.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace faster {
 
@@ -28,6 +29,23 @@ std::vector<StuckProcess> RunStatistics::wait_cycle() const {
             return path;
     }
     return {};
+}
+
+namespace {
+template <std::size_t N> void add(std::array<Cycles, N>& sum, std::array<Cycles, N> const& cycles) {
+    std::transform(sum.begin(), sum.end(), cycles.begin(), sum.begin(), std::plus<>());
+}
+}  // namespace
+
+ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
+    ProcessStatistics sum;
+    for (CoreStatistics const& core : run.cores) {
+        ProcessStatistics const& process = core.processes[module];
+        add(sum.cycles, process.cycles);
+        add(sum.stalls, process.stalls);
+        add(sum.port_conflicts, process.port_conflicts);
+    }
+    return sum;
 }
 
 }  // namespace faster

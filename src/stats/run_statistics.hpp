@@ -1,12 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "common/cycles.hpp"
 #include "common/tokens.hpp"
 #include "config/accelerator_config.hpp"
+#include "stats/cycle_class.hpp"
 
 namespace faster {
 
@@ -45,22 +47,19 @@ struct LoopStatistics {
     Cycles port_conflict_cycles = 0;
     Cycles recurrence_cycles = 0;
     std::string limited_by;
-    std::string bram;  ///< that demands most; empty if the loop touches none
+    std::string bram;                 ///< that demands most; empty if the loop touches none
+    std::uint64_t bram_accesses = 0;  ///< of that, per iteration
 };
 
 /// Where the cycles of one process went. Every cycle of the run is in exactly one class: they add up to total_cycles.
 struct ProcessStatistics {
-    Cycles busy_cycles = 0;           ///< work, pipeline fill and drain included
-    Cycles empty_stall_cycles = 0;    ///< an input FIFO was empty
-    Cycles full_stall_cycles = 0;     ///< an output FIFO was full
-    Cycles port_conflict_cycles = 0;  ///< a block RAM had too few ports
-    Cycles recurrence_cycles = 0;     ///< a loop-carried dependence
-    Cycles idle_cycles = 0;           ///< after the process's last operation
+    std::array<Cycles, cycle_class_count> cycles{};
+    std::array<Cycles, fifo_count> stalls{};          ///< full or empty, by the FIFO that caused them
+    std::array<Cycles, bram_count> port_conflicts{};  ///< by the block RAM that has too few ports
 
-    Cycles sum() const {
-        return busy_cycles + empty_stall_cycles + full_stall_cycles + port_conflict_cycles + recurrence_cycles +
-               idle_cycles;
-    }
+    Cycles& operator[](CycleClass which) { return cycles[index_of(which)]; }
+    Cycles operator[](CycleClass which) const { return cycles[index_of(which)]; }
+    Cycles sum() const { return std::accumulate(cycles.begin(), cycles.end(), Cycles{0}); }
 };
 
 struct CoreStatistics {
@@ -96,5 +95,8 @@ struct RunStatistics {
     /// The processes that wait for each other in a circle, in order; the last waits for the first.
     std::vector<StuckProcess> wait_cycle() const;
 };
+
+/// One module of all cores together.
+ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);
 
 }  // namespace faster

@@ -71,7 +71,7 @@ void CoreTiming::resolve(bool to_the_end) {
     std::uint32_t const all = (1U << processes_.size()) - 1;
     if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
         settle(all, 0);
-    } else {
+    } else if (group_has_started(all)) {
         for (;;) {
             settle(all, 1U << lead_.driver);
             Automaton::Progress const progress = automaton_->follow(*group_, session_);
@@ -85,6 +85,21 @@ void CoreTiming::resolve(bool to_the_end) {
         automaton_->settle(*group_, session_);
     for (ProcessTiming& process : processes_)
         process.log().compact();
+}
+
+/// What a process waited before its first access is no stall, and no state of the automaton tells it: until all of the
+/// group have begun, the driver goes step by step.
+bool CoreTiming::group_has_started(std::uint32_t all) {
+    auto const has_begun = [](Group::Member const& member) { return member.process->has_accessed(); };
+    while (!started_) {
+        settle(all, 1U << lead_.driver);
+        started_ = std::all_of(group_->members().begin(), group_->members().end(), has_begun);
+        ProcessTiming& driver = processes_[lead_.driver];
+        if (started_ || driver.front() != ProcessTiming::Status::ready)
+            break;
+        driver.commit_front();
+    }
+    return started_;
 }
 
 /// Up to the next sample at most; false: it could not move.

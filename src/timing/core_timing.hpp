@@ -55,6 +55,7 @@ class CoreTiming {
     void connect();
     /// All but the processes `held`, a bit each.
     void settle(std::uint32_t runnable, std::uint32_t held);
+    bool group_has_started(std::uint32_t all);
     bool let_driver_go();
     std::size_t number_of(FifoTiming const& fifo) const;
 
@@ -66,6 +67,7 @@ class CoreTiming {
     std::unique_ptr<Group> group_;
     Automaton::Session session_;
     Lead lead_;
+    bool started_ = false;
 };
 
 }  // namespace faster::timing

@@ -20,8 +20,10 @@ InitiationInterval schedule(Cycles target, Cycles recurrence, std::vector<BramDe
     interval.achieved = std::max(without_ports, interval.ports);
     interval.port_conflict_per_iteration = interval.achieved - without_ports;
     interval.recurrence_per_iteration = recurrence > target ? recurrence - target : 0;
-    if (hardest != nullptr)
+    if (hardest != nullptr) {
         interval.bram = hardest->bram;
+        interval.bram_accesses = hardest->accesses;
+    }
     if (interval.port_conflict_per_iteration > 0)
         interval.limited_by = interval.bram;
     else if (interval.recurrence_per_iteration > 0)

@@ -22,8 +22,9 @@ struct InitiationInterval {
     Cycles achieved = 1;    ///< the largest of the three
     Cycles port_conflict_per_iteration = 0;
     Cycles recurrence_per_iteration = 0;
-    std::string limited_by;  ///< the block RAM, "recurrence", or empty
-    std::string bram;        ///< the block RAM that demands most; empty if the loop touches none
+    std::string limited_by;           ///< the block RAM, "recurrence", or empty
+    std::string bram;                 ///< the block RAM that demands most; empty if the loop touches none
+    std::uint64_t bram_accesses = 0;  ///< of that block RAM, per iteration
 };
 
 /// Schedules one iteration: II = max(target, recurrence, max over BRAMs of ceil(accesses / ports)). Between BRAMs that

@@ -78,6 +78,7 @@ Cycles ProcessTiming::front_cycle() const {
 
 /// Waits for each access in program order, charging what each adds, then lets them happen together.
 void ProcessTiming::perform(std::uint8_t ports) {
+    Cycles const arrival = time_;
     for_each_port(ports, [this](unsigned number) {
         Port const& port = ports_[number];
         Cycles const earliest = port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read();
@@ -93,6 +94,8 @@ void ProcessTiming::perform(std::uint8_t ports) {
             empty_stall_cycles_ += stall;
         }
     });
+    if (!has_accessed_)
+        note_first_access(ports, arrival);
     for_each_port(ports, [this](unsigned number) {
         Port const& port = ports_[number];
         if (port.writes)
@@ -100,6 +103,12 @@ void ProcessTiming::perform(std::uint8_t ports) {
         else
             port.fifo->read(time_);
     });
+}
+
+void ProcessTiming::note_first_access(std::uint8_t ports, Cycles arrival) {
+    has_accessed_ = true;
+    first_port_ = lowest_bit(ports);
+    idle_before_cycles_ = arrival == 0 ? time_ : 0;
 }
 
 void ProcessTiming::commit_front() {
@@ -124,12 +133,12 @@ std::uint32_t ProcessTiming::advance(bool pause) {
     for (;;) {
         if (!run_.active) {
             // The hot path: from one run of iterations straight to the next.
-            bool const in_iterations = front_ports_ == 0 && skip_silent_iterations();
+            bool const in_iterations = front_ports_ == 0 && has_accessed_ && skip_silent_iterations();
             if (!in_iterations) {
                 if (front() != Status::ready || (pause && stamps_.size() > stamps))
                     return woken;
                 Operation const& operation = log_.front();
-                if (operation.kind() != Operation::Kind::iterate || !plan().aligned) {
+                if (operation.kind() != Operation::Kind::iterate || !plan().aligned || !has_accessed_) {
                     for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
                     commit_front();
                     continue;
@@ -286,22 +295,21 @@ void ProcessTiming::count_loop() {
     Cycles const recurrence = iterations_ * shape.interval.recurrence_per_iteration;
     Cycles const conflicts = iterations_ * shape.interval.port_conflict_per_iteration;
     Cycles const counted = std::min(unstalled, recurrence);
-    beyond_end_.recurrence_cycles += recurrence - counted;
-    beyond_end_.port_conflict_cycles += conflicts - std::min(conflicts, unstalled - counted);
+    LoopCounters& counters = loop_counters_[current_loop_];
+    counters.recurrence_beyond_end += recurrence - counted;
+    counters.port_conflict_beyond_end += conflicts - std::min(conflicts, unstalled - counted);
 }
 
-ProcessCounters ProcessTiming::counters() const {
-    ProcessCounters counters;
-    counters.empty_stall_cycles = empty_stall_cycles_;
-    counters.full_stall_cycles = full_stall_cycles_;
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-        InitiationInterval const& interval = loops_[i].interval;
-        counters.recurrence_cycles += loop_counters_[i].iterations * interval.recurrence_per_iteration;
-        counters.port_conflict_cycles += loop_counters_[i].iterations * interval.port_conflict_per_iteration;
-    }
-    counters.recurrence_cycles -= beyond_end_.recurrence_cycles;
-    counters.port_conflict_cycles -= beyond_end_.port_conflict_cycles;
-    return counters;
+LoopCost ProcessTiming::loop_cost(unsigned loop) const {
+    InitiationInterval const& interval = loops_[loop].interval;
+    LoopCounters const& counters = loop_counters_[loop];
+    LoopCost cost;
+    cost.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration - counters.recurrence_beyond_end;
+    cost.port_conflict_cycles =
+        counters.iterations * interval.port_conflict_per_iteration - counters.port_conflict_beyond_end;
+    Cycles const depth = loops_[loop].depth;
+    cost.fill_drain_cycles = depth > interval.achieved ? counters.entries * (depth - interval.achieved) : 0;
+    return cost;
 }
 
 /// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.

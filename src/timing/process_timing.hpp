@@ -28,14 +28,16 @@ struct LoopShape {
 struct LoopCounters {
     std::uint64_t entries = 0;  ///< with at least one iteration
     std::uint64_t iterations = 0;
+    // What the last iterations of a loop shorter than its II would count too much.
+    Cycles port_conflict_beyond_end = 0;
+    Cycles recurrence_beyond_end = 0;
 };
 
-/// Where the cycles of a process went so far, besides useful work. Idle and busy cycles follow from the total.
-struct ProcessCounters {
-    Cycles empty_stall_cycles = 0;
-    Cycles full_stall_cycles = 0;
+/// What a loop cost its process, all entries together, besides an iteration each target interval.
+struct LoopCost {
     Cycles port_conflict_cycles = 0;
     Cycles recurrence_cycles = 0;
+    Cycles fill_drain_cycles = 0;
 };
 
 /// Gives every operation of one process its cycle. The local time T moves by what an operation takes and by waiting for
@@ -78,7 +80,13 @@ class ProcessTiming {
     /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
     Cycles waiting_since() const { return time_ == charged_until_ ? arrival_ : time_; }
     std::vector<Cycles> const& stamps() const { return stamps_; }
-    ProcessCounters counters() const;
+    Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
+    Cycles full_stall_cycles() const { return full_stall_cycles_; }
+    LoopCost loop_cost(unsigned loop) const;
+    /// What the process waited for its first access of all, if it had nothing to do before it; and the port.
+    Cycles idle_before_cycles() const { return idle_before_cycles_; }
+    unsigned first_port() const { return first_port_; }
+    bool has_accessed() const { return has_accessed_; }
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }
@@ -148,6 +156,7 @@ class ProcessTiming {
     void enter_loop(unsigned loop);
     void count_loop();
     void perform(std::uint8_t ports);
+    void note_first_access(std::uint8_t ports, Cycles arrival);
     void end_iterations(Operation& operation, std::uint32_t count) {
         count_iterations(std::uint64_t{count} * (1U + operation.gap()));
         take_off(operation, count);
@@ -180,7 +189,9 @@ class ProcessTiming {
     Cycles time_ = 0;
     Cycles empty_stall_cycles_ = 0;
     Cycles full_stall_cycles_ = 0;
-    ProcessCounters beyond_end_;  ///< what the last iterations of loops shorter than their II would count too much
+    bool has_accessed_ = false;
+    Cycles idle_before_cycles_ = 0;
+    unsigned first_port_ = 0;
     std::vector<Cycles> stamps_;
     Cycles arrival_ = 0;
     Cycles charged_until_ = never;

@@ -263,10 +263,16 @@ TEST_CASE("The cycle buckets of every module add up to the total") {
         for (auto const& row : summary.at("modules")) {
             CAPTURE(row.dump());
             std::uint64_t sum = 0;
-            for (char const* const bucket : {"busy_cycles", "empty_stall_cycles", "full_stall_cycles",
-                                             "port_conflict_cycles", "recurrence_cycles", "idle_cycles"})
+            for (char const* const bucket :
+                 {"busy_cycles", "fill_drain_cycles", "setup_cycles", "empty_stall_cycles", "full_stall_cycles",
+                  "port_conflict_cycles", "recurrence_cycles", "idle_before_cycles", "idle_after_cycles"})
                 sum += row.at(bucket).get<std::uint64_t>();
             CHECK(sum == total);
+            std::uint64_t stalls = 0;
+            for (auto const& fifo : row.at("stalls"))
+                stalls += fifo.get<std::uint64_t>();
+            CHECK(stalls ==
+                  row.at("empty_stall_cycles").get<std::uint64_t>() + row.at("full_stall_cycles").get<std::uint64_t>());
         }
     }
 }

@@ -73,10 +73,23 @@ TEST_CASE("One small triangle, as worked out by hand", "[closed_form]") {
     CHECK(loop_of(run, LoopId::sweep).port_conflict_cycles == 32);
 
     ProcessStatistics const& rasterizer = process_of(run, ModuleId::rasterizer);
-    CHECK(rasterizer.full_stall_cycles == 27);
-    CHECK(rasterizer.empty_stall_cycles == 1 + 41);  // the header, the first vertex
-    CHECK(rasterizer.idle_cycles == 167 - 101);
-    CHECK(rasterizer.busy_cycles == 101 - 27 - 42);
+    CHECK(rasterizer[CycleClass::idle_before] == 1);  // the header
+    CHECK(rasterizer[CycleClass::empty_stall] == 41);
+    CHECK(rasterizer.stalls[index_of(FifoId::vertex)] == 41);  // the first vertex
+    CHECK(rasterizer[CycleClass::full_stall] == 27);
+    CHECK(rasterizer.stalls[index_of(FifoId::command)] == 26);
+    CHECK(rasterizer.stalls[index_of(FifoId::fragment_depth)] == 1);
+    CHECK(rasterizer[CycleClass::setup] == 12);
+    CHECK(rasterizer[CycleClass::fill_drain] == 8 - 1);
+    CHECK(rasterizer[CycleClass::busy] == 1 + 3 + 1 + 6 + 1 + 1);  // header, vertices, area, scan, before and after end
+    CHECK(rasterizer[CycleClass::idle_after] == 167 - 101);
+    ProcessStatistics const& reciprocal = process_of(run, ModuleId::area_reciprocal);
+    CHECK(reciprocal[CycleClass::idle_before] == 59);
+    CHECK(reciprocal[CycleClass::empty_stall] == 0);
+    ProcessStatistics const& inlier = process_of(run, ModuleId::inlier_unit);
+    CHECK(inlier[CycleClass::port_conflict] == 32);
+    CHECK(inlier.port_conflicts[index_of(BramId::depth_buffer)] == 32);
+    CHECK(inlier[CycleClass::idle_before] == 0);  // it clears first
 }
 
 TEST_CASE("A run without samples takes no cycle", "[closed_form]") {
@@ -114,7 +127,7 @@ TEST_CASE("Cores take consecutive samples, one without samples has rows of zeros
         CHECK(loop.entries + loop.iterations + loop.port_conflict_cycles + loop.recurrence_cycles == 0);
     CHECK(idle.loops[index_of(LoopId::sweep)].limited_by == "depth_buffer");  // static
     for (ProcessStatistics const& process : idle.processes) {
-        CHECK(process.idle_cycles == run.total_cycles);
+        CHECK(process[CycleClass::idle_after] == run.total_cycles);
         CHECK(process.sum() == run.total_cycles);
     }
 }

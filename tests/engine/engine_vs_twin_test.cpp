@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <numeric>
 #include <string>
 
 #include "support/cycle_twin.hpp"
@@ -54,7 +55,10 @@ void check_buckets(RunStatistics const& run) {
             CAPTURE(core, module_names[i]);
             ProcessStatistics const& process = run.cores[core].processes[i];
             CHECK(process.sum() == run.total_cycles);
-            CHECK(process.busy_cycles <= run.total_cycles);  // unsigned: not below zero
+            for (Cycles const cycles : process.cycles)
+                CHECK(cycles <= run.total_cycles);  // unsigned: not below zero
+            CHECK(std::accumulate(process.stalls.begin(), process.stalls.end(), Cycles{0}) ==
+                  process[CycleClass::empty_stall] + process[CycleClass::full_stall]);
         }
     }
 }

@@ -11,8 +11,10 @@ namespace {
 class CellList {
   public:
     void at(std::string prefix) { prefix_ = std::move(prefix); }
-    void add(char const* name, std::uint64_t value) { cells_.push_back({prefix_ + name, std::to_string(value)}); }
-    void add(char const* name, std::string const& value) { cells_.push_back({prefix_ + name, value}); }
+    void add(std::string const& name, std::uint64_t value) {
+        cells_.push_back({prefix_ + name, std::to_string(value)});
+    }
+    void add(std::string const& name, std::string const& value) { cells_.push_back({prefix_ + name, value}); }
     Cells take() { return std::move(cells_); }
 
   private:
@@ -60,9 +62,10 @@ template <class Loop> void add_loop(CellList& cells, Loop const& loop) {
 }
 
 void add_stalls(CellList& cells, ProcessStatistics const& process, Cycles) {
-    cells.add("empty_stall", process.empty_stall_cycles);
-    cells.add("full_stall", process.full_stall_cycles);
-    cells.add("idle", process.idle_cycles);
+    // The twin counts the wait for the first token as a stall.
+    cells.add("empty_stall", process[CycleClass::empty_stall] + process[CycleClass::idle_before]);
+    cells.add("full_stall", process[CycleClass::full_stall]);
+    cells.add("idle", process[CycleClass::idle_after]);
 }
 void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles) {
     cells.add("empty_stall", process.empty_stall);
@@ -161,9 +164,12 @@ Cells all_cells(RunStatistics const& run) {
         for (std::size_t i = 0; i < module_count; ++i) {
             ProcessStatistics const& process = run.cores[k].processes[i];
             more.at(in_process(k, i));
-            more.add("busy", process.busy_cycles);
-            more.add("port_conflict", process.port_conflict_cycles);
-            more.add("recurrence", process.recurrence_cycles);
+            for (std::size_t c = 0; c < cycle_class_count; ++c)
+                more.add(cycle_class_names[c], process.cycles[c]);
+            for (std::size_t f = 0; f < fifo_count; ++f)
+                more.add(std::string("stall ") + fifo_names[f], process.stalls[f]);
+            for (std::size_t b = 0; b < bram_count; ++b)
+                more.add(std::string("conflict ") + bram_names[b], process.port_conflicts[b]);
         }
     }
     for (Cell& cell : more.take())

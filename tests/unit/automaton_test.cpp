@@ -159,9 +159,8 @@ void log_samples(CoreTiming& core, unsigned seed, unsigned samples, bool varied)
 std::vector<std::uint64_t> figures_of(CoreTiming& core) {
     std::vector<std::uint64_t> figures;
     for (ProcessTiming const& process : core.processes()) {
-        ProcessCounters const counters = process.counters();
-        figures.insert(figures.end(), {process.local_time(), counters.empty_stall_cycles, counters.full_stall_cycles,
-                                       process.finished() ? 1U : 0U});
+        figures.insert(figures.end(), {process.local_time(), process.empty_stall_cycles(), process.full_stall_cycles(),
+                                       process.idle_before_cycles(), process.finished() ? 1U : 0U});
         figures.insert(figures.end(), process.stamps().begin(), process.stamps().end());
         for (unsigned loop = 0; loop < process.loops().size(); ++loop)
             figures.insert(figures.end(),

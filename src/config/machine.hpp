@@ -42,6 +42,26 @@ constexpr std::array<char const*, module_count> module_names{
     "sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
     "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
 
+/// Between which modules a FIFO stands.
+struct FifoEnds {
+    ModuleId writer;
+    ModuleId reader;
+};
+constexpr std::array<FifoEnds, fifo_count> fifo_ends{{{ModuleId::sample_dispatcher, ModuleId::vertex_transform},
+                                                      {ModuleId::sample_dispatcher, ModuleId::rasterizer},
+                                                      {ModuleId::sample_dispatcher, ModuleId::observation_reader},
+                                                      {ModuleId::vertex_transform, ModuleId::rasterizer},
+                                                      {ModuleId::rasterizer, ModuleId::area_reciprocal},
+                                                      {ModuleId::area_reciprocal, ModuleId::inlier_unit},
+                                                      {ModuleId::rasterizer, ModuleId::inlier_unit},
+                                                      {ModuleId::rasterizer, ModuleId::inlier_unit},
+                                                      {ModuleId::rasterizer, ModuleId::inlier_unit},
+                                                      {ModuleId::rasterizer, ModuleId::edge_map_builder},
+                                                      {ModuleId::edge_map_builder, ModuleId::inlier_unit},
+                                                      {ModuleId::observation_reader, ModuleId::inlier_unit},
+                                                      {ModuleId::observation_reader, ModuleId::inlier_unit},
+                                                      {ModuleId::inlier_unit, ModuleId::result_collector}}};
+
 /// Pipelined loops, in the order of SPEC section 3. The rasterizer's `setup` is no loop: see AcceleratorConfig.
 enum class LoopId : std::size_t {
     vertex,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/csv.hpp"
+#include "report/diagnosis_text.hpp"
 
 namespace faster::report {
 
@@ -110,6 +111,7 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
         for (std::size_t i = 0; i < loop_count; ++i)
             summary["loops"].push_back(loop_row(core, i, statistics.loops[i]));
     }
+    summary["bound_by"] = diagnosis_sentences(config, run);
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     return summary.dump(2) + "\n";

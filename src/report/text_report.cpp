@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "report/csv.hpp"
+#include "report/diagnosis_text.hpp"
 
 namespace faster::report {
 
@@ -124,6 +125,9 @@ std::string describe(StuckProcess const& p) {
 std::string text_report(AcceleratorConfig const& config, RunStatistics const& run, HostTime const& host) {
     std::string text;
     headline(text, config, run);
+    text += '\n';
+    for (std::string const& sentence : diagnosis_sentences(config, run))
+        line(text, "  {}", sentence);
     module_table(text, run);
     loop_table(text, run);
     fifo_table(text, run);

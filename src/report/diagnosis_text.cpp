@@ -1,0 +1,82 @@
+#include "report/diagnosis_text.hpp"
+
+#include <fmt/format.h>
+
+namespace faster::report {
+
+namespace {
+
+std::string share(Cycles part, Diagnosis const& diagnosis) {
+    return fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(diagnosis.cycles));
+}
+
+std::uint64_t ports_of(std::string const& bram, AcceleratorConfig const& config) {
+    for (std::size_t i = 0; i < bram_count; ++i)
+        if (bram == bram_names[i])
+            return config.brams[i].ports;
+    return 0;
+}
+
+std::string why(LoopStatistics const& loop, AcceleratorConfig const& config) {
+    if (loop.limited_by.empty())
+        return fmt::format("at II {}", loop.ii);
+    if (loop.limited_by == "recurrence")
+        return fmt::format("at II {}, because a recurrence demands it", loop.ii);
+    return fmt::format("at II {}, because {} has {} accesses per iteration on {} port{}", loop.ii, loop.bram,
+                       loop.bram_accesses, ports_of(loop.bram, config), ports_of(loop.bram, config) == 1 ? "" : "s");
+}
+
+std::string loop_sentence(Cause const& cause, Diagnosis const& diagnosis, AcceleratorConfig const& config,
+                          RunStatistics const& run) {
+    LoopName const& name = loop_names[cause.item];
+    std::string sentence = fmt::format("{} is {}.{} {}", share(cause.cycles, diagnosis), name_of(name.module),
+                                       name.name, why(run.cores.front().loops[cause.item], config));
+    if (cause.port_conflict > 0)
+        sentence += fmt::format(": {} are port conflicts", share(cause.port_conflict, diagnosis));
+    return sentence + ".";
+}
+
+std::string stall_sentence(Cause const& cause, Diagnosis const& diagnosis) {
+    FifoEnds const& ends = fifo_ends[cause.item];
+    bool const reads = index_of(ends.reader) == diagnosis.module;
+    return fmt::format("{} {} waits for {}: {} is {}.", share(cause.cycles, diagnosis), module_names[diagnosis.module],
+                       name_of(reads ? ends.writer : ends.reader), fifo_names[cause.item], reads ? "empty" : "full");
+}
+
+std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, AcceleratorConfig const& config,
+                        RunStatistics const& run) {
+    char const* const module = module_names[diagnosis.module];
+    switch (cause.kind) {
+        case Cause::Kind::loop:
+            return loop_sentence(cause, diagnosis, config, run);
+        case Cause::Kind::stall:
+            return stall_sentence(cause, diagnosis);
+        case Cause::Kind::setup:
+            return fmt::format("{} is {} setting up triangles, {} cycles each.", share(cause.cycles, diagnosis), module,
+                               config.setup_depth);
+        case Cause::Kind::fill_drain:
+            return fmt::format("{} is {} filling and draining pipelines.", share(cause.cycles, diagnosis), module);
+        case Cause::Kind::idle:
+            return fmt::format("{} {} has nothing to do, yet or any more.", share(cause.cycles, diagnosis), module);
+        case Cause::Kind::between_loops:
+            break;
+    }
+    return fmt::format("{} is {} between its loops.", share(cause.cycles, diagnosis), module);
+}
+
+}  // namespace
+
+std::vector<std::string> diagnosis_sentences(AcceleratorConfig const& config, RunStatistics const& run) {
+    Diagnosis const diagnosis = diagnose(run);
+    std::vector<std::string> sentences;
+    if (diagnosis.cycles == 0)
+        return sentences;
+    sentences.push_back(fmt::format("Bound by {}, which waits least: {} of the time of core {}, the last to end.",
+                                    module_names[diagnosis.module], share(diagnosis.waits, diagnosis), diagnosis.core));
+    for (Cause const& cause : diagnosis.causes)
+        if (cause.cycles * 100 >= diagnosis.cycles)
+            sentences.push_back(sentence_of(cause, diagnosis, config, run));
+    return sentences;
+}
+
+}  // namespace faster::report

@@ -1,0 +1,79 @@
+#include "stats/diagnosis.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "report/diagnosis_text.hpp"
+
+namespace faster {
+namespace {
+
+ProcessStatistics waiting(Cycles cycles) {
+    ProcessStatistics process;
+    process[CycleClass::empty_stall] = cycles;
+    return process;
+}
+
+/// Two cores; the second ends last, and its inlier unit waits least. 1000 cycles.
+RunStatistics example() {
+    RunStatistics run;
+    run.total_cycles = 1000;
+    run.cores.resize(2);
+    run.cores[0].end_cycle = 900;
+    run.cores[1].end_cycle = 1000;
+    run.cores[1].processes.fill(waiting(900));
+    ProcessStatistics& inlier = run.cores[1].processes[index_of(ModuleId::inlier_unit)];
+    inlier = ProcessStatistics{};
+    inlier[CycleClass::busy] = 250;
+    inlier[CycleClass::port_conflict] = 400;
+    inlier[CycleClass::empty_stall] = 300;
+    inlier[CycleClass::fill_drain] = 45;
+    inlier[CycleClass::idle_after] = 5;
+    inlier.stalls[index_of(FifoId::command)] = 100;
+    inlier.stalls[index_of(FifoId::edge_map)] = 200;
+    LoopStatistics& sweep = run.cores[1].loops[index_of(LoopId::sweep)];
+    sweep.ii = 3;
+    sweep.iterations = 200;
+    sweep.port_conflict_cycles = 400;
+    run.cores[0].loops[index_of(LoopId::sweep)].limited_by = "depth_buffer";
+    run.cores[0].loops[index_of(LoopId::sweep)].bram = "depth_buffer";
+    run.cores[0].loops[index_of(LoopId::sweep)].bram_accesses = 5;
+    run.cores[0].loops[index_of(LoopId::sweep)].ii = 3;
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("A run is bound by the module that waits least in the core that ends last", "[diagnosis]") {
+    Diagnosis const diagnosis = diagnose(example());
+    CHECK(diagnosis.core == 1);
+    CHECK(diagnosis.module == index_of(ModuleId::inlier_unit));
+    CHECK(diagnosis.waits == 305);
+    std::vector<Cycles> cycles;
+    Cycles sum = 0;
+    for (Cause const& cause : diagnosis.causes) {
+        cycles.push_back(cause.cycles);
+        sum += cause.cycles;
+    }
+    CHECK(cycles == std::vector<Cycles>{600, 200, 100, 50, 45, 5});  // sweep, edge_map, command, the rest, drain, idle
+    CHECK(sum == 1000);
+    CHECK(diagnosis.causes[0].port_conflict == 400);
+}
+
+TEST_CASE("The diagnosis says why in sentences, the largest cause first, none below one percent", "[diagnosis]") {
+    std::vector<std::string> const sentences = report::diagnosis_sentences(AcceleratorConfig{}, example());
+    CHECK(
+        sentences ==
+        std::vector<std::string>{
+            "Bound by inlier_unit, which waits least: 30.5 % of the time of core 1, the last to end.",
+            "60.0 % is inlier_unit.sweep at II 3, because depth_buffer has 5 accesses per iteration on 2 ports: 40.0 % "
+            "are port conflicts.",
+            "20.0 % inlier_unit waits for edge_map_builder: edge_map is empty.",
+            "10.0 % inlier_unit waits for rasterizer: command is empty.", "5.0 % is inlier_unit between its loops.",
+            "4.5 % is inlier_unit filling and draining pipelines."});
+}
+
+TEST_CASE("A run without samples is bound by nothing", "[diagnosis]") {
+    CHECK(report::diagnosis_sentences(AcceleratorConfig{}, RunStatistics{}).empty());
+}
+
+}  // namespace faster

@@ -27,6 +27,15 @@ class RasterCore : public sc_core::sc_module {
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
+    void set_sample_begins(std::function<void(std::size_t)> call) { context_.sample_begins = std::move(call); }
+    /// In the order of FifoId.
+    std::vector<FifoChannel*> channels();
+    std::size_t window_pixels() const { return context_.window_pixels(); }
+    /// Gives all operations logged so far their cycles, where the kernel does not do so (decoupled).
+    void catch_up() {
+        if (context_.time_base.engine == Engine::decoupled)
+            timing_.resolve(false);
+    }
     /// Makes this core begin when another has done its share.
     void run_after(RasterCore const& other) { context_.turn = &other.done_; }
     timing::CoreTiming& timing() { return timing_; }

@@ -7,6 +7,7 @@
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
+#include "tb/compare_command.hpp"
 #include "tb/run_command.hpp"
 
 namespace {
@@ -41,6 +42,17 @@ void add_record(CLI::App& app, faster::RecordRequest& request) {
     add_overrides(command, request.overrides);
 }
 
+void add_compare(CLI::App& app, faster::CompareRequest& request) {
+    CLI::App& command = *app.add_subcommand("compare", "Say what changed from one run to another, largest first");
+    command.add_option("run_a", request.run_a, "Output folder of a run")->required()->type_name("RUN_A");
+    command.add_option("run_b", request.run_b, "Output folder of another run")->required()->type_name("RUN_B");
+    command.add_option("--top", request.top, "Rows of each list; the others are counted")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1000000));
+    command.add_option("--json", request.json, "Write the whole comparison to this file")->type_name("FILE");
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -50,11 +62,12 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "keys"};
+    std::vector<std::string> const known{"run", "record", "compare", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record or keys{}", given, faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected run, record, compare or keys{}", given,
+                       faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -65,8 +78,10 @@ int run_tool(int argc, char** argv) {
     app.require_subcommand(1);
     faster::RunRequest run_request;
     faster::RecordRequest record_request;
+    faster::CompareRequest compare_request;
     add_run(app, run_request);
     add_record(app, record_request);
+    add_compare(app, compare_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
     try {
         app.parse(argc, argv);
@@ -81,6 +96,8 @@ int run_tool(int argc, char** argv) {
     }
     if (app.got_subcommand("record"))
         return record(record_request);
+    if (app.got_subcommand("compare"))
+        return compare(compare_request);
     if (run_request.images > 0 && run_request.out.empty())
         return one_line_error("--images " + std::to_string(run_request.images) + ": expected --out DIR as well");
     return run(run_request);

@@ -8,6 +8,7 @@
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
 #include "tb/run_command.hpp"
+#include "tb/show_command.hpp"
 
 namespace {
 
@@ -41,6 +42,20 @@ void add_record(CLI::App& app, faster::RecordRequest& request) {
     add_overrides(command, request.overrides);
 }
 
+void add_show(CLI::App& app, faster::ShowRequest& request) {
+    CLI::App& command = *app.add_subcommand("show", "Print a small picture of one sample of an older run");
+    command.add_option("folder", request.folder, "Results of faster-sim run --out DIR --images K")
+        ->required()
+        ->type_name("DIR");
+    command.add_option("--sample", request.sample, "Index of the sample (0)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000000));
+    command.add_flag("--depth", request.depth, "The depth buffer instead of edge and object map");
+    command.add_option("--width", request.width, "Columns at most (those of the terminal, else 80)")
+        ->type_name("N")
+        ->check(CLI::Range(10, 1000));
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -50,11 +65,12 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "keys"};
+    std::vector<std::string> const known{"run", "record", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record or keys{}", given, faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected run, record, show or keys{}", given,
+                       faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -67,6 +83,8 @@ int run_tool(int argc, char** argv) {
     faster::RecordRequest record_request;
     add_run(app, run_request);
     add_record(app, record_request);
+    faster::ShowRequest show_request;
+    add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
     try {
         app.parse(argc, argv);
@@ -81,6 +99,8 @@ int run_tool(int argc, char** argv) {
     }
     if (app.got_subcommand("record"))
         return record(record_request);
+    if (app.got_subcommand("show"))
+        return show(show_request);
     if (run_request.images > 0 && run_request.out.empty())
         return one_line_error("--images " + std::to_string(run_request.images) + ": expected --out DIR as well");
     return run(run_request);

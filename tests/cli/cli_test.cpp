@@ -393,7 +393,7 @@ TEST_CASE("A folder that cannot be written is refused in one line") {
 TEST_CASE("Wrong usage is refused in one line") {
     Workspace const workspace;
     check_refused(workspace, {}, {"subcommand"});
-    check_refused(workspace, {"fly"}, {"unknown command fly", "run, record or keys"});
+    check_refused(workspace, {"fly"}, {"unknown command fly", "run, record, show or keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});
@@ -409,7 +409,7 @@ TEST_CASE("A negative number of pictures is refused in one line") {
 TEST_CASE("Help, version and keys go to stdout") {
     Workspace const workspace;
     for (Words const& arguments :
-         {Words{"--help"}, Words{"run", "--help"}, Words{"--version"}, Words{"keys"}}) {
+         {Words{"--help"}, Words{"run", "--help"}, Words{"show", "--help"}, Words{"--version"}, Words{"keys"}}) {
         CommandResult const result = workspace(arguments);
         require_done(result);
         CHECK_FALSE(result.out.empty());

@@ -66,7 +66,7 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
     io::write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder.path() / "loops.csv", report::loops_csv(run));
     if (with_pictures)
-        pictures.write(folder.path() / "images");
+        pictures.write(folder.path() / "images", run.samples);
     folder.commit();
 }
 

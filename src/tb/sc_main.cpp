@@ -9,6 +9,7 @@
 #include "config/keys_as_markdown.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/run_command.hpp"
+#include "tb/show_command.hpp"
 
 namespace {
 
@@ -53,6 +54,20 @@ void add_compare(CLI::App& app, faster::CompareRequest& request) {
     command.add_option("--json", request.json, "Write the whole comparison to this file")->type_name("FILE");
 }
 
+void add_show(CLI::App& app, faster::ShowRequest& request) {
+    CLI::App& command = *app.add_subcommand("show", "Print a small picture of one sample of an older run");
+    command.add_option("folder", request.folder, "Results of faster-sim run --out DIR --images K")
+        ->required()
+        ->type_name("DIR");
+    command.add_option("--sample", request.sample, "Index of the sample (0)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000000));
+    command.add_flag("--depth", request.depth, "The depth buffer instead of edge and object map");
+    command.add_option("--width", request.width, "Columns at most (those of the terminal, else 80)")
+        ->type_name("N")
+        ->check(CLI::Range(10, 1000));
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -62,11 +77,11 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "compare", "keys"};
+    std::vector<std::string> const known{"run", "record", "compare", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record, compare or keys{}", given,
+    return fmt::format("unknown command {}, expected run, record, compare, show or keys{}", given,
                        faster::did_you_mean(given, known));
 }
 
@@ -82,6 +97,8 @@ int run_tool(int argc, char** argv) {
     add_run(app, run_request);
     add_record(app, record_request);
     add_compare(app, compare_request);
+    faster::ShowRequest show_request;
+    add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
     try {
         app.parse(argc, argv);
@@ -98,6 +115,8 @@ int run_tool(int argc, char** argv) {
         return record(record_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
+    if (app.got_subcommand("show"))
+        return show(show_request);
     if (run_request.images > 0 && run_request.out.empty())
         return one_line_error("--images " + std::to_string(run_request.images) + ": expected --out DIR as well");
     return run(run_request);

@@ -55,6 +55,8 @@ void CoreRecorder::tape_to(Tape* tape) {
     taped_to_ = tape;
 }
 
+void CoreRecorder::before_start() { make_checkpoint(); }
+
 void CoreRecorder::sample_begins(std::size_t i) {
     if (phase_ == Phase::done)
         return;
@@ -67,8 +69,7 @@ void CoreRecorder::sample_begins(std::size_t i) {
     make_checkpoint();
     drop_checkpoints(i);
     // Otherwise, a later begin may do as well.
-    bool const is_late = from_ && (*from_ == 0 || checkpoints_.back().latest > *from_);
-    if (is_late)
+    if (from_ && checkpoints_.back().latest > *from_)
         start();
 }
 

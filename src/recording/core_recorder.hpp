@@ -19,6 +19,8 @@ class CoreRecorder {
 
     /// False if the core scores none of the wanted samples.
     bool records() const { return phase_ != Phase::done; }
+    /// The core is wired up, and nothing has happened yet.
+    void before_start();
     /// The rasterizer is about to begin the i-th sample of the core.
     void sample_begins(std::size_t i);
     /// The run is over.

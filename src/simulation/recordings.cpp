@@ -23,11 +23,16 @@ Recordings::Recordings(Accelerator& accelerator, std::vector<Recording> const& r
             of_core.push_back(recorder.get());
             recorders_.push_back({i, core, std::move(recorder)});
         }
-        if (!of_core.empty())
-            accelerator.cores()[core]->set_sample_begins([of_core](std::size_t i) {
-                for (recording::CoreRecorder* recorder : of_core)
-                    recorder->sample_begins(i);
-            });
+        if (of_core.empty())
+            continue;
+        accelerator.cores()[core]->set_before_start([of_core] {
+            for (recording::CoreRecorder* recorder : of_core)
+                recorder->before_start();
+        });
+        accelerator.cores()[core]->set_sample_begins([of_core](std::size_t i) {
+            for (recording::CoreRecorder* recorder : of_core)
+                recorder->sample_begins(i);
+        });
     }
 }
 

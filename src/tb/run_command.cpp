@@ -93,6 +93,7 @@ int run(RunRequest const& request) {
         ProgressLine progress(stimulus.samples.size());
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
+        options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
         options.progress = [&progress](std::uint64_t done) { progress.show(done); };
         statistics = simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine, options);
     }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/recording_options.hpp"
+
 namespace faster {
 
 /// The process's exit codes (SPEC section 4).
@@ -15,6 +17,7 @@ struct RunRequest {
     std::string trace;                   ///< folder; empty: as configured
     std::string out;                     ///< folder; empty: print only
     std::int64_t images = 0;             ///< samples to write pictures of
+    RecordingRequest recording;
 };
 
 /// `faster-sim record`.

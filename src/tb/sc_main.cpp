@@ -34,6 +34,7 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->type_name("K")
         ->check(CLI::Range(0, 1000000));
     add_overrides(command, request.overrides);
+    add_recording_options(command, request.recording);
 }
 
 void add_record(CLI::App& app, faster::RecordRequest& request) {

@@ -110,9 +110,12 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
   private:
     /// Shows the last `count` tokens to the taps.
     void show(std::size_t count) {
-        for (Token const* token = tokens_.end() - count; token != tokens_.end(); ++token)
-            for (TokenTap* tap : taps_)
-                tap->record(TokenFields<Token>::values(*token).data());
+        for (TokenTap* tap : taps_) {
+            std::int64_t* at = tap->room(count);
+            for (Token const* token = tokens_.end() - count; token != tokens_.end(); ++token)
+                for (std::int64_t const value : TokenFields<Token>::values(*token))
+                    *at++ = value;
+        }
     }
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
     /// own.

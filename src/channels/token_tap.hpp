@@ -14,7 +14,11 @@ class TokenTap {
     explicit TokenTap(std::vector<TokenField> layout) : layout_(std::move(layout)) {}
 
     std::vector<TokenField> const& layout() const { return layout_; }
-    void record(std::int64_t const* values) { values_.insert(values_.end(), values, values + layout_.size()); }
+    /// Where the fields of the next `count` tokens are to be put, token by token.
+    std::int64_t* room(std::size_t count) {
+        values_.resize(values_.size() + count * layout_.size());
+        return values_.data() + values_.size() - count * layout_.size();
+    }
     /// The fields of token `number`.
     std::int64_t const* token(std::uint64_t number) const {
         return values_.data() + (number - first_) * layout_.size();

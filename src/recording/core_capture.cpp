@@ -1,5 +1,7 @@
 #include "recording/core_capture.hpp"
 
+#include <algorithm>
+
 namespace faster::recording {
 
 using Kind = Event::Kind;
@@ -18,20 +20,47 @@ CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& 
         core.process(i).set_observer(this);
 }
 
-/// Tokens inside are told as writes in the cycles in which they were written.
 void CoreCapture::take_down_state() {
     for (ProcessTiming const& process : core_.processes()) {
-        for (unsigned port = 0; port < process.port_count(); ++port) {
-            timing::FifoTiming const& fifo = process.fifo(port);
-            if (!process.writes(port))
-                continue;
-            for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
-                put_write(process, fifo_at(process, port), fifo.reads() + i,
-                          fifo.earliest_read(i) - fifo.shape().read_latency - fifo.shape().issue_latency);
-        }
+        take_down_tokens(process);
         if (process.in_loop())
             entered_loop(process, process.current_loop(), process.local_time());
     }
+}
+
+/// Tokens inside are told as writes in the cycles in which they were written. The one read last may still be in use: it
+/// is told as written and read before.
+void CoreCapture::take_down_tokens(ProcessTiming const& process) {
+    struct Access {
+        Cycles cycle;
+        std::uint8_t fifo;
+        std::uint64_t number;
+        bool writes;
+    };
+    std::vector<Access> accesses;
+    for (unsigned port = 0; port < process.port_count(); ++port) {
+        timing::FifoTiming const& fifo = process.fifo(port);
+        std::uint8_t const number = fifo_at(process, port);
+        bool const writes = process.writes(port);
+        Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
+        if (fifo.reads() > 0)
+            accesses.push_back({writes ? 0 : fifo.shape().issue_latency, number, fifo.reads() - 1, writes});
+        for (std::uint64_t i = 0; writes && i < fifo.known_reads(); ++i)
+            accesses.push_back({fifo.earliest_read(i) - latency, number, fifo.reads() + i, true});
+    }
+    std::stable_sort(accesses.begin(), accesses.end(),
+                     [](Access const& a, Access const& b) { return a.cycle < b.cycle; });
+    for (Access const& access : accesses)
+        access.writes ? put_write(process, access.fifo, access.number, access.cycle)
+                      : put_read(process, access.fifo, access.cycle);
+}
+
+void CoreCapture::put_read(ProcessTiming const& process, std::uint8_t fifo, Cycles cycle) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::read;
+    event.item = fifo;
+    put(process, event);
 }
 
 void CoreCapture::put(ProcessTiming const& process, Event const& event) {
@@ -82,11 +111,7 @@ void CoreCapture::accessed(ProcessTiming const& process, std::uint8_t ports, Cyc
             put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
             continue;
         }
-        Event event;
-        event.cycle = cycle;
-        event.kind = Kind::read;
-        event.item = fifo_at(process, port);
-        put(process, event);
+        put_read(process, fifo_at(process, port), cycle);
     }
 }
 

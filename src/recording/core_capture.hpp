@@ -31,7 +31,9 @@ class CoreCapture : public timing::StepObserver {
   private:
     void put(timing::ProcessTiming const& process, Event const& event);
     void put_write(timing::ProcessTiming const& process, std::uint8_t fifo, std::uint64_t number, Cycles cycle);
+    void put_read(timing::ProcessTiming const& process, std::uint8_t fifo, Cycles cycle);
     void take_down_state();
+    void take_down_tokens(timing::ProcessTiming const& process);
     std::uint8_t fifo_at(timing::ProcessTiming const& process, unsigned port) const {
         return fifo_at_[process.index()][port];
     }

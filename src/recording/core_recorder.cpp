@@ -90,7 +90,7 @@ void CoreRecorder::drop_checkpoints(std::size_t i) {
         while (checkpoints_.size() > 1)
             checkpoints_.pop_front();
     for (std::size_t f = 0; f < taps_.size(); ++f)
-        taps_[f].forget_before(checkpoints_.front().timing->fifos()[f].reads());
+        taps_[f].forget_before(std::max<std::uint64_t>(checkpoints_.front().timing->fifos()[f].reads(), 1) - 1);
 }
 
 /// Samples by which the rasterizer can be ahead of the last process, and one: all get their headers in one step, and

@@ -99,7 +99,9 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
         open = {{module, kind, event.item, event.cycle, 0, 0}, true};
     }
     open.span.end = until;
-    open.span.count += until - event.cycle;
+    Cycles const begin = std::max(event.cycle, core_.from);
+    Cycles const end = std::min(until, core_.to + 1);
+    open.span.count += begin < end ? end - begin : 0;
 }
 
 void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
@@ -107,12 +109,12 @@ void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
     if (event.cycle < core_.from || event.cycle > core_.to)
         return;
     if (module == index_of(ModuleId::rasterizer)) {
-        timeline_.samples.push_back({sample, event.cycle, core_.to + 1});
+        timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
         return;
     }
     for (CoreTimeline::Sample& begun : timeline_.samples)
         if (begun.sample == sample)
-            begun.end = event.cycle + 1;
+            begun = {sample, begun.begin, event.cycle + 1, true};
 }
 
 void TimelineMaker::change_occupancy(std::size_t fifo, Cycles cycle, int change) {

@@ -11,8 +11,9 @@ namespace faster::recording {
 struct CoreTimeline {
     struct Sample {
         std::size_t sample = 0;
-        Cycles begin = 0;  ///< the rasterizer reads its header
-        Cycles end = 0;    ///< one past the cycle in which the collector reads its result
+        Cycles begin = 0;       ///< the rasterizer reads its header
+        Cycles end = 0;         ///< one past the cycle in which the collector reads its result, or past the window
+        bool complete = false;  ///< ends in the window
     };
     std::size_t core = 0;
     std::vector<TimelineSpan> spans;  ///< by begin

@@ -1,7 +1,7 @@
 #include "recording/event_merge.hpp"
 
+#include <algorithm>
 #include <memory>
-#include <tuple>
 
 namespace faster::recording {
 
@@ -21,40 +21,42 @@ struct Source {
     }
 };
 
-struct Later {
-    bool operator()(Source const* a, Source const* b) const {
-        return std::tie(a->event.cycle, a->core, a->module) > std::tie(b->event.cycle, b->core, b->module);
-    }
-};
+/// Takes the next event out of a source, with all fields of a token.
+void take(Source& source, CoreEvent& event, std::vector<std::int64_t>& fields) {
+    event = {source.core, source.module, source.event, nullptr};
+    source.has_event = source.stream.get(source.event);
+    if (event.event.kind != Event::Kind::write)
+        return;
+    fields.assign(1, event.event.value);
+    for (; source.has_event && source.event.kind == Event::Kind::field;
+         source.has_event = source.stream.get(source.event))
+        fields.push_back(source.event.value);
+    event.fields = &fields;
+}
 
 }  // namespace
 
+/// Cycle by cycle: many events share one, so that looking for the next cycle is done once for all of them.
 void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
                     std::function<void(CoreEvent const&)> const& visit) {
     std::vector<std::unique_ptr<Source>> sources;
-    std::priority_queue<Source*, std::vector<Source*>, Later> queue;
     for (auto const& [core, spools] : cores)
-        for (std::size_t module = 0; module < module_count; ++module) {
+        for (std::size_t module = 0; module < module_count; ++module)
             sources.push_back(std::make_unique<Source>(core, module, (*spools)[module]));
-            if (sources.back()->has_event)
-                queue.push(sources.back().get());
-        }
     std::vector<std::int64_t> fields;
-    while (!queue.empty()) {
-        Source& source = *queue.top();
-        queue.pop();
-        CoreEvent event{source.core, source.module, source.event, nullptr};
-        source.has_event = source.stream.get(source.event);
-        if (event.event.kind == Event::Kind::write) {
-            fields.assign(1, event.event.value);
-            for (; source.has_event && source.event.kind == Event::Kind::field;
-                 source.has_event = source.stream.get(source.event))
-                fields.push_back(source.event.value);
-            event.fields = &fields;
-        }
-        visit(event);
-        if (source.has_event)
-            queue.push(&source);
+    CoreEvent event;
+    for (;;) {
+        Cycles cycle = ~Cycles{0};
+        for (auto const& source : sources)
+            if (source->has_event)
+                cycle = std::min(cycle, source->event.cycle);
+        if (cycle == ~Cycles{0})
+            return;
+        for (auto const& source : sources)
+            while (source->has_event && source->event.cycle <= cycle) {
+                take(*source, event, fields);
+                visit(event);
+            }
     }
 }
 

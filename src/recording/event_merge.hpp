@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <queue>
 #include <vector>
 
 #include "recording/core_recorder.hpp"

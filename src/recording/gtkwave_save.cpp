@@ -86,9 +86,9 @@ void add_core(SaveText& save, AcceleratorConfig const& config, RecordedCore cons
     save.open_group(name, false);
     for (char const* const number : {"started", "ended"})
         save.signal(decimal, fmt::format("{}.sample.{}", path, number), 32);
-    for (char const* const module : module_names)
-        if (filter.shows(static_cast<ModuleId>(&module - module_names.data())))
-            add_module(save, fmt::format("{}.{}", path, module), tables);
+    for (std::size_t module = 0; module < module_count; ++module)
+        if (filter.shows(static_cast<ModuleId>(module)))
+            add_module(save, fmt::format("{}.{}", path, module_names[module]), tables);
     for (std::size_t fifo = 0; fifo < fifo_count; ++fifo) {
         if (!filter.shows(static_cast<FifoId>(fifo)))
             continue;

@@ -18,7 +18,7 @@ class Writer {
         name_tracks(core.core);
         for (CoreTimeline::Sample const& sample : core.samples)
             add_slice(core.core, samples_track, "sample " + std::to_string(sample.sample), "sample", sample.begin,
-                      sample.end, {{"sample", sample.sample}});
+                      sample.end, {{"sample", sample.sample}, {"complete", sample.complete}});
         for (TimelineSpan const& span : core.spans)
             add_span(core.core, span);
         for (std::size_t fifo = 0; fifo < fifo_count; ++fifo)

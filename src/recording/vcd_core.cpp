@@ -176,7 +176,8 @@ void VcdCore::show_bram(std::vector<BramAccess> const& accesses) {
         vcd_.set_at(access.cycle, port.write_enable, access.writes ? 1 : 0);
         vcd_.set_at(access.cycle, port.address, static_cast<std::int64_t>(access.address));
         vcd_.schedule(access.cycle + 1, port.enable, 0);
-        vcd_.schedule(access.cycle + 1, port.write_enable, 0);
+        if (access.writes)
+            vcd_.schedule(access.cycle + 1, port.write_enable, 0);
     }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -18,7 +19,7 @@ class VcdFile {
   public:
     using Signal = std::size_t;
 
-    /// Errors: InputError if the file cannot be written.
+    /// The file appears when it is finished, not before. Errors: InputError if it cannot be written.
     VcdFile(std::filesystem::path const& file, double clock_mhz);
     ~VcdFile();
 
@@ -51,14 +52,14 @@ class VcdFile {
 
   private:
     struct Variable {
-        std::string id;
-        unsigned bits = 1;
-        std::size_t domain = 0;
         std::uint64_t value = 0;
         std::uint64_t written = 0;
+        std::uint32_t domain = 0;
+        std::uint8_t bits = 1;
         bool was_known = false;  ///< what was written was a value
         bool is_written = false;
         bool is_dirty = false;
+        std::array<char, 8> id{};  ///< ends with a zero
     };
     struct Later {
         Cycles cycle;
@@ -69,14 +70,15 @@ class VcdFile {
             return cycle != other.cycle ? cycle > other.cycle : order > other.order;
         }
     };
-    static std::string id_of(std::size_t number);
+    static std::array<char, 8> id_of(std::size_t number);
     void flush_cycle();
     void touch(Signal signal);
     void touch_domain(std::size_t domain);
     void put_value(Variable const& variable, bool known);
-    void put(char const* text, std::size_t size);
-    void put_text(std::string const& text) { put(text.data(), text.size()); }
+    void put_text(std::string const& text);
     void write_out();
+    Cycles next_stop(Cycles cycle) const;
+    void cross_border();
     bool is_in_window(std::size_t domain) const {
         return cycle_ >= windows_[domain].first && cycle_ <= windows_[domain].second;
     }
@@ -85,16 +87,27 @@ class VcdFile {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
     std::string name_;
+    std::string written_to_;  ///< until it is finished
     std::unique_ptr<std::FILE, Closer> file_;
-    std::string buffer_;
+    std::vector<char> buffer_;
+    std::size_t fill_ = 0;
     double ticks_per_cycle_;
     std::vector<Variable> variables_;
     std::vector<Signal> dirty_;
     std::vector<std::pair<Cycles, Cycles>> windows_;
     Cycles first_ = 0;
     Cycles last_ = 0;
+    // Nearly all is scheduled for one of the next few cycles: a ring of them, and a queue for what is further away.
+    static constexpr std::size_t ring_size = 8;
+    struct Change {
+        Signal signal;
+        std::int64_t value;
+    };
+    std::array<std::vector<Change>, ring_size> ring_;
+    std::size_t in_ring_ = 0;
     std::priority_queue<Later, std::vector<Later>, std::greater<>> later_;
     std::uint64_t scheduled_ = 0;
+    Cycles next_border_ = 0;
     Cycles cycle_ = 0;
 };
 

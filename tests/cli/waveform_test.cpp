@@ -1,0 +1,310 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+#include "support/vcd_reader.hpp"
+
+using namespace faster::test;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+using Row = std::map<std::string, std::string>;
+
+namespace {
+
+std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
+fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
+Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
+                       "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
+                       "edge_map",        "observed_depth", "observed_edge",      "result"};
+Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
+                         "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
+
+Words split(std::string const& line) {
+    Words cells{""};
+    for (char const letter : line)
+        letter == ',' ? cells.emplace_back() : cells.back() += std::string(1, letter);
+    return cells;
+}
+
+class Waves {
+  public:
+    CommandResult run(std::string const& trace, Words const& more) const {
+        Words arguments{"run", config, "--trace", (traces / trace).string(), "--set", "accelerator.raster_cores=2"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_command(FASTER_SIM_BINARY, arguments, folder_.path());
+    }
+    std::vector<Row> table(std::string const& file) const {
+        std::vector<std::string> const lines = lines_of(content_of(folder_ / file));
+        Words const names = split(lines.at(0));
+        std::vector<Row> rows;
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            Words const cells = split(lines[i]);
+            rows.emplace_back();
+            for (std::size_t k = 0; k < names.size(); ++k)
+                rows.back()[names[k]] = cells.at(k);
+        }
+        return rows;
+    }
+    std::string text(std::string const& file) const { return content_of(folder_ / file); }
+    Vcd vcd(std::string const& file) const { return read_vcd(folder_ / file, 5); }
+    bool has(std::string const& file) const { return fs::exists(folder_ / file); }
+    fs::path path() const { return folder_.path(); }
+
+  private:
+    TempFolder folder_;
+};
+
+std::uint64_t number(Row const& row, std::string const& column) { return std::stoull(row.at(column)); }
+
+/// What a waveform says of a FIFO must be what fifos.csv says.
+void check_fifo(Vcd const& vcd, Row const& row) {
+    std::string const core = "core_" + row.at("core");
+    std::string const fifo = core + ".fifo_" + row.at("fifo");
+    CAPTURE(fifo);
+    auto const at = std::find(fifo_names.begin(), fifo_names.end(), row.at("fifo")) - fifo_names.begin();
+    auto const empty = static_cast<std::uint64_t>(1 + 2 * at);
+    std::uint64_t empty_cycles = 0;
+    std::uint64_t full_cycles = 0;
+    for (std::string const& module : module_names) {
+        empty_cycles += vcd.duration(core + "." + module + ".stall", empty);
+        full_cycles += vcd.duration(core + "." + module + ".stall", empty + 1);
+    }
+    CHECK(vcd.duration(fifo + ".write", 1) == number(row, "writes"));
+    CHECK(vcd.duration(fifo + ".read", 1) == number(row, "reads"));
+    CHECK(empty_cycles == number(row, "empty_stall_cycles"));
+    CHECK(full_cycles == number(row, "full_stall_cycles"));
+    CHECK(vcd.largest(fifo + ".occupancy") == number(row, "max_occupancy"));
+}
+
+/// Occupancy, full and empty follow from writes and reads, and every token read is the one that was written.
+void check_tokens(Vcd const& vcd, std::string const& fifo, std::vector<std::string> const& fields) {
+    CAPTURE(fifo);
+    for (std::string const& field : fields) {
+        auto const written = vcd.sampled(fifo + ".written_" + field, fifo + ".write");
+        auto const read = vcd.sampled(fifo + ".read_" + field, fifo + ".read");
+        REQUIRE(written.size() == read.size());
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            CHECK(read[i].bits == written[i].bits);
+            CHECK(read[i].cycle > written[i].cycle);
+        }
+    }
+    for (Vcd::Value const& value : vcd.signals.at(fifo + ".occupancy"))
+        if (value.known)
+            CHECK(vcd.at(fifo + ".empty", value.cycle).bits == (value.bits == 0 ? 1 : 0));
+}
+
+void check_samples(Vcd const& vcd, std::vector<Row> const& rows) {
+    std::map<std::uint64_t, std::pair<std::uint64_t, std::uint64_t>> found;
+    for (std::string const core : {"core_0", "core_1"}) {
+        for (Vcd::Value const& start : vcd.sampled(core + ".sample.started", core + ".sample.start"))
+            found[start.bits].first = start.cycle;
+        for (Vcd::Value const& end : vcd.sampled(core + ".sample.ended", core + ".sample.end"))
+            found[end.bits].second = end.cycle;
+    }
+    REQUIRE(found.size() == rows.size());
+    for (Row const& row : rows) {
+        CHECK(found.at(number(row, "sample")).first == number(row, "start_cycle"));
+        CHECK(found.at(number(row, "sample")).second == number(row, "end_cycle"));
+    }
+}
+
+/// Within its window, a waveform says what that of the whole run says.
+void check_window(Vcd const& whole, Vcd const& part, std::uint64_t from, std::uint64_t to) {
+    for (auto const& [signal, values] : part.signals) {
+        CAPTURE(signal, from, to);
+        bool const starts_unknown = signal.find("_address") != std::string::npos ||
+                                    signal.find("iteration") != std::string::npos ||
+                                    signal.find("sample.") != std::string::npos;
+        if (starts_unknown) {
+            // What an address was last, a window does not know before it comes: compare from the first on.
+            auto const known = part.within(signal, from, to);
+            auto const expected = whole.within(signal, from, to);
+            for (std::size_t i = 1; i <= std::min(known.size(), expected.size()) - 1; ++i)
+                CHECK(known[known.size() - i] == expected[expected.size() - i]);
+            continue;
+        }
+        CHECK(part.within(signal, from, to) == whole.within(signal, from, to));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("A waveform says what the tables say, in both engines alike", "[vcd]") {
+    for (std::string const trace : {"empty", "one_triangle", "edge_heavy", "full_window"}) {
+        CAPTURE(trace);
+        Waves const waves;
+        for (std::string const engine : {"lockstep", "decoupled"})
+            require_done(waves.run(
+                trace, {"--set", "simulation.engine=" + engine, "--set", "accelerator.fifos.area_reciprocal.depth=1",
+                        "--vcd", engine + ".vcd", "--timeline", engine + ".json", "--out", engine}));
+        CHECK(waves.text("lockstep.vcd") == waves.text("decoupled.vcd"));
+        CHECK(waves.text("lockstep.json") == waves.text("decoupled.json"));
+        Vcd const vcd = waves.vcd("lockstep.vcd");
+        CHECK(vcd.timescale == " 1 ns ");
+        for (Row const& row : waves.table("lockstep/fifos.csv"))
+            check_fifo(vcd, row);
+        check_tokens(vcd, "core_0.fifo_vertex", {"x", "y", "z"});
+        check_tokens(vcd, "core_0.fifo_edge_token", {"row", "col", "kind"});
+        check_tokens(vcd, "core_1.fifo_result", {"valid_raster", "inlier"});
+        check_samples(vcd, waves.table("lockstep/samples.csv"));
+    }
+}
+
+TEST_CASE("A waveform's loops are those of the table, and no block RAM has more accesses than ports", "[vcd]") {
+    Waves const waves;
+    require_done(waves.run("edge_heavy", {"--vcd", "all.vcd", "--out", "out"}));
+    Vcd const vcd = waves.vcd("all.vcd");
+    std::map<std::string, std::uint64_t> const states{
+        {"scan", 2}, {"token", 4}, {"output", 5}, {"fragment", 8}, {"sweep", 9}};
+    for (Row const& row : waves.table("out/loops.csv")) {
+        auto const state = states.find(row.at("loop"));
+        if (state == states.end() || row.at("core") != "0")
+            continue;
+        CAPTURE(row.at("loop"));
+        std::string const module = "core_0." + row.at("module");
+        std::uint64_t entries = 0;
+        for (Vcd::Value const& value : vcd.signals.at(module + ".state"))
+            entries += value.known && value.bits == state->second ? 1U : 0U;
+        CHECK(entries >= number(row, "entries"));  // those without an iteration count here
+    }
+    // The sweep reads five pixels of all but the border; 32 x 32 pixels, and the samples of core 0.
+    std::uint64_t reads = 0;
+    for (std::string const port : {"0", "1"}) {
+        std::string const path = "core_0.bram_depth_buffer.port" + port;
+        reads += vcd.duration(path + "_enable", 1) - vcd.duration(path + "_write_enable", 1);
+    }
+    std::uint64_t samples = 0;
+    for (Row const& row : waves.table("out/samples.csv"))
+        samples += row.at("core") == "0" ? 1U : 0U;
+    std::uint64_t fragments_inside = 0;
+    auto const rows = vcd.sampled("core_0.fifo_fragment_index.read_row", "core_0.fifo_fragment_index.read");
+    auto const cols = vcd.sampled("core_0.fifo_fragment_index.read_col", "core_0.fifo_fragment_index.read");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        fragments_inside += rows[i].bits < 32 && cols[i].bits < 32 ? 1U : 0U;
+    CHECK(reads == samples * 5 * 30 * 30 + fragments_inside);
+}
+
+TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
+    Waves const waves;
+    for (std::string const engine : {"lockstep", "decoupled"}) {
+        CAPTURE(engine);
+        Words const common{"--set", "simulation.engine=" + engine, "--set", "accelerator.raster_cores=1"};
+        auto const with = [&](Words more) {
+            more.insert(more.end(), common.begin(), common.end());
+            require_done(waves.run("edge_heavy", more));
+        };
+        with({"--vcd", "all.vcd", "--out", engine});
+        Vcd const whole = waves.vcd("all.vcd");
+        std::vector<Row> const samples = waves.table(engine + "/samples.csv");
+        for (std::size_t sample = 0; sample < samples.size(); ++sample) {
+            with({"--vcd", "part.vcd", "--vcd-samples", std::to_string(sample)});
+            check_window(whole, waves.vcd("part.vcd"), number(samples[sample], "start_cycle"),
+                         number(samples[sample], "end_cycle"));
+        }
+        std::uint64_t const end = number(samples.back(), "end_cycle");
+        for (std::uint64_t const from : {std::uint64_t{0}, end / 3, end / 2, end - 400}) {
+            with({"--vcd", "part.vcd", "--vcd-from", std::to_string(from), "--vcd-to", std::to_string(from + 300)});
+            check_window(whole, waves.vcd("part.vcd"), from, from + 300);
+        }
+    }
+}
+
+TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
+    Waves const waves;
+    Words deep{"--set", "accelerator.raster_cores=1"};
+    for (std::string const& fifo : fifo_names)
+        deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
+    auto const with = [&](Words more) {
+        more.insert(more.end(), deep.begin(), deep.end());
+        require_done(waves.run("edge_heavy", more));
+    };
+    with({"--vcd", "all.vcd", "--out", "out"});
+    Vcd const whole = waves.vcd("all.vcd");
+    for (Row const& row : waves.table("out/fifos.csv"))
+        check_fifo(whole, row);
+    for (Row const& row : waves.table("out/samples.csv")) {
+        with({"--vcd", "part.vcd", "--vcd-samples", row.at("sample")});
+        check_window(whole, waves.vcd("part.vcd"), number(row, "start_cycle"), number(row, "end_cycle"));
+    }
+}
+
+TEST_CASE("A waveform shows what was selected", "[vcd]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-cores", "0", "--vcd-modules", "edge*"}));
+    Vcd const vcd = waves.vcd("a.vcd");
+    CHECK(vcd.signals.count("core_0.edge_map_builder.state") == 1);
+    CHECK(vcd.signals.count("core_0.fifo_edge_token.write") == 1);
+    CHECK(vcd.signals.count("core_0.bram_object_map.port0_enable") == 1);
+    CHECK(vcd.signals.count("core_0.inlier_unit.state") == 0);
+    CHECK(vcd.signals.count("core_0.fifo_vertex.write") == 0);
+    CHECK(vcd.signals.count("core_1.edge_map_builder.state") == 0);
+    // The save file and its tables name what is there.
+    for (std::string const& line : lines_of(waves.text("a.gtkw")))
+        if (line.rfind("accelerator.", 0) == 0) {
+            std::string const path = line.substr(12, line.find('[') - 12);
+            CAPTURE(path);
+            CHECK(vcd.signals.count(path) == 1);
+        }
+    CHECK(waves.text("a.states.txt").find("04 token\n") != std::string::npos);
+    CHECK(waves.text("a.stalls.txt").find("14 edge_token full\n") != std::string::npos);
+}
+
+TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nanoseconds", "[vcd]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--set", "accelerator.clock_mhz=400"}));
+    Vcd const vcd = read_vcd(waves.path() / "a.vcd", 2500);
+    CHECK(vcd.timescale == " 1 ps ");
+}
+
+TEST_CASE("A timeline has a track per module, stalls inside loops, and as many samples as asked for", "[timeline]") {
+    Waves const waves;
+    require_done(waves.run("edge_heavy", {"--timeline", "t.json", "--timeline-samples", "1", "--out", "out"}));
+    auto const timeline = nlohmann::json::parse(waves.text("t.json"));
+    std::size_t samples = 0;
+    std::map<std::string, std::size_t> slices;
+    for (auto const& event : timeline.at("traceEvents")) {
+        if (event.at("ph") != "X")
+            continue;
+        ++slices[event.at("cat").get<std::string>()];
+        samples += event.at("cat") == "sample" && event["args"]["complete"] == true ? 1U : 0U;
+        if (event.at("cat") == "stall")
+            CHECK(event["args"]["stalled_cycles"] <=
+                  event["args"]["end_cycle"].get<int>() - event["args"]["begin_cycle"].get<int>());
+    }
+    CHECK(samples == 2);  // one of each core
+    CHECK(slices["loop"] > 10);
+    CHECK(slices["stall"] > 10);
+}
+
+TEST_CASE("A run that gets stuck still leaves its waveform", "[vcd]") {
+    Waves const waves;
+    CommandResult const result =
+        waves.run("one_triangle", {"--vcd", "a.vcd", "--set", "accelerator.fifos.fragment_index.depth=1"});
+    CHECK(result.exit_code == 3);
+    Vcd const vcd = waves.vcd("a.vcd");
+    CHECK(vcd.duration("core_0.fifo_fragment_index.full", 1) > 0);
+}
+
+TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
+    Waves const waves;
+    auto const refused = [&](Words const& more, Words const& parts) {
+        check_bad_input(waves.run("one_triangle", more), parts);
+        CHECK_FALSE(waves.has("a.vcd"));
+    };
+    refused({"--vcd-cores", "0"}, {"--vcd-cores", "--vcd"});
+    refused({"--vcd", "a.vcd", "--vcd-cores", "0-2"}, {"--vcd-cores 0-2", "within 0-1"});
+    refused({"--vcd", "a.vcd", "--vcd-samples", "1"}, {"--vcd-samples 1", "within 0-0"});
+    refused({"--vcd", "a.vcd", "--vcd-samples", "x"}, {"--vcd-samples x"});
+    refused({"--vcd", "a.vcd", "--vcd-samples", "0", "--vcd-from", "1"}, {"--vcd-samples", "--vcd-from"});
+    refused({"--vcd", "a.vcd", "--vcd-from", "9", "--vcd-to", "8"}, {"--vcd-to 8", "--vcd-from 9"});
+    refused({"--vcd", "a.vcd", "--vcd-modules", "inlier_unti"}, {"inlier_unti", "inlier_unit"});
+    refused({"--vcd", "nowhere/a.vcd"}, {"nowhere/a.vcd", "cannot be written"});
+    refused({"--timeline", "nowhere/t.json"}, {"nowhere/t.json", "cannot be written"});
+    refused({"--timeline", "t.json", "--timeline-samples", "0"}, {"--timeline-samples"});
+}

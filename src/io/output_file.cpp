@@ -1,0 +1,85 @@
+#include "io/output_file.hpp"
+
+#include <random>
+#include <string>
+#include <system_error>
+
+#include "common/input_error.hpp"
+#include "io/text_file.hpp"
+
+namespace faster::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(fs::path const& path, std::string const& what) { throw InputError(path.string() + ": " + what); }
+
+[[noreturn]] void fail(fs::path const& path, fs::filesystem_error const& error) {
+    fail(path, "cannot be written (" + error.code().message() + ")");
+}
+
+/// A hidden file with a name that two runs at once will not share; removed unless it was renamed.
+class PartialFile {
+  public:
+    PartialFile(fs::path const& folder, fs::path const& name) {
+        std::random_device random;
+        path_ = folder / ("." + name.string() + ".partial-" + std::to_string(random()));
+    }
+    ~PartialFile() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    PartialFile(PartialFile const&) = delete;
+    PartialFile& operator=(PartialFile const&) = delete;
+
+    fs::path const& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+/// The folder in which a file or its missing parents would be made.
+fs::path nearest_folder(fs::path const& file) {
+    fs::path folder = file.parent_path();
+    while (!fs::exists(folder))
+        folder = folder.parent_path();
+    return folder;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path const& target) : target_(target) {
+    if (!target_.has_filename())
+        throw InputError("\"" + target_.string() + "\" names no file, expected a path to write to");
+    try {
+        destination_ = fs::weakly_canonical(fs::absolute(target_));
+        if (fs::is_directory(destination_))
+            fail(target_, "is a folder, expected a file to write");
+        if (fs::exists(destination_) && !fs::is_regular_file(destination_))
+            fail(target_, "is no regular file, expected a new file or one to replace");
+        fs::path const folder = nearest_folder(destination_);
+        if (!fs::is_directory(folder))
+            fail(target_, "cannot be written (" + folder.string() + " is no folder)");
+        PartialFile const probe(folder, destination_.filename());
+        try {
+            write_file(probe.path(), "");
+        } catch (InputError const&) {
+            fail(target_, "cannot be written in " + folder.string());
+        }
+    } catch (fs::filesystem_error const& error) {
+        fail(target_, error);
+    }
+}
+
+void OutputFile::commit(std::string_view content) const {
+    try {
+        fs::create_directories(destination_.parent_path());
+        PartialFile const partial(destination_.parent_path(), destination_.filename());
+        write_file(partial.path(), content);
+        fs::rename(partial.path(), destination_);
+    } catch (fs::filesystem_error const& error) {
+        fail(target_, error);
+    }
+}
+
+}  // namespace faster::io

@@ -2,20 +2,26 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <vector>
 
-#include "common/input_error.hpp"
+#include "io/text_file.hpp"
 
 namespace faster::io {
 
-void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture) {
+std::string colour_png(Image<Colour> const& picture) {
     cv::Mat pixels(picture.height(), picture.width(), CV_8UC3);
     for (int row = 0; row < picture.height(); ++row)
         for (int col = 0; col < picture.width(); ++col) {
             Colour const& c = picture.at(row, col);
             pixels.at<cv::Vec3b>(row, col) = {c[2], c[1], c[0]};  // OpenCV keeps blue first
         }
-    if (!cv::imwrite(path.string(), pixels))
-        throw InputError(path.string() + ": cannot be written");
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", pixels, bytes);
+    return {bytes.begin(), bytes.end()};
+}
+
+void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture) {
+    write_file(path, colour_png(picture));
 }
 
 }  // namespace faster::io

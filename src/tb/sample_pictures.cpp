@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "datapath/edge_maps.hpp"
-#include "io/colour_png.hpp"
 #include "io/png_image.hpp"
 
 namespace faster {
@@ -43,12 +42,19 @@ void SamplePictures::write(std::filesystem::path const& folder) const {
         io::write_png(folder / (name + "_edges.png"), maps.edge_map);
         io::write_png(folder / (name + "_object.png"), maps.object_map);
         io::write_png(folder / (name + "_depth.png"), maps.depth_buffer);
-        write_overlay(sample, maps, folder / (name + "_overlay.png"));
+        io::write_colour_png(folder / (name + "_overlay.png"), overlay_of(sample, maps));
     }
 }
 
-void SamplePictures::write_overlay(std::size_t sample, SampleMaps const& maps,
-                                   std::filesystem::path const& file) const {
+std::vector<report::ReportPicture> SamplePictures::for_report() const {
+    std::vector<report::ReportPicture> pictures;
+    for (auto const& [sample, maps] : maps_)
+        pictures.push_back({fmt::format("Sample {}: contour red, object green, observed edges blue", sample),
+                            io::colour_png(overlay_of(sample, maps))});
+    return pictures;
+}
+
+Image<io::Colour> SamplePictures::overlay_of(std::size_t sample, SampleMaps const& maps) const {
     constexpr int zoom = 3;
     SampleInput const& input = stimulus_.samples[sample];
     int const side = stimulus_.window;
@@ -68,7 +74,7 @@ void SamplePictures::write_overlay(std::size_t sample, SampleMaps const& maps,
             else if (maps.object_map.at(r, c) != 0)
                 picture.at(row, col) = {150, 215, 140};
         }
-    io::write_colour_png(file, picture);
+    return picture;
 }
 
 }  // namespace faster

@@ -1,9 +1,12 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <vector>
 
 #include "common/stimulus.hpp"
+#include "io/colour_png.hpp"
 #include "modules/core_context.hpp"
+#include "report_html/html_report.hpp"
 
 namespace faster {
 
@@ -20,8 +23,11 @@ class SamplePictures : public SampleProbe {
     /// green, observed edges blue.
     void write(std::filesystem::path const& folder) const;
 
+    /// The overlays for the HTML report.
+    std::vector<report::ReportPicture> for_report() const;
+
   private:
-    void write_overlay(std::size_t sample, SampleMaps const& maps, std::filesystem::path const& file) const;
+    Image<io::Colour> overlay_of(std::size_t sample, SampleMaps const& maps) const;
 
     Stimulus const& stimulus_;
     std::size_t count_;

@@ -127,6 +127,21 @@ TEST_CASE("A click on the head of a column sorts numbers as numbers and names as
         }
 }
 
+TEST_CASE("The choices of core, sample and zoom show what they say", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page("example.yaml"));
+    Json const check = self_check(folder, "report.html");
+    CHECK(check["cores"]["all, summed up"] == "sample_vertexshift register2122,0002,00001,800");
+    CHECK(check["cores"]["core 1"] == "sample_vertexshift register2121,0001,0000900");
+    CHECK(check["loops_of_cores"]["all, summed up"][0] == "20");  // entries
+    CHECK(check["loops_of_cores"]["core 0"][0] == "10");
+    CHECK(check["samples"]["0 (core 0)"] == "Sample 0 on core 0: 345,000 cycles from cycle 1 on.");
+    CHECK(check["samples"]["3 (core 1)"] == "Sample 3 on core 1: 345,000 cycles from cycle 450,001 on.");
+    CHECK(check["zoomed"] == Json::array({345000, 345000 / 256.0, 345000}));
+}
+
 TEST_CASE("Hostile names are text in the drawn page", "[browser]") {
     if (browser_is_missing())
         return;

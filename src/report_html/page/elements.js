@@ -1,6 +1,5 @@
 // Elements, numbers and names as text. Data only ever becomes text nodes and attributes, never markup.
 
-const data = JSON.parse(document.getElementById("data").textContent);
 const errors = [];
 
 function report_trouble(text) {
@@ -11,6 +10,8 @@ function report_trouble(text) {
 }
 addEventListener("error", (event) => report_trouble(event.message));
 addEventListener("unhandledrejection", (event) => report_trouble(String(event.reason)));
+
+const data = JSON.parse(document.getElementById("data").textContent);
 
 function by_id(id) {
   return document.getElementById(id);

@@ -29,7 +29,38 @@ function rows_with_filter(checked) {
   return column_of(document.querySelector("#configuration-table table"), 0);
 }
 
+/// What `observe` finds after each choice of a select, by the text of the choice; the first is chosen again at the end.
+function with_each_choice(place, observe) {
+  const select = document.querySelector(place + " select");
+  if (!select) return {};
+  const found = {};
+  const choose = (i) => {
+    select.selectedIndex = i;
+    select.dispatchEvent(new Event("change"));
+    found[select.options[i].textContent] = observe();
+  };
+  for (let i = 0; i < select.options.length; ++i) choose(i);
+  choose(0);
+  return found;
+}
+
+/// Cycles on the timeline's axis without and with all zoom.
+function zoomed() {
+  const entry = charts.find(({ canvas }) => canvas.parentNode.id === "timeline-chart");
+  if (!entry) return [];
+  const zoom = document.querySelector("#timeline-controls input");
+  return [zoom.min, zoom.max, zoom.min].map((value) => {
+    zoom.value = value;
+    zoom.dispatchEvent(new Event("input"));
+    return entry.chart.scales.x.max - entry.chart.scales.x.min;
+  });
+}
+
 function self_check() {
+  const first_fifo = () => document.querySelector("#fifo-table tbody tr").textContent;
+  const cores = with_each_choice("#fifo-controls", first_fifo);
+  const loops_of_cores = with_each_choice("#loop-controls", () => column_of(document.querySelector("#loop-table table"), 6));
+  const samples = with_each_choice("#timeline-controls", () => by_id("timeline-note").textContent);
   const tables = {};
   for (const table of document.querySelectorAll("table")) tables[table.caption.textContent] = sort_all(table);
   return {
@@ -38,6 +69,10 @@ function self_check() {
     sections: [...document.querySelectorAll("section")].filter((section) => !section.hidden).map((section) => section.id),
     pictures: [...document.images].filter((image) => image.complete && image.naturalWidth > 0).length,
     tables,
+    cores,
+    loops_of_cores,
+    samples,
+    zoomed: zoomed(),
     title: document.title,
     elements_in_data: document.querySelectorAll("h1 *, figcaption *, #configuration-table td *:not(.tag)").length,
     dark: matchMedia("(prefers-color-scheme: dark)").matches,

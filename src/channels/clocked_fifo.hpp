@@ -92,14 +92,28 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     /// Room for `count` tokens, valid until the next call. append() makes them part of the channel, wake_reader() tells
     /// the reader, if it waits for tokens; commit() does both.
     Token* reserve(std::size_t count) { return tokens_.room(count); }
-    void append(std::size_t count) { tokens_.append(count); }
+    void append(std::size_t count) {
+        tokens_.append(count);
+        if (!taps_.empty())
+            show(count);
+    }
     void commit(std::size_t count) {
         append(count);
         wake_reader();
     }
     using FifoChannel::wake_reader;
 
+    std::vector<TokenField> token_fields() const override {
+        return {TokenFields<Token>::layout.begin(), TokenFields<Token>::layout.end()};
+    }
+
   private:
+    /// Shows the last `count` tokens to the taps.
+    void show(std::size_t count) {
+        for (Token const* token = tokens_.end() - count; token != tokens_.end(); ++token)
+            for (TokenTap* tap : taps_)
+                tap->record(TokenFields<Token>::values(*token).data());
+    }
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
     /// own.
     static std::size_t host_limit(timing::FifoShape const& shape) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <systemc>
+#include <vector>
 
+#include "channels/token_tap.hpp"
 #include "timing/fifo_timing.hpp"
 
 namespace faster {
@@ -25,6 +27,11 @@ class FifoChannel : public sc_core::sc_prim_channel {
         writer_ = &clock;
         write_port_ = port;
     }
+    /// What the FIFO's tokens consist of.
+    virtual std::vector<TokenField> token_fields() const = 0;
+    /// See all tokens that are appended from now on.
+    std::vector<TokenTap*>& taps() { return taps_; }
+
     /// Bit of this FIFO in the port masks of its reader (writer).
     std::uint8_t read_port() const { return read_port_; }
     std::uint8_t write_port() const { return write_port_; }
@@ -48,6 +55,7 @@ class FifoChannel : public sc_core::sc_prim_channel {
     ProcessClock* writer_ = nullptr;
     std::uint8_t read_port_ = 0;
     std::uint8_t write_port_ = 0;
+    std::vector<TokenTap*> taps_;
     sc_core::sc_event written_;
     sc_core::sc_event read_;
 

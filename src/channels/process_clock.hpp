@@ -35,55 +35,51 @@ class ProcessClock {
 
     /// T += cycles.
     void advance(Cycles cycles) {
-        for (; cycles > longest_count; cycles -= longest_count)
-            timing_.log().wait(longest_count);
-        timing_.log().wait(static_cast<std::uint32_t>(cycles));
-        follow();
+        say([cycles](OperationLog& log) {
+            Cycles left = cycles;
+            for (; left > longest_count; left -= longest_count)
+                log.wait(longest_count);
+            log.wait(static_cast<std::uint32_t>(left));
+        });
     }
     /// The accesses of one step, together.
     void step(std::uint8_t ports) {
-        timing_.log().step(ports, 0);
-        follow();
+        say([ports](OperationLog& log) { log.step(ports, 0); });
     }
     /// Notes the local time; read back from timing().stamps().
     void stamp() {
-        timing_.log().stamp();
-        follow();
+        say([](OperationLog& log) { log.stamp(); });
     }
 
     void enter_loop(unsigned loop) {
-        timing_.log().enter(loop);
-        follow();
+        say([loop](OperationLog& log) { log.enter(loop); });
     }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
     void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
-        for (; count > longest_count; count -= longest_count)
-            timing_.log().iterate(ports, gap, longest_count);
-        timing_.log().iterate(ports, gap, static_cast<std::uint32_t>(count));
-        follow();
+        say([=](OperationLog& log) {
+            std::uint64_t left = count;
+            for (; left > longest_count; left -= longest_count)
+                log.iterate(ports, gap, longest_count);
+            log.iterate(ports, gap, static_cast<std::uint32_t>(left));
+        });
     }
     /// `count` iterations that access `ports`, one that accesses `tail_ports`, and `tail_gap` that access nothing.
     void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
-        timing_.log().iterate_with_tail(ports, count, tail_ports, tail_gap);
-        follow();
+        say([=](OperationLog& log) { log.iterate_with_tail(ports, count, tail_ports, tail_gap); });
     }
     /// An iteration that accesses `ports`, one that accesses `tail_ports`, then iterate_with_tail() for the other
     /// `count` - 1, which is not 0.
     void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
-        timing_.log().iterate_flanked(ports, count, tail_ports, tail_gap);
-        follow();
+        say([=](OperationLog& log) { log.iterate_flanked(ports, count, tail_ports, tail_gap); });
     }
     /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
     /// most 32.
     void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
-        timing_.log().iterate_mixed(ports, length, gaps);
-        follow();
+        say([=](OperationLog& log) { log.iterate_mixed(ports, length, gaps); });
     }
     void leave_loop() {
-        timing_.log().leave();
-        follow();
+        say([](OperationLog& log) { log.leave(); });
     }
-
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     void access(std::uint8_t port) {
         if (collecting_)
@@ -108,6 +104,14 @@ class ProcessClock {
     friend class Step;
     static constexpr std::uint32_t longest_count = timing::Operation::longest_count;
 
+    using OperationLog = timing::OperationLog;
+
+    template <class Entry> void say(Entry entry) {
+        entry(timing_.log());
+        for (OperationLog* tape : timing_.tapes())
+            entry(*tape);
+        follow();
+    }
     void follow() {
         if (lockstep())
             follow_in_lockstep();

@@ -22,6 +22,7 @@ template <class Token> class TokenQueue {
     }
     void append(std::size_t count) { tail_ += count; }
 
+    Token const* end() const { return tokens_.data() + tail_; }
     Token const* front() const { return tokens_.data() + head_; }
     void drop(std::size_t count) { head_ += count; }
 

@@ -15,8 +15,11 @@ std::string colour_png(Image<Colour> const& picture) {
             Colour const& c = picture.at(row, col);
             pixels.at<cv::Vec3b>(row, col) = {c[2], c[1], c[0]};  // OpenCV keeps blue first
         }
+    // A picture for people is drawn once and kept: a little more time for a third of the size.
+    std::vector<int> const options{cv::IMWRITE_PNG_COMPRESSION, 6, cv::IMWRITE_PNG_STRATEGY,
+                                   cv::IMWRITE_PNG_STRATEGY_DEFAULT};
     std::vector<unsigned char> bytes;
-    cv::imencode(".png", pixels, bytes);
+    cv::imencode(".png", pixels, bytes, options);
     return {bytes.begin(), bytes.end()};
 }
 

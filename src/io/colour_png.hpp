@@ -1,15 +1,11 @@
 #pragma once
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
+#include "common/colour.hpp"
 #include "common/image.hpp"
 
 namespace faster::io {
-
-/// Red, green, blue.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// A picture for people: the bytes of its file.
 std::string colour_png(Image<Colour> const& picture);

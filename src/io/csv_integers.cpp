@@ -1,131 +1,44 @@
 #include "io/csv_integers.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 #include <string_view>
 
 #include "common/input_error.hpp"
-#include "io/text_file.hpp"
+#include "io/csv_cells.hpp"
 
 namespace faster::io {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    auto const first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+std::vector<std::string> names_of(std::vector<CsvColumn> const& columns) {
+    std::vector<std::string> names;
+    names.reserve(columns.size());
+    for (auto const& column : columns) {
+        names.push_back(column.name);
+    }
+    return names;
 }
 
-/// Takes the text up to `separator` off the front of `rest`, and the separator with it.
-std::string_view take_until(std::string_view& rest, char separator) {
-    auto const end = rest.find(separator);
-    std::string_view const taken = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    return taken;
+bool parse(std::string_view cell, std::int64_t& value) {
+    auto const result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    return result.ec == std::errc{} && result.ptr == cell.data() + cell.size();
 }
-
-std::size_t cell_count(std::string_view line) {
-    return trimmed(line).empty() ? 0 : static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-}
-
-std::vector<std::string> cells_of(std::string_view line) {
-    std::vector<std::string> cells;
-    std::size_t const count = cell_count(line);
-    while (cells.size() < count) {
-        cells.emplace_back(trimmed(take_until(line, ',')));
-    }
-    return cells;
-}
-
-/// The state of one pass over a table.
-class Table {
-  public:
-    Table(std::filesystem::path const& path, std::vector<CsvColumn> const& columns)
-        : path_(path.string()), columns_(columns), values_(columns.size()) {}
-
-    void read(std::string_view text, CsvRowReader const& read_row) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
-            text.remove_prefix(byte_order_mark.size());
-        }
-        text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
-        line_ = 1;
-        read_header(take_until(text, '\n'));
-        while (!text.empty()) {
-            ++line_;
-            parse_row(take_until(text, '\n'));
-            read_row(line_, values_.data());
-        }
-    }
-
-  private:
-    static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
-
-    void read_header(std::string_view line) {
-        std::vector<std::string> const names = cells_of(line);
-        column_of_cell_.assign(names.size(), skipped);
-        for (std::size_t column = 0; column < columns_.size(); ++column) {
-            auto const found = std::find(names.begin(), names.end(), columns_[column].name);
-            if (found == names.end()) {
-                fail(fmt::format("no column {} in the header, expected {}", columns_[column].name, expected_header()));
-            }
-            if (std::find(found + 1, names.end(), columns_[column].name) != names.end()) {
-                fail(fmt::format("column {} stands twice in the header, expected once", columns_[column].name));
-            }
-            column_of_cell_[static_cast<std::size_t>(found - names.begin())] = column;
-        }
-    }
-
-    void parse_row(std::string_view line) {
-        std::size_t const cells = cell_count(line);
-        if (cells != column_of_cell_.size()) {
-            fail(fmt::format("{} cells, expected {} as in the header", cells, column_of_cell_.size()));
-        }
-        for (std::size_t const column : column_of_cell_) {
-            std::string_view const cell = take_until(line, ',');
-            if (column != skipped) {
-                values_[column] = parse_cell(trimmed(cell), columns_[column]);
-            }
-        }
-    }
-
-    std::int64_t parse_cell(std::string_view cell, CsvColumn const& column) const {
-        std::int64_t value = 0;
-        auto const result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        bool const is_integer = result.ec == std::errc{} && result.ptr == cell.data() + cell.size();
-        if (!is_integer || value < column.min || value > column.max) {
-            fail(fmt::format("column {} = {}, expected an integer in {}..{}", column.name,
-                             cell.empty() ? "nothing" : cell, column.min, column.max));
-        }
-        return value;
-    }
-
-    std::string expected_header() const {
-        std::string names;
-        for (auto const& column : columns_) {
-            names += (names.empty() ? "" : ",") + column.name;
-        }
-        return names;
-    }
-
-    [[noreturn]] void fail(std::string const& what) const {
-        throw InputError(fmt::format("{}:{}: {}", path_, line_, what));
-    }
-
-    std::string path_;
-    std::vector<CsvColumn> const& columns_;
-    std::size_t line_ = 0;
-    std::vector<std::size_t> column_of_cell_;  // per cell of a row, the requested column or skipped
-    std::vector<std::int64_t> values_;         // per requested column
-};
 
 }  // namespace
 
 void read_csv_integers(std::filesystem::path const& path, std::vector<CsvColumn> const& columns,
                        CsvRowReader const& read_row) {
-    Table(path, columns).read(read_file(path), read_row);
+    std::vector<std::int64_t> values(columns.size());
+    read_csv_cells(path, names_of(columns), [&](std::size_t line, std::string_view const* cells) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            auto const& [name, min, max] = columns[i];
+            if (!parse(cells[i], values[i]) || values[i] < min || values[i] > max) {
+                throw InputError(fmt::format("{}:{}: column {} = {}, expected an integer in {}..{}", path.string(),
+                                             line, name, cells[i].empty() ? "nothing" : cells[i], min, max));
+            }
+        }
+        read_row(line, values.data());
+    });
 }
 
 }  // namespace faster::io

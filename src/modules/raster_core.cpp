@@ -7,7 +7,7 @@ namespace faster {
 RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                        CoreShare share, TimeBase const& time_base)
     : sc_module(name),
-      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}, nullptr, &done_},
+      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}, {}, nullptr, &done_},
       sample_dispatcher("sample_dispatcher", context_),
       vertex_transform("vertex_transform", context_),
       rasterizer("rasterizer", context_),
@@ -51,6 +51,12 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     inlier_unit.result_out(result_);
 
     result_collector.result_in(result_);
+}
+
+std::vector<FifoChannel*> RasterCore::channels() {
+    return {&sample_vertex_,   &sample_raster_,  &sample_observation_, &vertex_,         &area_,
+            &area_reciprocal_, &command_,        &fragment_depth_,     &fragment_index_, &edge_token_,
+            &edge_map_,        &observed_depth_, &observed_edge_,      &result_};
 }
 
 timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }

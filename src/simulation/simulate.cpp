@@ -4,6 +4,7 @@
 
 #include "modules/accelerator.hpp"
 #include "simulation/collect.hpp"
+#include "simulation/recordings.hpp"
 
 namespace faster {
 
@@ -16,10 +17,13 @@ RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus
         if (options.progress)
             core->set_progress([&done, &options] { options.progress(++done); });
     }
+    Recordings recordings(accelerator, options.recordings);
     sc_core::sc_start();
     for (auto const& core : accelerator.cores())
         core->timing().resolve();
-    return collect(accelerator, config, stimulus);
+    RunStatistics const run = collect(accelerator, config, stimulus);
+    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
+    return run;
 }
 
 }  // namespace faster

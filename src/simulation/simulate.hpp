@@ -4,13 +4,22 @@
 #include "common/stimulus.hpp"
 #include "config/run_config.hpp"
 #include "modules/core_context.hpp"
+#include "recording/vcd_core.hpp"
 #include "stats/run_statistics.hpp"
 
 namespace faster {
 
+/// Something to be recorded, and what to do with it when the run is over, or stuck. Cores that score none of the wanted
+/// samples are left out.
+struct Recording {
+    recording::RecordingWindow window;
+    std::function<void(std::vector<recording::RecordedCore> const& cores)> done;
+};
+
 struct SimulationOptions {
     SampleProbe* probe = nullptr;                      ///< sees the maps of every sample; may be null
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
+    std::vector<Recording> recordings;
 };
 
 /// Builds the accelerator, runs it until nothing moves, and collects its figures. A deadlock is a result, not an error:

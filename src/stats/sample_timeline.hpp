@@ -15,7 +15,8 @@ struct TimelineSpan {
     Kind kind = Kind::loop;
     std::size_t item = 0;  ///< number of the LoopId, or of the FifoId that caused the stall
     Cycles begin = 0;
-    Cycles end = 0;  ///< one past the last cycle
+    Cycles end = 0;    ///< one past the last cycle
+    Cycles count = 0;  ///< iterations of a loop; stalled cycles: short stalls on one FIFO close together are one span
 };
 
 /// Tokens in a FIFO from a cycle on.

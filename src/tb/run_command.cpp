@@ -69,7 +69,7 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
     io::write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder.path() / "loops.csv", report::loops_csv(run));
     if (with_pictures)
-        pictures.write(folder.path() / "images");
+        pictures.write(folder.path() / "images", run.samples);
     folder.commit();
 }
 
@@ -106,6 +106,7 @@ int run(RunRequest const& request) {
         ProgressLine progress(stimulus.samples.size());
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
+        options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
         options.progress = [&progress](std::uint64_t done) { progress.show(done); };
         statistics = simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine, options);
     }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/recording_options.hpp"
+
 namespace faster {
 
 /// The process's exit codes (SPEC section 4).
@@ -16,6 +18,7 @@ struct RunRequest {
     std::string out;                     ///< folder; empty: print only
     std::string report;                  ///< HTML file; empty: none
     std::int64_t images = 0;             ///< samples to write pictures of
+    RecordingRequest recording;
 };
 
 /// `faster-sim record`.

@@ -1,13 +1,22 @@
 #include "tb/sample_pictures.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "datapath/edge_maps.hpp"
+#include "io/colour_png.hpp"
 #include "io/png_image.hpp"
+#include "io/sample_picture.hpp"
+#include "pictures/contact_sheet.hpp"
+#include "pictures/depth_map.hpp"
+#include "pictures/drawing.hpp"
+#include "pictures/overlay.hpp"
 
 namespace faster {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::uint8_t lit = 255;
 
@@ -16,6 +25,25 @@ Image<std::uint8_t> picture_of(std::uint8_t const* map, int side) {
     for (std::uint8_t& pixel : picture.pixels())
         pixel = *map++ != 0 ? lit : std::uint8_t{0};
     return picture;
+}
+
+/// Window pixels are small: a picture for people has about 600 pixels a side.
+Image<Colour> for_people(Image<Colour> const& picture) {
+    constexpr int usual_side = 600;
+    return pictures::enlarged(picture, std::max(1, usual_side / picture.width()));
+}
+
+void write_maps(fs::path const& folder, std::size_t sample, SampleMaps const& maps) {
+    io::write_png(io::sample_picture(folder, sample, "edges"), maps.edge_map);
+    io::write_png(io::sample_picture(folder, sample, "object"), maps.object_map);
+    io::write_png(io::sample_picture(folder, sample, "depth"), maps.depth_buffer);
+}
+
+/// Its own scale shows the most of a sample, and its picture does not depend on the others.
+Image<Colour> depth_map_of(SampleMaps const& maps, int fraction_bits) {
+    pictures::DepthScale scale(fraction_bits);
+    scale.include(maps.depth_buffer);
+    return pictures::with_scale_bar(for_people(pictures::depth_map(maps.depth_buffer, scale)), scale);
 }
 
 }  // namespace
@@ -35,46 +63,40 @@ void SamplePictures::depth_buffer_done(std::size_t sample, std::vector<std::uint
     maps_[sample].depth_buffer = std::move(picture);
 }
 
-void SamplePictures::write(std::filesystem::path const& folder) const {
-    std::filesystem::create_directories(folder);
+void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics> const& samples) const {
+    fs::create_directories(folder);
     for (auto const& [sample, maps] : maps_) {
-        std::string const name = fmt::format("sample_{:04}", sample);
-        io::write_png(folder / (name + "_edges.png"), maps.edge_map);
-        io::write_png(folder / (name + "_object.png"), maps.object_map);
-        io::write_png(folder / (name + "_depth.png"), maps.depth_buffer);
-        io::write_colour_png(folder / (name + "_overlay.png"), overlay_of(sample, maps));
+        write_maps(folder, sample, maps);
+        io::write_colour_png(io::sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
+        io::write_colour_png(io::sample_picture(folder, sample, "depth_map"),
+                             depth_map_of(maps, stimulus_.fraction.depth_buffer));
     }
+    if (!maps_.empty())
+        write_contact_sheet(folder / "contact_sheet.png", samples);
 }
 
 std::vector<report::ReportPicture> SamplePictures::for_report() const {
     std::vector<report::ReportPicture> pictures;
     for (auto const& [sample, maps] : maps_)
         pictures.push_back({fmt::format("Sample {}: contour red, object green, observed edges blue", sample),
-                            io::colour_png(overlay_of(sample, maps))});
+                            io::colour_png(for_people(overlay_of(sample, maps)))});
     return pictures;
 }
 
-Image<io::Colour> SamplePictures::overlay_of(std::size_t sample, SampleMaps const& maps) const {
-    constexpr int zoom = 3;
-    SampleInput const& input = stimulus_.samples[sample];
-    int const side = stimulus_.window;
-    Image<io::Colour> picture(side * zoom, side * zoom, {lit, lit, lit});
-    for (int row = 0; row < side * zoom; ++row)
-        for (int col = 0; col < side * zoom; ++col) {
-            int const r = row / zoom, c = col / zoom;
-            std::int64_t const image_row = std::int64_t{input.centre_row} - side / 2 + r;
-            std::int64_t const image_col = std::int64_t{input.centre_col} - side / 2 + c;
-            bool const on_image =
-                image_row >= 0 && image_row < stimulus_.height && image_col >= 0 && image_col < stimulus_.width;
-            if (maps.edge_map.at(r, c) != 0)
-                picture.at(row, col) = {215, 25, 28};
-            else if (on_image &&
-                     stimulus_.observed_edges.at(static_cast<int>(image_row), static_cast<int>(image_col)) != 0)
-                picture.at(row, col) = {43, 91, 200};
-            else if (maps.object_map.at(r, c) != 0)
-                picture.at(row, col) = {150, 215, 140};
-        }
-    return picture;
+Image<Colour> SamplePictures::overlay_of(std::size_t sample, SampleMaps const& maps) const {
+    return pictures::overlay(maps.edge_map, maps.object_map,
+                             pictures::observed_edges_in_window(stimulus_, stimulus_.samples[sample]));
+}
+
+void SamplePictures::write_contact_sheet(fs::path const& file, std::vector<SampleStatistics> const& samples) const {
+    pictures::DepthScale scale(stimulus_.fraction.depth_buffer);
+    for (auto const& [sample, maps] : maps_)
+        scale.include(maps.depth_buffer);
+    pictures::ContactSheet sheet(maps_.size(), scale);
+    for (auto const& [sample, maps] : maps_)
+        if (sheet.room() > 0)
+            sheet.add(sample, samples[sample].counters.inlier, overlay_of(sample, maps), maps.depth_buffer);
+    io::write_colour_png(file, sheet.picture());
 }
 
 }  // namespace faster

@@ -3,10 +3,11 @@
 #include <map>
 #include <vector>
 
+#include "common/colour.hpp"
 #include "common/stimulus.hpp"
-#include "io/colour_png.hpp"
 #include "modules/core_context.hpp"
 #include "report_html/html_report.hpp"
+#include "stats/run_statistics.hpp"
 
 namespace faster {
 
@@ -19,15 +20,16 @@ class SamplePictures : public SampleProbe {
     void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) override;
     void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override;
 
-    /// sample_NNNN_{edges,object,depth}.png for programs, sample_NNNN_overlay.png for people: contour red, object
-    /// green, observed edges blue.
-    void write(std::filesystem::path const& folder) const;
+    /// sample_NNNN_{edges,object,depth}.png for programs; sample_NNNN_{overlay,depth_map}.png and contact_sheet.png for
+    /// people. `samples` are those of the whole run.
+    void write(std::filesystem::path const& folder, std::vector<SampleStatistics> const& samples) const;
 
     /// The overlays for the HTML report.
     std::vector<report::ReportPicture> for_report() const;
 
   private:
-    Image<io::Colour> overlay_of(std::size_t sample, SampleMaps const& maps) const;
+    Image<Colour> overlay_of(std::size_t sample, SampleMaps const& maps) const;
+    void write_contact_sheet(std::filesystem::path const& file, std::vector<SampleStatistics> const& samples) const;
 
     Stimulus const& stimulus_;
     std::size_t count_;

@@ -7,7 +7,9 @@
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
+#include "tb/compare_command.hpp"
 #include "tb/run_command.hpp"
+#include "tb/show_command.hpp"
 
 namespace {
 
@@ -36,6 +38,7 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->type_name("K")
         ->check(CLI::Range(0, 1000000));
     add_overrides(command, request.overrides);
+    add_recording_options(command, request.recording);
 }
 
 void add_record(CLI::App& app, faster::RecordRequest& request) {
@@ -43,6 +46,31 @@ void add_record(CLI::App& app, faster::RecordRequest& request) {
     command.add_option("config", request.config, "Configuration file (YAML)")->required()->type_name("CONFIG");
     command.add_option("--out", request.out, "Folder of the trace")->required()->type_name("DIR");
     add_overrides(command, request.overrides);
+}
+
+void add_compare(CLI::App& app, faster::CompareRequest& request) {
+    CLI::App& command = *app.add_subcommand("compare", "Say what changed from one run to another, largest first");
+    command.add_option("run_a", request.run_a, "Output folder of a run")->required()->type_name("RUN_A");
+    command.add_option("run_b", request.run_b, "Output folder of another run")->required()->type_name("RUN_B");
+    command.add_option("--top", request.top, "Rows of each list; the others are counted")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1000000));
+    command.add_option("--json", request.json, "Write the whole comparison to this file")->type_name("FILE");
+}
+
+void add_show(CLI::App& app, faster::ShowRequest& request) {
+    CLI::App& command = *app.add_subcommand("show", "Print a small picture of one sample of an older run");
+    command.add_option("folder", request.folder, "Results of faster-sim run --out DIR --images K")
+        ->required()
+        ->type_name("DIR");
+    command.add_option("--sample", request.sample, "Index of the sample (0)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000000));
+    command.add_flag("--depth", request.depth, "The depth buffer instead of edge and object map");
+    command.add_option("--width", request.width, "Columns at most (those of the terminal, else 80)")
+        ->type_name("N")
+        ->check(CLI::Range(10, 1000));
 }
 
 int one_line_error(std::string text) {
@@ -54,11 +82,12 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "keys"};
+    std::vector<std::string> const known{"run", "record", "compare", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record or keys{}", given, faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected run, record, compare, show or keys{}", given,
+                       faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -69,8 +98,12 @@ int run_tool(int argc, char** argv) {
     app.require_subcommand(1);
     faster::RunRequest run_request;
     faster::RecordRequest record_request;
+    faster::CompareRequest compare_request;
     add_run(app, run_request);
     add_record(app, record_request);
+    add_compare(app, compare_request);
+    faster::ShowRequest show_request;
+    add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
     try {
         app.parse(argc, argv);
@@ -85,6 +118,10 @@ int run_tool(int argc, char** argv) {
     }
     if (app.got_subcommand("record"))
         return record(record_request);
+    if (app.got_subcommand("compare"))
+        return compare(compare_request);
+    if (app.got_subcommand("show"))
+        return show(show_request);
     if (run_request.images > 0 && run_request.out.empty() && run_request.report.empty())
         return one_line_error("--images " + std::to_string(run_request.images) +
                               ": expected --out DIR or --report FILE as well");

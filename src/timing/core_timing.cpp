@@ -48,6 +48,17 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     return copy;
 }
 
+std::unique_ptr<CoreTiming> CoreTiming::copy() {
+    if (automaton_ != nullptr && group_ != nullptr)
+        automaton_->settle(*group_, session_);
+    std::unique_ptr<CoreTiming> same = blank_copy();
+    for (std::size_t i = 0; i < fifos_.size(); ++i)
+        same->fifos_[i] = fifos_[i];
+    for (std::size_t i = 0; i < processes_.size(); ++i)
+        same->processes_[i].take_state(processes_[i]);
+    return same;
+}
+
 void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton) {
     lead_ = lead;
     automaton_ = std::move(automaton);

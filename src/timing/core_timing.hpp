@@ -34,6 +34,9 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
+    /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
+    /// automaton.
+    std::unique_ptr<CoreTiming> copy();
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
     std::unique_ptr<CoreTiming> blank_copy() const;
     /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead.
@@ -43,6 +46,7 @@ class CoreTiming {
     ProcessTiming& process(std::size_t number) { return processes_[number]; }
     std::deque<FifoTiming> const& fifos() const { return fifos_; }
     std::deque<ProcessTiming> const& processes() const { return processes_; }
+    std::size_t number_of(FifoTiming const& fifo) const;
 
     /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
     std::vector<Wait> waits();
@@ -57,7 +61,6 @@ class CoreTiming {
     void settle(std::uint32_t runnable, std::uint32_t held);
     bool group_has_started(std::uint32_t all);
     bool let_driver_go();
-    std::size_t number_of(FifoTiming const& fifo) const;
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;

@@ -93,7 +93,11 @@ void ProcessTiming::perform(std::uint8_t ports) {
             port.fifo->add_empty_stall(stall);
             empty_stall_cycles_ += stall;
         }
+        if (observer_ != nullptr)
+            observer_->stalled(*this, number, earliest - stall, earliest);
     });
+    if (observer_ != nullptr)
+        observer_->accessed(*this, ports, time_);
     if (!has_accessed_)
         note_first_access(ports, arrival);
     for_each_port(ports, [this](unsigned number) {
@@ -107,6 +111,7 @@ void ProcessTiming::perform(std::uint8_t ports) {
 
 void ProcessTiming::note_first_access(std::uint8_t ports, Cycles arrival) {
     has_accessed_ = true;
+    by_steps_ = observer_ != nullptr;
     first_port_ = lowest_bit(ports);
     idle_before_cycles_ = arrival == 0 ? time_ : 0;
 }
@@ -120,6 +125,8 @@ void ProcessTiming::commit_front() {
         time_ += operation.count();
         log_.consume();
     } else if (plan().aligned) {
+        if (observer_ != nullptr)
+            observer_->iterated(*this, time_, iterations_, 1U + operation.gap(), plan().ii);
         time_ += plan().ii * (1U + operation.gap());
         end_iterations(operation, 1);
     } else {
@@ -133,12 +140,12 @@ std::uint32_t ProcessTiming::advance(bool pause) {
     for (;;) {
         if (!run_.active) {
             // The hot path: from one run of iterations straight to the next.
-            bool const in_iterations = front_ports_ == 0 && has_accessed_ && skip_silent_iterations();
+            bool const in_iterations = front_ports_ == 0 && !by_steps_ && skip_silent_iterations();
             if (!in_iterations) {
                 if (front() != Status::ready || (pause && stamps_.size() > stamps))
                     return woken;
                 Operation const& operation = log_.front();
-                if (operation.kind() != Operation::Kind::iterate || !plan().aligned || !has_accessed_) {
+                if (operation.kind() != Operation::Kind::iterate || !plan().aligned || by_steps_) {
                     for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
                     commit_front();
                     continue;
@@ -200,10 +207,14 @@ bool ProcessTiming::find_step() {
                     return true;
                 count_loop();
                 in_loop_ = false;
+                if (observer_ != nullptr)
+                    observer_->left_loop(*this, time_);
                 log_.consume();
                 break;
             case Operation::Kind::stamp:
                 stamps_.push_back(time_);
+                if (observer_ != nullptr)
+                    observer_->stamped(*this, time_);
                 log_.consume();
                 break;
             case Operation::Kind::mixed:
@@ -220,7 +231,10 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
             front_ports_ = operation.ports();
             return true;
         }
-        time_ += plan().ii * (1U + operation.gap()) * operation.count();
+        std::uint64_t const count = std::uint64_t{operation.count()} * (1U + operation.gap());
+        if (observer_ != nullptr)
+            observer_->iterated(*this, time_, iterations_, count, plan().ii);
+        time_ += plan().ii * count;
         end_iterations(operation, operation.count());
         return false;
     }
@@ -235,6 +249,9 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
 }
 
 void ProcessTiming::open_iteration(std::uint8_t ports) {
+    bool const drains = log_.front().kind() == Operation::Kind::leave;
+    if (observer_ != nullptr && !drains)
+        observer_->iterated(*this, time_, pipeline_.iteration, 1, plan().ii);
     plan().delay_line[pipeline_.iteration % plan().delay_line.size()] = ports;
     pipeline_.open = true;
     pipeline_.phase = 0;
@@ -279,6 +296,8 @@ void ProcessTiming::enter_loop(unsigned loop) {
     in_loop_ = true;
     ++loops_entered_;
     iterations_ = 0;
+    if (observer_ != nullptr)
+        observer_->entered_loop(*this, loop, time_);
     time_ += plan().fill;
     pipeline_ = PipelinePosition{};
     pipeline_.drain_left = plan().longest_lag;
@@ -298,6 +317,16 @@ void ProcessTiming::count_loop() {
     LoopCounters& counters = loop_counters_[current_loop_];
     counters.recurrence_beyond_end += recurrence - counted;
     counters.port_conflict_beyond_end += conflicts - std::min(conflicts, unstalled - counted);
+}
+
+void ProcessTiming::take_state(ProcessTiming const& other) {
+    std::vector<Port> const ports = ports_;
+    StepObserver* const observer = observer_;
+    *this = other;
+    ports_ = ports;
+    runs_.clear();  // they point to the other's FIFOs
+    tapes_.clear();
+    set_observer(observer);
 }
 
 LoopCost ProcessTiming::loop_cost(unsigned loop) const {

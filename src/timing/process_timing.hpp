@@ -7,6 +7,7 @@
 #include "timing/fifo_timing.hpp"
 #include "timing/initiation_interval.hpp"
 #include "timing/operation.hpp"
+#include "timing/step_observer.hpp"
 
 namespace faster::timing {
 
@@ -55,6 +56,8 @@ class ProcessTiming {
     unsigned add_loop(LoopShape shape);
 
     OperationLog& log() { return log_; }
+    /// Logs besides log() that take down everything the process says.
+    std::vector<OperationLog*>& tapes() { return tapes_; }
 
     /// Moves over everything that accesses nothing, up to the next step. `blocked`: an access of that step has no known
     /// earliest cycle yet, because the other side of its FIFO (blocking_port()) has not got there.
@@ -87,6 +90,18 @@ class ProcessTiming {
     Cycles idle_before_cycles() const { return idle_before_cycles_; }
     unsigned first_port() const { return first_port_; }
     bool has_accessed() const { return has_accessed_; }
+
+    /// From now on, goes step by step and tells the observer. Null: no longer.
+    void set_observer(StepObserver* observer) {
+        observer_ = observer;
+        by_steps_ = observer != nullptr || !has_accessed_;
+        run_.active = false;
+    }
+    /// Continues from where another process of the same ports and loops stands, what it has logged included.
+    void take_state(ProcessTiming const& other);
+    bool in_loop() const { return in_loop_; }
+    unsigned current_loop() const { return current_loop_; }
+    std::uint64_t iterations() const { return iterations_; }
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }
@@ -186,9 +201,12 @@ class ProcessTiming {
     std::vector<LoopPlan> plans_;
     std::vector<LoopCounters> loop_counters_;
     OperationLog log_;
+    std::vector<OperationLog*> tapes_;
     Cycles time_ = 0;
     Cycles empty_stall_cycles_ = 0;
     Cycles full_stall_cycles_ = 0;
+    StepObserver* observer_ = nullptr;
+    bool by_steps_ = true;  ///< until the first access; always when observed
     bool has_accessed_ = false;
     Cycles idle_before_cycles_ = 0;
     unsigned first_port_ = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 #include <string>
@@ -13,6 +14,18 @@ inline void require_done(CommandResult const& result) {
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     REQUIRE(result.err.empty());
+}
+
+/// Exit code 2, one line on stderr that contains `parts`, nothing on stdout.
+inline void check_bad_input(CommandResult const& result, std::vector<std::string> const& parts) {
+    CAPTURE(result.err);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+    CHECK(result.err.find('\n') + 1 == result.err.size());
+    CHECK(result.err.rfind("faster-sim: ", 0) == 0);
+    for (std::string const& part : parts)
+        CHECK_THAT(result.err, Catch::Matchers::Contains(part));
 }
 
 inline std::vector<std::string> lines_of(std::string const& text) {

@@ -1,0 +1,75 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "common/tokens.hpp"
+
+namespace faster {
+
+/// One number of a token, as recordings show it.
+struct TokenField {
+    char const* name;
+    unsigned bits;
+    bool is_signed = false;
+};
+
+/// The fields of each FIFO's tokens: `layout`, and a token's values in that order, sign-extended. Specialized for every
+/// token type; by FIFO where a plain number serves several.
+template <class Token> struct TokenFields;
+
+template <> struct TokenFields<SampleHeader> {
+    static constexpr std::array<TokenField, 4> layout{
+        {{"sample", 32}, {"centre_row", 32, true}, {"centre_col", 32, true}, {"triangles", 32}}};
+    static std::array<std::int64_t, 4> values(SampleHeader const& t) {
+        return {t.sample, t.centre_row, t.centre_col, t.triangles};
+    }
+};
+template <> struct TokenFields<VertexCode> {
+    static constexpr std::array<TokenField, 3> layout{{{"x", 16, true}, {"y", 16, true}, {"z", 16}}};
+    static std::array<std::int64_t, 3> values(VertexCode const& t) { return {t.x, t.y, t.z}; }
+};
+/// area, fragment_depth (the z sum).
+template <> struct TokenFields<std::int64_t> {
+    static constexpr std::array<TokenField, 1> layout{{{"value", 64, true}}};
+    static std::array<std::int64_t, 1> values(std::int64_t t) { return {t}; }
+};
+/// area_reciprocal.
+template <> struct TokenFields<std::uint64_t> {
+    static constexpr std::array<TokenField, 1> layout{{{"value", 64}}};
+    static std::array<std::int64_t, 1> values(std::uint64_t t) { return {static_cast<std::int64_t>(t)}; }
+};
+template <> struct TokenFields<Command> {
+    static constexpr std::array<TokenField, 1> layout{{{"command", 2}}};
+    static std::array<std::int64_t, 1> values(Command t) { return {static_cast<std::int64_t>(t)}; }
+};
+template <> struct TokenFields<FragmentIndex> {
+    static constexpr std::array<TokenField, 2> layout{{{"row", 16, true}, {"col", 16, true}}};
+    static std::array<std::int64_t, 2> values(FragmentIndex const& t) { return {t.row, t.col}; }
+};
+template <> struct TokenFields<EdgeToken> {
+    static constexpr std::array<TokenField, 3> layout{{{"row", 16, true}, {"col", 16, true}, {"kind", 2}}};
+    static std::array<std::int64_t, 3> values(EdgeToken const& t) {
+        return {t.row, t.col, static_cast<std::int64_t>(t.kind)};
+    }
+};
+/// edge_map, observed_edge.
+template <> struct TokenFields<std::uint8_t> {
+    static constexpr std::array<TokenField, 1> layout{{{"edge", 1}}};
+    static std::array<std::int64_t, 1> values(std::uint8_t t) { return {t}; }
+};
+/// observed_depth.
+template <> struct TokenFields<std::uint16_t> {
+    static constexpr std::array<TokenField, 1> layout{{{"depth", 16}}};
+    static std::array<std::int64_t, 1> values(std::uint16_t t) { return {t}; }
+};
+template <> struct TokenFields<SampleCounters> {
+    static constexpr std::array<TokenField, 5> layout{
+        {{"valid_raster", 64}, {"valid_depth", 64}, {"inlier", 64}, {"valid_edge", 64}, {"edge_inlier", 64}}};
+    static std::array<std::int64_t, 5> values(SampleCounters const& t) {
+        return {static_cast<std::int64_t>(t.valid_raster), static_cast<std::int64_t>(t.valid_depth),
+                static_cast<std::int64_t>(t.inlier), static_cast<std::int64_t>(t.valid_edge),
+                static_cast<std::int64_t>(t.edge_inlier)};
+    }
+};
+
+}  // namespace faster

@@ -1,0 +1,67 @@
+#include "io/atomic_file.hpp"
+
+#include <random>
+#include <string>
+#include <system_error>
+
+#include "common/input_error.hpp"
+#include "io/text_file.hpp"
+
+namespace faster::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A hidden file beside `file`, with a name that two programs at once will not share; removed unless renamed.
+class PartialFile {
+  public:
+    explicit PartialFile(fs::path const& file) {
+        std::random_device random;
+        path_ = file.parent_path() / ("." + file.filename().string() + ".partial-" + std::to_string(random()));
+    }
+    ~PartialFile() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    PartialFile(PartialFile const&) = delete;
+    PartialFile& operator=(PartialFile const&) = delete;
+
+    fs::path const& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+[[noreturn]] void fail(fs::path const& path, std::string const& why) {
+    throw InputError(path.string() + ": cannot be written (" + why + ")");
+}
+
+/// The file behind symbolic links: renaming onto a link would replace the link.
+fs::path resolved(fs::path const& path) {
+    if (!path.has_filename()) {
+        throw InputError("\"" + path.string() + "\" names no file, expected a path to write to");
+    }
+    fs::path file = fs::weakly_canonical(fs::absolute(path));
+    if (fs::exists(file) && !fs::is_regular_file(file)) {
+        throw InputError(path.string() + ": is no regular file, expected a new file or one to replace");
+    }
+    return file;
+}
+
+}  // namespace
+
+void write_file_atomically(fs::path const& path, std::string_view content) {
+    try {
+        fs::path const file = resolved(path);
+        if (!fs::is_directory(file.parent_path())) {
+            fail(path, "its folder does not exist");
+        }
+        PartialFile const partial(file);
+        write_file(partial.path(), content);
+        fs::rename(partial.path(), file);
+    } catch (fs::filesystem_error const& error) {
+        fail(path, error.code().message());
+    }
+}
+
+}  // namespace faster::io

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace faster::io {
+
+/// Called per row with the line number in the file (the header is line 1) and one cell per requested column, in the
+/// order of the request and without the blanks around it. The cells are valid until the call returns.
+using CsvCellReader = std::function<void(std::size_t line, std::string_view const* cells)>;
+
+/// Reads a comma-separated table whose first line names the columns; what a cell may hold is up to the caller. Columns
+/// are found by name: they may stand in any order, and others beside them are skipped unread. LF and CRLF, blanks
+/// around cells, a byte-order mark and empty lines at the end are fine; quotes mean nothing. Throws InputError
+/// (file:line) for a missing or repeated column, and a row with more or fewer cells than the header.
+void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> const& columns,
+                    CsvCellReader const& read_row);
+
+}  // namespace faster::io

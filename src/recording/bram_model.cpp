@@ -1,0 +1,102 @@
+#include "recording/bram_model.hpp"
+
+namespace faster::recording {
+
+using Kind = Event::Kind;
+
+BramModel::BramModel(AcceleratorConfig const& config) : side_(config.window) {
+    for (std::size_t i = 0; i < bram_count; ++i)
+        ports_[i] = config.brams[i].ports;
+}
+
+std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, std::vector<std::int64_t> const& fields) {
+    Event const& event = core_event.event;
+    accesses_.clear();
+    used_.fill(0);
+    if (event.kind == Kind::enter) {
+        loop_[core_event.module] = event.item;
+    } else if (event.kind == Kind::read && event.item == index_of(FifoId::edge_token)) {
+        token_ = next_;
+        next_ = {fields[0], fields[1], fields[2]};
+        token_read_ = event.cycle;
+    } else if (event.kind == Kind::read && event.item == index_of(FifoId::fragment_index)) {
+        fragment_ = {fields[0], fields[1], 0};
+    } else if (event.kind == Kind::iterate) {
+        iterate(static_cast<LoopId>(loop_[core_event.module]), event);
+    }
+    return accesses_;
+}
+
+void BramModel::iterate(LoopId loop, Event const& event) {
+    switch (loop) {
+        case LoopId::edge_clear:
+            add(BramId::edge_map, true, event.value, event.cycle);
+            add(BramId::object_map, true, event.value, event.cycle);
+            return;
+        case LoopId::output:
+            add(BramId::edge_map, false, event.value, event.cycle);
+            return;
+        case LoopId::depth_clear:
+            add(BramId::depth_buffer, true, event.value, event.cycle);
+            return;
+        case LoopId::token:
+            return token_iteration(event.cycle);
+        case LoopId::fragment:
+            return fragment_iteration(event.cycle);
+        case LoopId::sweep:
+            return sweep_iteration(event.value, event.cycle);
+        case LoopId::vertex:
+        case LoopId::scan:
+        case LoopId::read:
+            return;
+    }
+}
+
+/// An iteration that reads the next token consumes the one before; the one behind it is that token's second.
+void BramModel::token_iteration(Cycles cycle) {
+    auto const& [row, col, kind] = token_;
+    if (row < 0 || row >= side_ || col < 0 || col >= side_)
+        return;
+    bool const is_first = cycle == token_read_;
+    if (kind == static_cast<std::int64_t>(EdgeTokenKind::Edge)) {
+        add(BramId::object_map, false, row, col, cycle);
+        add(BramId::edge_map, true, row, col, cycle);
+    } else if (is_first) {
+        add(BramId::edge_map, true, row, col, cycle);
+        add(BramId::object_map, false, row + 1, col, cycle);
+        add(BramId::object_map, false, row - 1, col, cycle);
+    } else {
+        add(BramId::object_map, true, row, col, cycle);
+        add(BramId::edge_map, true, row + 1, col, cycle);
+        add(BramId::edge_map, true, row - 1, col, cycle);
+    }
+}
+
+void BramModel::fragment_iteration(Cycles cycle) {
+    add(BramId::depth_buffer, false, fragment_.row, fragment_.col, cycle);
+    add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
+}
+
+/// The pixel and its four neighbours; the border is skipped.
+void BramModel::sweep_iteration(std::int64_t pixel, Cycles cycle) {
+    std::int64_t const row = pixel / side_;
+    std::int64_t const col = pixel % side_;
+    if (row == 0 || col == 0 || row == side_ - 1 || col == side_ - 1)
+        return;
+    for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
+        add(BramId::depth_buffer, false, r, c, cycle);
+}
+
+void BramModel::add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle) {
+    if (row >= 0 && row < side_ && col >= 0 && col < side_)
+        add(bram, writes, row * side_ + col, cycle);
+}
+
+void BramModel::add(BramId bram, bool writes, std::int64_t address, Cycles cycle) {
+    std::size_t const i = index_of(bram);
+    auto const ports = static_cast<unsigned>(ports_[i]);
+    unsigned const number = used_[i]++;
+    accesses_.push_back({i, number % ports, cycle + number / ports, writes, static_cast<std::uint64_t>(address)});
+}
+
+}  // namespace faster::recording

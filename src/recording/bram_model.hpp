@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "config/accelerator_config.hpp"
+#include "recording/event_merge.hpp"
+
+namespace faster::recording {
+
+/// One access of a block RAM port, as the static schedule of a loop iteration has it.
+struct BramAccess {
+    std::size_t bram = 0;
+    unsigned port = 0;
+    Cycles cycle = 0;
+    bool writes = false;  ///< the slot of a write; whether the data let it happen is not looked at
+    std::uint64_t address = 0;
+};
+
+/// Which addresses the iterations of one core access, from the tokens its processes read (thesis A.2, A.3). Accesses of
+/// one iteration to one block RAM take its ports in turn, a cycle later where there are not enough.
+class BramModel {
+  public:
+    explicit BramModel(AcceleratorConfig const& config);
+
+    /// To be told of every event of the core; `fields` are those of the token that a read reads. Returns the accesses
+    /// of an iteration, valid until the next call.
+    std::vector<BramAccess> const& take(CoreEvent const& event, std::vector<std::int64_t> const& fields);
+
+  private:
+    void iterate(LoopId loop, Event const& event);
+    void token_iteration(Cycles cycle);
+    void fragment_iteration(Cycles cycle);
+    void sweep_iteration(std::int64_t pixel, Cycles cycle);
+    void add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle);
+    void add(BramId bram, bool writes, std::int64_t address, Cycles cycle);
+
+    std::int64_t side_;
+    std::array<std::uint64_t, bram_count> ports_{};
+    std::array<std::size_t, module_count> loop_{};
+    struct Token {
+        std::int64_t row = 0;
+        std::int64_t col = 0;
+        std::int64_t kind = 0;
+    };
+    Token token_;     ///< that the edge-map builder works on
+    Token next_;      ///< read ahead
+    Token fragment_;  ///< read last
+    Cycles token_read_ = 0;
+    std::array<unsigned, bram_count> used_{};
+    std::vector<BramAccess> accesses_;
+};
+
+}  // namespace faster::recording

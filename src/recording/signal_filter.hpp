@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "config/machine.hpp"
+
+namespace faster::recording {
+
+/// Which parts of a core are to be shown: those whose name matches one of some glob patterns, and the FIFOs at a
+/// module's ends and the block RAMs inside it with the module. Without patterns: all.
+class SignalFilter {
+  public:
+    /// Errors: InputError if a pattern matches nothing.
+    explicit SignalFilter(std::vector<std::string> patterns = {});
+
+    bool shows(ModuleId module) const;
+    bool shows(FifoId fifo) const;
+    bool shows(BramId bram) const;
+
+  private:
+    bool matches(char const* name) const;
+
+    std::vector<std::string> patterns_;
+};
+
+/// Where a block RAM belongs.
+inline ModuleId owner_of(BramId bram) {
+    return bram == BramId::depth_buffer ? ModuleId::inlier_unit : ModuleId::edge_map_builder;
+}
+
+}  // namespace faster::recording

@@ -1,0 +1,25 @@
+#include "runs/read_run.hpp"
+
+#include "common/input_error.hpp"
+#include "runs/json_section.hpp"
+#include "runs/summary_file.hpp"
+#include "runs/table_files.hpp"
+
+namespace faster::runs {
+
+RunRecord read_run(std::filesystem::path const& folder) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw InputError(folder.string() + ": no such folder, expected the output of faster-sim run --out");
+    std::filesystem::path const file = folder / "summary.json";
+    Json const document = parse_summary(file);
+    JsonSection const summary(file.string(), "", document);
+    RunRecord run = read_summary(summary);
+    run.folder = folder.string();
+    run.samples = read_samples(folder / "samples.csv", run, summary.integer("samples"));
+    check_fifos(folder / "fifos.csv", run);
+    check_loops(folder / "loops.csv", run);
+    return run;
+}
+
+}  // namespace faster::runs

@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+
+#include "runs/run_record.hpp"
+
+namespace faster::runs {
+
+/// Reads back what `faster-sim run --out FOLDER` wrote. Figures come from summary.json, samples from samples.csv;
+/// fifos.csv and loops.csv have to agree with the summary. Throws InputError that names file and line or key if a file
+/// is missing, cut off, of another format or version, or contradicts another.
+RunRecord read_run(std::filesystem::path const& folder);
+
+}  // namespace faster::runs

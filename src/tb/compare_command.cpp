@@ -1,0 +1,22 @@
+#include "tb/compare_command.hpp"
+
+#include <fmt/format.h>
+
+#include "io/atomic_file.hpp"
+#include "runs/compare.hpp"
+#include "runs/comparison_json.hpp"
+#include "runs/comparison_text.hpp"
+#include "runs/read_run.hpp"
+#include "tb/run_command.hpp"
+
+namespace faster {
+
+int compare(CompareRequest const& request) {
+    runs::Comparison const comparison = runs::compare(runs::read_run(request.run_a), runs::read_run(request.run_b));
+    if (!request.json.empty())
+        io::write_file_atomically(request.json, runs::comparison_json(comparison));
+    fmt::print("{}", runs::comparison_text(comparison, static_cast<std::size_t>(request.top)));
+    return comparison.is_functionally_equal() ? exit_done : exit_failed_check;
+}
+
+}  // namespace faster

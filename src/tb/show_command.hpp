@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace faster {
+
+/// `faster-sim show`.
+struct ShowRequest {
+    std::string folder;       ///< results of a run
+    std::int64_t sample = 0;  ///< index
+    std::int64_t width = 0;   ///< columns; 0: what fits the terminal
+    bool depth = false;       ///< the depth buffer rather than the contour
+};
+
+/// Prints a sample's figures and a small picture of it. Returns the exit code; throws InputError on bad input.
+int show(ShowRequest const& request);
+
+}  // namespace faster

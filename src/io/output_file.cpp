@@ -1,10 +1,11 @@
 #include "io/output_file.hpp"
 
-#include <random>
 #include <string>
 #include <system_error>
 
 #include "common/input_error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/partial_file.hpp"
 #include "io/text_file.hpp"
 
 namespace faster::io {
@@ -17,26 +18,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(fs::path const& path, fs::filesystem_error const& error) {
     fail(path, "cannot be written (" + error.code().message() + ")");
 }
-
-/// A hidden file with a name that two runs at once will not share; removed unless it was renamed.
-class PartialFile {
-  public:
-    PartialFile(fs::path const& folder, fs::path const& name) {
-        std::random_device random;
-        path_ = folder / ("." + name.string() + ".partial-" + std::to_string(random()));
-    }
-    ~PartialFile() {
-        std::error_code ignored;
-        fs::remove(path_, ignored);
-    }
-    PartialFile(PartialFile const&) = delete;
-    PartialFile& operator=(PartialFile const&) = delete;
-
-    fs::path const& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 /// The folder in which a file or its missing parents would be made.
 fs::path nearest_folder(fs::path const& file) {
@@ -60,7 +41,7 @@ OutputFile::OutputFile(fs::path const& target) : target_(target) {
         fs::path const folder = nearest_folder(destination_);
         if (!fs::is_directory(folder))
             fail(target_, "cannot be written (" + folder.string() + " is no folder)");
-        PartialFile const probe(folder, destination_.filename());
+        PartialFile const probe(folder / destination_.filename());
         try {
             write_file(probe.path(), "");
         } catch (InputError const&) {
@@ -74,9 +55,7 @@ OutputFile::OutputFile(fs::path const& target) : target_(target) {
 void OutputFile::commit(std::string_view content) const {
     try {
         fs::create_directories(destination_.parent_path());
-        PartialFile const partial(destination_.parent_path(), destination_.filename());
-        write_file(partial.path(), content);
-        fs::rename(partial.path(), destination_);
+        write_file_atomically(destination_, content);
     } catch (fs::filesystem_error const& error) {
         fail(target_, error);
     }

@@ -5,8 +5,7 @@
 namespace faster::io {
 
 /// A file that appears complete or not at all. The constructor finds out whether it can be written, before the work
-/// whose output would be lost, and leaves nothing behind; commit() writes a hidden file beside the target and renames
-/// it.
+/// whose output would be lost, and leaves nothing behind; commit() writes it, see write_file_atomically().
 ///
 /// The target may be missing (parents are made by commit()) or a regular file, which is replaced. Anything else, and a
 /// place that cannot be written, is an InputError.

@@ -107,13 +107,14 @@ char const* item_name(TimelineSpan const& span) {
     return span.kind == TimelineSpan::Kind::loop ? loop_names[span.item].name : fifo_names[span.item];
 }
 
-/// Short rows, because there are thousands: module, kind, item, begin, end, cycles, spans.
+/// Short rows, because there are thousands: module, kind, item, begin, end, cycles, iterations of a loop, spans.
 Json spans(SampleTimeline const& timeline) {
     constexpr Cycles distinguishable = 2000;  // positions along a wide screen
     Json rows = Json::array();
     for (MergedSpan const& span : merged_spans(timeline.spans, (timeline.end - timeline.begin) / distinguishable))
         rows.push_back({module_names[span.extent.module], kind_name(span.extent.kind), item_name(span.extent),
-                        span.extent.begin, span.extent.end, span.cycles, span.spans});
+                        span.extent.begin, span.extent.end, span.cycles,
+                        span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0, span.spans});
     return rows;
 }
 

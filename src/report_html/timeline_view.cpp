@@ -14,10 +14,12 @@ std::vector<MergedSpan> merged_spans(std::vector<TimelineSpan> const& spans, Cyc
         if (is_first || span.begin >= merged[at->second].extent.end + resolution) {
             at->second = merged.size();
             merged.push_back({span, 0, 0});
+            merged.back().extent.count = 0;
         }
         MergedSpan& target = merged[at->second];
         target.extent.end = std::max(target.extent.end, span.end);
-        target.cycles += span.end - span.begin;
+        target.extent.count += span.count;
+        target.cycles += span.kind == TimelineSpan::Kind::loop ? span.end - span.begin : span.count;
         ++target.spans;
     }
     return merged;

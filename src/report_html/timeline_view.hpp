@@ -7,8 +7,8 @@ namespace faster::report {
 
 /// Spans of the same module and item that are too close to each other to be told apart in a picture.
 struct MergedSpan {
-    TimelineSpan extent;      ///< from the first one's begin to the last one's end
-    Cycles cycles = 0;        ///< inside the spans, gaps left out
+    TimelineSpan extent;      ///< from the first one's begin to the last one's end; count is the sum of theirs
+    Cycles cycles = 0;        ///< inside the loops, or stalled: gaps left out
     std::uint64_t spans = 0;  ///< how many they are
 };
 

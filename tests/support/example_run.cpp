@@ -68,7 +68,9 @@ class Sketch {
 
   private:
     void add(ModuleId module, TimelineSpan::Kind kind, std::size_t item, Cycles begin, Cycles end) {
-        timeline_.spans.push_back({index_of(module), kind, item, timeline_.begin + begin, timeline_.begin + end});
+        Cycles const count = kind == TimelineSpan::Kind::loop ? (end - begin) / 2 : end - begin;
+        timeline_.spans.push_back(
+            {index_of(module), kind, item, timeline_.begin + begin, timeline_.begin + end, count});
     }
 
     SampleTimeline& timeline_;

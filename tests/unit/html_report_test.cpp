@@ -82,7 +82,8 @@ TEST_CASE("A timeline in the page has named spans and occupancies", "[html]") {
     CHECK(timelines[0]["core"] == 1);
     CHECK(timelines[0]["sample"] == 3);
     CHECK(timelines[0]["begin"] == 450001);
-    CHECK(timelines[0]["spans"][0] == Json::array({"vertex_transform", "loop", "vertex", 450001, 670001, 220000, 1}));
+    CHECK(timelines[0]["spans"][0] ==
+          Json::array({"vertex_transform", "loop", "vertex", 450001, 670001, 220000, 110000, 1}));
     CHECK(timelines[0]["occupancy"]["vertex"]["mean"].size() == 120);
     CHECK_FALSE(timelines[0]["occupancy"].contains("result"));
 }

@@ -56,6 +56,15 @@ TEST_CASE("Spans closer than the resolution become one, with the cycles and numb
     CHECK(merged[1].cycles == 10);
 }
 
+TEST_CASE("The cycles of merged stalls are those stalled, of merged loops those inside", "[html]") {
+    std::vector<MergedSpan> const merged = merged_spans(
+        {{2, loop, 1, 0, 10, 7}, {2, stall, 1, 0, 10, 4}, {2, loop, 1, 12, 20, 5}, {2, stall, 1, 12, 20, 2}}, 10);
+    REQUIRE(merged.size() == 2);
+    CHECK(merged[0].cycles == 18);
+    CHECK(merged[0].extent.count == 12);  // iterations
+    CHECK(merged[1].cycles == 6);
+}
+
 TEST_CASE("Only spans of the same module, kind and item are merged", "[html]") {
     std::vector<TimelineSpan> const spans{
         {2, loop, 1, 0, 10}, {3, loop, 1, 5, 15}, {2, stall, 1, 5, 9}, {2, loop, 2, 10, 20}};

@@ -3,8 +3,8 @@
 const span_kinds = ["loop", "empty_stall", "full_stall"];
 
 /// A row of the data, with names.
-function named_span([module, kind, item, begin, end, cycles, spans]) {
-  return { module, kind, item, begin, end, cycles, spans };
+function named_span([module, kind, item, begin, end, cycles, iterations, spans]) {
+  return { module, kind, item, begin, end, cycles, iterations, spans };
 }
 
 /// How strongly a bar is drawn: as much as its spans fill it, but never invisible.
@@ -33,7 +33,8 @@ function timeline_legend() {
 function span_text(span) {
   const what = span.kind === "loop" ? `loop ${span.item}` : `${in_words(span.kind)} of ${span.item}`;
   const several = span.spans > 1 ? `, in ${whole(span.spans)} spans` : "";
-  return [`${what}: ${count_of(span.cycles, "cycle")}${several}`, `cycle ${whole(span.begin)} to ${whole(span.end - 1)}`];
+  const iterations = span.kind === "loop" ? `, ${count_of(span.iterations, "iteration")}` : "";
+  return [`${what}: ${count_of(span.cycles, "cycle")}${iterations}${several}`, `cycle ${whole(span.begin)} to ${whole(span.end - 1)}`];
 }
 
 function span_dataset(kind, spans, origin) {

@@ -26,4 +26,4 @@ cd "$root"
 cmake --preset release
 cmake --build --preset release
 cd - >/dev/null # paths among OPTIONS are the caller's
-exec "$root/build/release/bin/faster-sim" run "$config" --out "$out" --images 6 "$@"
+exec "$root/build/release/bin/faster-sim" run "$config" --out "$out" --report "$out/report.html" --images 6 "$@"

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that faster-sim needs, and only those that are missing.
 #   scripts/setup.sh          what building, testing and running need
-#   scripts/setup.sh --dev    also clang-format and clang-tidy
+#   scripts/setup.sh --dev    also clang-format, clang-tidy and Chromium, for the test of the HTML report
 set -euo pipefail
 
 packages=(
     g++ cmake ninja-build ccache pkg-config git
     libsystemc-dev libeigen3-dev libassimp-dev libopencv-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
-    libspdlog-dev nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev
+    libspdlog-dev nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev libjs-chart.js
 )
 
 for argument in "$@"; do
     case "$argument" in
-        --dev) packages+=(clang-format clang-tidy) ;;
+        --dev) packages+=(clang-format clang-tidy chromium) ;;
         -h | --help)
             echo "usage: setup.sh [--dev]"
             exit 0

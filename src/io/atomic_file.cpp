@@ -1,36 +1,16 @@
 #include "io/atomic_file.hpp"
 
-#include <random>
 #include <string>
 #include <system_error>
 
 #include "common/input_error.hpp"
+#include "io/partial_file.hpp"
 #include "io/text_file.hpp"
 
 namespace faster::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A hidden file beside `file`, with a name that two programs at once will not share; removed unless renamed.
-class PartialFile {
-  public:
-    explicit PartialFile(fs::path const& file) {
-        std::random_device random;
-        path_ = file.parent_path() / ("." + file.filename().string() + ".partial-" + std::to_string(random()));
-    }
-    ~PartialFile() {
-        std::error_code ignored;
-        fs::remove(path_, ignored);
-    }
-    PartialFile(PartialFile const&) = delete;
-    PartialFile& operator=(PartialFile const&) = delete;
-
-    fs::path const& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 [[noreturn]] void fail(fs::path const& path, std::string const& why) {
     throw InputError(path.string() + ": cannot be written (" + why + ")");

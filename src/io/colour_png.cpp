@@ -4,11 +4,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "common/input_error.hpp"
+#include "io/text_file.hpp"
 
 namespace faster::io {
 
-void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture) {
+std::string colour_png(Image<Colour> const& picture) {
     cv::Mat pixels(picture.height(), picture.width(), CV_8UC3);
     for (int row = 0; row < picture.height(); ++row)
         for (int col = 0; col < picture.width(); ++col) {
@@ -18,8 +18,13 @@ void write_colour_png(std::filesystem::path const& path, Image<Colour> const& pi
     // A picture for people is drawn once and kept: a little more time for a third of the size.
     std::vector<int> const options{cv::IMWRITE_PNG_COMPRESSION, 6, cv::IMWRITE_PNG_STRATEGY,
                                    cv::IMWRITE_PNG_STRATEGY_DEFAULT};
-    if (!cv::imwrite(path.string(), pixels, options))
-        throw InputError(path.string() + ": cannot be written");
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", pixels, bytes, options);
+    return {bytes.begin(), bytes.end()};
+}
+
+void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture) {
+    write_file(path, colour_png(picture));
 }
 
 }  // namespace faster::io

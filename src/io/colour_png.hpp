@@ -1,12 +1,16 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "common/colour.hpp"
 #include "common/image.hpp"
 
 namespace faster::io {
 
-/// A picture for people. Throws InputError if the file cannot be written.
+/// A picture for people: the bytes of its file.
+std::string colour_png(Image<Colour> const& picture);
+
+/// The same as a file. Throws InputError if the file cannot be written.
 void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture);
 
 }  // namespace faster::io

@@ -6,6 +6,7 @@
 
 #include "report/csv.hpp"
 #include "report/diagnosis_text.hpp"
+#include "report/latencies.hpp"
 
 namespace faster::report {
 
@@ -93,15 +94,10 @@ void fifo_table(std::string& text, RunStatistics const& run) {
 }
 
 void latency_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
-    std::vector<Cycles> latencies;
-    for (SampleStatistics const& sample : run.samples)
-        latencies.push_back(sample.latency_cycles());
+    std::vector<Cycles> const latencies = sorted_latencies(run);
     if (latencies.empty())
         return;
-    std::sort(latencies.begin(), latencies.end());
-    auto const at = [&latencies](double share) {
-        return latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))];
-    };
+    auto const at = [&latencies](double share) { return latency_at(latencies, share); };
     line(text, "\nSample latency, queueing included [cycles]");
     line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}", "min", "10 %", "median", "90 %", "max");
     line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),

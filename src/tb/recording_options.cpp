@@ -131,6 +131,25 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
         ->needs("--timeline");
 }
 
+Recording sample_timeline_recording(AcceleratorConfig const& config, std::size_t samples,
+                                    std::vector<SampleTimeline>& timelines) {
+    CoreShare const share = Accelerator::share_of(0, config.raster_cores, samples);
+    std::size_t const sample = share.count > 1 ? 1 : 0;
+    Recording recording;
+    recording.window.cores = {0};
+    recording.window.samples = RecordingWindow::Samples{sample, sample};
+    recording.done = [&timelines, sample](std::vector<recording::RecordedCore> const& cores) {
+        for (recording::RecordedCore const& core : cores) {
+            recording::TimelineGrain exact;
+            exact.occupancy_bucket = 1;  // the report takes means
+            recording::CoreTimeline timeline = recording::make_timeline(core, exact);
+            timelines.push_back(
+                {core.core, sample, core.from, core.to + 1, std::move(timeline.spans), std::move(timeline.occupancy)});
+        }
+    };
+    return recording;
+}
+
 std::vector<Recording> make_recordings(RecordingRequest const& request, AcceleratorConfig const& config,
                                        std::size_t samples) {
     std::vector<Recording> recordings;

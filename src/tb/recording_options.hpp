@@ -7,6 +7,7 @@
 
 #include "config/accelerator_config.hpp"
 #include "simulation/simulate.hpp"
+#include "stats/sample_timeline.hpp"
 
 namespace faster {
 
@@ -23,6 +24,11 @@ struct RecordingRequest {
 };
 
 void add_recording_options(CLI::App& command, RecordingRequest& request);
+
+/// Adds the timeline of one sample to `timelines`, for the report: the second of core 0, by when FIFOs hold what they
+/// usually do, or its only one.
+Recording sample_timeline_recording(AcceleratorConfig const& config, std::size_t samples,
+                                    std::vector<SampleTimeline>& timelines);
 
 /// The recordings that a request asks of a run; each writes its files when the run is over. Both must outlive them.
 /// Errors: InputError for what the run cannot give, and for files that cannot be written.

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <unistd.h>
@@ -10,11 +11,13 @@
 #include "config/load_config.hpp"
 #include "config/resolved_config.hpp"
 #include "io/atomic_folder.hpp"
+#include "io/output_file.hpp"
 #include "io/text_file.hpp"
 #include "io/trace.hpp"
 #include "report/csv.hpp"
 #include "report/summary.hpp"
 #include "report/text_report.hpp"
+#include "report_html/html_report.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/sample_pictures.hpp"
 #include "tb/workload_source.hpp"
@@ -70,6 +73,14 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
     folder.commit();
 }
 
+void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
+                  RunStatistics const& run, std::vector<SampleTimeline> const& timelines,
+                  SamplePictures const& pictures) {
+    std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
+    std::string const title = std::filesystem::path(request.config).filename().string();
+    file.commit(report::html_report({title, loaded.config.accelerator, run, keys, timelines, pictures.for_report()}));
+}
+
 }  // namespace
 
 int run(RunRequest const& request) {
@@ -80,6 +91,8 @@ int run(RunRequest const& request) {
     // Before the work whose results would be lost.
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, results_folder);
+    std::unique_ptr<io::OutputFile> const report_file =
+        request.report.empty() ? nullptr : std::make_unique<io::OutputFile>(request.report);
 
     report::HostTime host;
     auto start = HostClock::now();
@@ -89,11 +102,15 @@ int run(RunRequest const& request) {
     SamplePictures pictures(stimulus, static_cast<std::size_t>(request.images));
     start = HostClock::now();
     RunStatistics statistics;
+    std::vector<SampleTimeline> timelines;
     {
         ProgressLine progress(stimulus.samples.size());
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
         options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
+        if (report_file)
+            options.recordings.push_back(
+                sample_timeline_recording(loaded.config.accelerator, stimulus.samples.size(), timelines));
         options.progress = [&progress](std::uint64_t done) { progress.show(done); };
         statistics = simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine, options);
     }
@@ -105,9 +122,13 @@ int run(RunRequest const& request) {
     }
     if (folder)
         write_results(*folder, loaded, statistics, host, pictures, request.images > 0);
+    if (report_file)  // may lie in the folder
+        write_report(*report_file, request, loaded, statistics, timelines, pictures);
     fmt::print("{}", report::text_report(loaded.config.accelerator, statistics, host));
     if (folder)
         fmt::print("\nwritten: {}\n", request.out);
+    if (report_file)
+        fmt::print("\nwritten: {}\n", request.report);
     return exit_done;
 }
 

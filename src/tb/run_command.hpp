@@ -16,6 +16,7 @@ struct RunRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE
     std::string trace;                   ///< folder; empty: as configured
     std::string out;                     ///< folder; empty: print only
+    std::string report;                  ///< HTML file; empty: none
     std::int64_t images = 0;             ///< samples to write pictures of
     RecordingRequest recording;
 };

@@ -1,6 +1,7 @@
 #include "tb/sample_pictures.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "datapath/edge_maps.hpp"
 #include "io/colour_png.hpp"
@@ -72,6 +73,14 @@ void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics>
     }
     if (!maps_.empty())
         write_contact_sheet(folder / "contact_sheet.png", samples);
+}
+
+std::vector<report::ReportPicture> SamplePictures::for_report() const {
+    std::vector<report::ReportPicture> pictures;
+    for (auto const& [sample, maps] : maps_)
+        pictures.push_back({fmt::format("Sample {}: contour red, object green, observed edges blue", sample),
+                            io::colour_png(for_people(overlay_of(sample, maps)))});
+    return pictures;
 }
 
 Image<Colour> SamplePictures::overlay_of(std::size_t sample, SampleMaps const& maps) const {

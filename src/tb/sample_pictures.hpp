@@ -6,6 +6,7 @@
 #include "common/colour.hpp"
 #include "common/stimulus.hpp"
 #include "modules/core_context.hpp"
+#include "report_html/html_report.hpp"
 #include "stats/run_statistics.hpp"
 
 namespace faster {
@@ -22,6 +23,9 @@ class SamplePictures : public SampleProbe {
     /// sample_NNNN_{edges,object,depth}.png for programs; sample_NNNN_{overlay,depth_map}.png and contact_sheet.png for
     /// people. `samples` are those of the whole run.
     void write(std::filesystem::path const& folder, std::vector<SampleStatistics> const& samples) const;
+
+    /// The overlays for the HTML report.
+    std::vector<report::ReportPicture> for_report() const;
 
   private:
     Image<Colour> overlay_of(std::size_t sample, SampleMaps const& maps) const;

@@ -30,7 +30,11 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->type_name("DIR");
     command.add_option("--trace", request.trace, "Replay a stimulus trace instead of the configured workload")
         ->type_name("DIR");
-    command.add_option("--images", request.images, "Write pictures of the first K samples to DIR/images (needs --out)")
+    command.add_option("--report", request.report, "Write the run as one HTML page")->type_name("FILE.html");
+    command
+        .add_option(
+            "--images", request.images,
+            "Write pictures of the first K samples to DIR/images and into the HTML report (needs --out or --report)")
         ->type_name("K")
         ->check(CLI::Range(0, 1000000));
     add_overrides(command, request.overrides);
@@ -118,8 +122,9 @@ int run_tool(int argc, char** argv) {
         return compare(compare_request);
     if (app.got_subcommand("show"))
         return show(show_request);
-    if (run_request.images > 0 && run_request.out.empty())
-        return one_line_error("--images " + std::to_string(run_request.images) + ": expected --out DIR as well");
+    if (run_request.images > 0 && run_request.out.empty() && run_request.report.empty())
+        return one_line_error("--images " + std::to_string(run_request.images) +
+                              ": expected --out DIR or --report FILE as well");
     return run(run_request);
 }
 

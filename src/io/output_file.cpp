@@ -1,0 +1,64 @@
+#include "io/output_file.hpp"
+
+#include <string>
+#include <system_error>
+
+#include "common/input_error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/partial_file.hpp"
+#include "io/text_file.hpp"
+
+namespace faster::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(fs::path const& path, std::string const& what) { throw InputError(path.string() + ": " + what); }
+
+[[noreturn]] void fail(fs::path const& path, fs::filesystem_error const& error) {
+    fail(path, "cannot be written (" + error.code().message() + ")");
+}
+
+/// The folder in which a file or its missing parents would be made.
+fs::path nearest_folder(fs::path const& file) {
+    fs::path folder = file.parent_path();
+    while (!fs::exists(folder))
+        folder = folder.parent_path();
+    return folder;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path const& target) : target_(target) {
+    if (!target_.has_filename())
+        throw InputError("\"" + target_.string() + "\" names no file, expected a path to write to");
+    try {
+        destination_ = fs::weakly_canonical(fs::absolute(target_));
+        if (fs::is_directory(destination_))
+            fail(target_, "is a folder, expected a file to write");
+        if (fs::exists(destination_) && !fs::is_regular_file(destination_))
+            fail(target_, "is no regular file, expected a new file or one to replace");
+        fs::path const folder = nearest_folder(destination_);
+        if (!fs::is_directory(folder))
+            fail(target_, "cannot be written (" + folder.string() + " is no folder)");
+        PartialFile const probe(folder / destination_.filename());
+        try {
+            write_file(probe.path(), "");
+        } catch (InputError const&) {
+            fail(target_, "cannot be written in " + folder.string());
+        }
+    } catch (fs::filesystem_error const& error) {
+        fail(target_, error);
+    }
+}
+
+void OutputFile::commit(std::string_view content) const {
+    try {
+        fs::create_directories(destination_.parent_path());
+        write_file_atomically(destination_, content);
+    } catch (fs::filesystem_error const& error) {
+        fail(target_, error);
+    }
+}
+
+}  // namespace faster::io

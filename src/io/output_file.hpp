@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace faster::io {
+
+/// A file that appears complete or not at all. The constructor finds out whether it can be written, before the work
+/// whose output would be lost, and leaves nothing behind; commit() writes it, see write_file_atomically().
+///
+/// The target may be missing (parents are made by commit()) or a regular file, which is replaced. Anything else, and a
+/// place that cannot be written, is an InputError.
+class OutputFile {
+  public:
+    explicit OutputFile(std::filesystem::path const& target);
+    void commit(std::string_view content) const;
+
+  private:
+    std::filesystem::path target_;       // as given
+    std::filesystem::path destination_;  // absolute, symbolic links resolved
+};
+
+}  // namespace faster::io

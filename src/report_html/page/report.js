@@ -1,0 +1,249 @@
+// Fills the sections of the page, from top to bottom.
+
+const lane_cycles = data.headline.total_cycles * data.headline.raster_cores;
+
+function show_headline() {
+  const h = data.headline;
+  by_id("machine").textContent = `${count_of(h.raster_cores, "raster core")}, window ${h.window} x ${h.window} px, ${h.clock_mhz} MHz`;
+  fill_figures(by_id("headline"), [
+    ["cycles", whole(h.total_cycles)],
+    ["ms", decimal(h.milliseconds, 3)],
+    ["samples", whole(h.samples)],
+    ["raster cores", whole(h.raster_cores)],
+    ["samples per second", h.milliseconds > 0 ? whole((h.samples / h.milliseconds) * 1000) : "-"],
+    ["median latency [ms]", data.latency ? decimal(milliseconds(data.latency.median), 3) : "-"],
+  ]);
+  const [bound, ...reasons] = data.bound_by;
+  if (!bound) return;
+  by_id("bound-by").append(element("p", {}, bound), element("ul", {}, ...reasons.map((text) => element("li", {}, text))));
+}
+
+function module_bars() {
+  return {
+    type: "bar",
+    data: {
+      labels: data.modules.map((row) => row.module),
+      datasets: data.cycle_classes.map((name, c) => ({
+        label: in_words(name),
+        data: data.modules.map((row) => percent(row.cycles[c], lane_cycles)),
+        backgroundColor: colour(name),
+        barPercentage: 0.85,
+      })),
+    },
+    options: {
+      indexAxis: "y",
+      scales: {
+        x: { stacked: true, max: 100, title: axis_title("% of all cycles of all cores") },
+        y: { stacked: true, ticks: { autoSkip: false } },
+      },
+      plugins: { tooltip: { callbacks: { label: module_tooltip } } },
+    },
+  };
+}
+
+function module_tooltip(item) {
+  const cycles = data.modules[item.dataIndex].cycles[item.datasetIndex];
+  return `${item.dataset.label}: ${decimal(percent(cycles, lane_cycles), 2)} %, ${count_of(cycles, "lane-cycle")}`;
+}
+
+function show_modules() {
+  const box = by_id("module-chart");
+  box.before(legend(data.cycle_classes.map((name) => [name, in_words(name)])));
+  add_chart(box, "Where the cycles of each module went; the table below has the figures", module_bars);
+  new SortableTable(by_id("module-table"), "Where the cycles of each module went, in per cent", [
+    { title: "module", value: (row) => row.module },
+    ...data.cycle_classes.map((name, c) =>
+      figure(in_words(name) + " %", (row) => percent(row.cycles[c], lane_cycles), (row) => decimal(percent(row.cycles[c], lane_cycles), 2))),
+  ], data.modules);
+}
+
+function fill_stall_kind(cell, row) {
+  const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
+  swatch.style.background = `var(--${row.kind})`;
+  cell.append(swatch, in_words(row.kind));
+}
+
+function show_stalls() {
+  const rows = [...data.stalls].sort((a, b) => b.cycles - a.cycles);
+  new SortableTable(by_id("stall-table"), "What the modules wait for", [
+    { title: "module", value: (row) => row.module },
+    { title: "stall", value: (row) => row.kind, fill: fill_stall_kind },
+    { title: "FIFO or block RAM", value: (row) => row.item },
+    { title: "waits for", value: (row) => row.waits_for || "-" },
+    figure("lane-cycles", (row) => row.cycles),
+    figure("% of all", (row) => percent(row.cycles, lane_cycles), (row) => decimal(percent(row.cycles, lane_cycles), 2)),
+  ], rows, { box: "high" });
+}
+
+function spark_options(profile, capacity) {
+  const line = (values, options) => ({ data: values, stepped: "middle", pointRadius: 0, ...options });
+  return {
+    type: "line",
+    data: {
+      labels: profile.mean.map((_, i) => `${Math.round((100 * i) / profile.mean.length)} % of the sample`),
+      datasets: [
+        line(profile.mean, { label: "mean", fill: "origin", borderWidth: 1, borderColor: colour("accent"), backgroundColor: colour("accent") + "66" }),
+        line(profile.max, { label: "largest", borderWidth: 1, borderColor: colour("quiet") }),
+      ],
+    },
+    options: {
+      interaction: { mode: "index", intersect: false },
+      layout: { padding: 1 },
+      scales: { x: { display: false }, y: { display: false, min: 0, max: capacity * 1.05 } },
+      plugins: { tooltip: { displayColors: false } },
+    },
+  };
+}
+
+/// The FIFO table, with the occupancies of the sample that the timeline shows.
+class FifoTable {
+  constructor() {
+    this.core = null;
+    this.sparks = new Map();
+    add_core_choice(by_id("fifo-controls"), (core) => {
+      this.core = core;
+      this.table.show(this.rows());
+    });
+    this.table = new SortableTable(by_id("fifo-table"), "FIFOs", this.columns(), this.rows());
+    this.note(null);
+  }
+
+  rows() {
+    return rows_of(data.fifos, this.core, (row) => row.fifo, ["writes", "reads", "full_stall_cycles", "empty_stall_cycles"], ["max_occupancy"]);
+  }
+
+  columns() {
+    const columns = [
+      { title: "FIFO", value: (row) => row.fifo },
+      { title: "kind", value: (row) => in_words(row.kind) },
+      figure("depth", (row) => row.depth),
+      figure("write latency", (row) => row.write_latency),
+      figure("max occupancy", (row) => row.max_occupancy),
+      figure("writes", (row) => row.writes),
+      figure("reads", (row) => row.reads),
+      figure("full stall", (row) => row.full_stall_cycles),
+      figure("empty stall", (row) => row.empty_stall_cycles),
+    ];
+    if (data.timelines.some((timeline) => Object.keys(timeline.occupancy).length > 0))
+      columns.splice(1, 0, { title: "occupancy", value: (row) => this.mean_of(row.fifo), fill: (cell, row) => cell.append(this.spark_box(row.fifo)) });
+    return columns;
+  }
+
+  mean_of(fifo) {
+    const profile = this.timeline && this.timeline.occupancy[fifo];
+    return profile ? profile.mean.reduce((sum, mean) => sum + mean, 0) / profile.mean.length : 0;
+  }
+
+  /// The same box for a FIFO whatever the rows: its chart moves along.
+  spark_box(fifo) {
+    if (!this.sparks.has(fifo)) this.sparks.set(fifo, { box: element("div", { class: "spark" }) });
+    return this.sparks.get(fifo).box;
+  }
+
+  show_occupancy(timeline) {
+    this.timeline = timeline;
+    for (const [fifo, spark] of this.sparks) {
+      if (spark.entry) remove_chart(spark.entry);
+      const profile = timeline.occupancy[fifo];
+      const capacity = Math.max(1, data.fifos.find((row) => row.fifo === fifo).capacity);
+      const label = `Tokens in ${fifo} during sample ${timeline.sample}, of ${capacity}: ${decimal(this.mean_of(fifo), 2)} on average`;
+      spark.entry = profile && add_chart(spark.box, label, () => spark_options(profile, capacity));
+    }
+    this.table.arrange();
+    this.note(timeline);
+  }
+
+  note(timeline) {
+    const sum = data.headline.raster_cores > 1 ? ", summed up over cores; depth and occupancy in tokens, the largest of any core" : "; depth and occupancy in tokens";
+    const spark = timeline && this.sparks.size > 0
+      ? ` The curves are the tokens during sample ${timeline.sample} on core ${timeline.core}: mean (filled) and largest, up to the FIFO's capacity.` : "";
+    by_id("fifo-note").textContent = `Stalls in cycles of the waiting module${sum}.${spark}`;
+  }
+}
+
+function show_loops() {
+  let table = null;
+  const rows = (core) =>
+    rows_of(data.loops, core, (row) => `${row.module}.${row.loop}`, ["entries", "iterations", "port_conflict_cycles", "recurrence_cycles"], []);
+  const trips = (row) => (row.entries > 0 ? row.iterations / row.entries : 0);
+  add_core_choice(by_id("loop-controls"), (core) => table.show(rows(core)));
+  table = new SortableTable(by_id("loop-table"), "Loops", [
+    { title: "loop", value: (row) => `${row.module}.${row.loop}` },
+    figure("II target", (row) => row.ii_target),
+    figure("II achieved", (row) => row.ii),
+    { title: "limited by", value: (row) => row.limited_by || "-" },
+    figure("II of recurrence", (row) => row.ii_recurrence),
+    figure("depth", (row) => row.depth),
+    figure("entries", (row) => row.entries),
+    figure("iterations", (row) => row.iterations),
+    figure("trip count", trips, (row) => (row.entries > 0 ? decimal(trips(row), 1) : "-")),
+    figure("port conflict cycles", (row) => row.port_conflict_cycles),
+    figure("recurrence cycles", (row) => row.recurrence_cycles),
+  ], rows(null), { row_class: (row) => (row.ii > row.ii_target ? "changed" : "") });
+}
+
+function histogram_bars() {
+  const { first, width, counts } = data.latency.histogram;
+  const range = (i) => `${whole(first + i * width)} to ${whole(first + (i + 1) * width - 1)} cycles`;
+  return {
+    type: "bar",
+    data: {
+      labels: counts.map((_, i) => whole(first + i * width)),
+      datasets: [{ data: counts, backgroundColor: colour("busy"), barPercentage: 1, categoryPercentage: 0.94 }],
+    },
+    options: {
+      scales: {
+        x: { title: axis_title(`latency [cycles], bins of ${whole(width)} from the cycle named`), grid: { display: false }, ticks: { maxRotation: 50 } },
+        y: { title: axis_title("samples"), beginAtZero: true, ticks: { precision: 0 } },
+      },
+      plugins: { tooltip: { callbacks: { title: (items) => range(items[0].dataIndex), label: (item) => count_of(item.raw, "sample") } } },
+    },
+  };
+}
+
+function show_latency() {
+  if (!data.latency) return leave_out("latency");
+  const names = [["min", "min"], ["tenth", "10 %"], ["median", "median"], ["ninetieth", "90 %"], ["max", "max"]];
+  fill_figures(by_id("latency-figures"), names.map(([key, text]) => [text + " [cycles]", whole(data.latency[key])]));
+  add_chart(by_id("latency-chart"), `Histogram of the latency of ${count_of(data.headline.samples, "sample")}`, histogram_bars);
+}
+
+function show_timelines(fifo_table) {
+  if (!data.timelines.some((sample) => sample.spans.length > 0)) return leave_out("timeline");
+  const timeline = new Timeline();
+  timeline.shown = (shown) => fifo_table.show_occupancy(shown);
+  timeline.show(data.timelines[0]);
+}
+
+function show_pictures() {
+  if (data.pictures.length === 0) return leave_out("pictures");
+  for (const picture of data.pictures)
+    by_id("picture-list").append(element("figure", {},
+      element("img", { src: "data:image/png;base64," + picture.png, alt: picture.title, loading: "lazy" }),
+      element("figcaption", {}, picture.title)));
+}
+
+function show_configuration() {
+  const changed = data.configuration.filter((row) => !row.default);
+  by_id("configuration-note").textContent =
+    `${count_of(data.configuration.length, "key")} as resolved; ${changed.length} differ from their defaults.`;
+  const table = new SortableTable(by_id("configuration-table"), "Configuration", [
+    { title: "key", value: (row) => row.key },
+    { title: "value", value: (row) => row.value, wrap: true },
+    { title: "default", value: (row) => (row.default ? "default" : "changed"),
+      fill: (cell, row) => cell.append(row.default ? "default" : element("span", { class: "tag" }, "changed")) },
+  ], data.configuration, { box: "high", row_class: (row) => (row.default ? "" : "changed") });
+  const filter = element("input", { type: "checkbox", id: "only-non-defaults" });
+  filter.addEventListener("change", () => table.show(filter.checked ? changed : data.configuration));
+  by_id("configuration-controls").append(element("label", {}, filter, "only non-defaults"));
+}
+
+set_chart_defaults();
+show_headline();
+show_modules();
+show_stalls();
+show_timelines(new FifoTable());
+show_loops();
+show_latency();
+show_pictures();
+show_configuration();

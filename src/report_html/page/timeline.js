@@ -1,0 +1,122 @@
+// The timeline of one sample: a row per module, loops as wide bars, stalls as narrow ones on top.
+
+const span_kinds = ["loop", "empty_stall", "full_stall"];
+
+/// A row of the data, with names.
+function named_span([module, kind, item, begin, end, cycles, iterations, spans]) {
+  return { module, kind, item, begin, end, cycles, iterations, spans };
+}
+
+/// How strongly a bar is drawn: as much as its spans fill it, but never invisible.
+function strength(span) {
+  const share = span.cycles / Math.max(1, span.end - span.begin);
+  return Math.round(255 * (0.3 + 0.7 * Math.min(1, share))).toString(16).padStart(2, "0");
+}
+
+/// The loops of a module in their order, a colour each.
+function loops_of(module) {
+  return data.loops.filter((row) => row.core === 0 && row.module === module).map((row) => row.loop);
+}
+
+function span_colour(span) {
+  return colour(span.kind === "loop" ? "loop-" + loops_of(span.module).indexOf(span.item) : span.kind);
+}
+
+/// Names of the loops by colour, then the stalls.
+function timeline_legend() {
+  const names = [new Set(), new Set(), new Set()];
+  for (const row of data.modules) loops_of(row.module).forEach((loop, i) => names[i].add(loop));
+  const loops = names.map((set, i) => ["loop-" + i, "loop " + [...set].join(", ")]);
+  return legend([...loops, ["empty_stall", "empty stall"], ["full_stall", "full stall"]]);
+}
+
+function span_text(span) {
+  const what = span.kind === "loop" ? `loop ${span.item}` : `${in_words(span.kind)} of ${span.item}`;
+  const several = span.spans > 1 ? `, in ${whole(span.spans)} spans` : "";
+  const iterations = span.kind === "loop" ? `, ${count_of(span.iterations, "iteration")}` : "";
+  return [`${what}: ${count_of(span.cycles, "cycle")}${iterations}${several}`, `cycle ${whole(span.begin)} to ${whole(span.end - 1)}`];
+}
+
+function span_dataset(kind, spans, origin) {
+  const palette = new Map();
+  const shade = (span) => {
+    const key = span.module + span.item;
+    if (!palette.has(key)) palette.set(key, span_colour(span));
+    return palette.get(key) + strength(span);
+  };
+  return {
+    label: in_words(kind),
+    data: spans.map((span) => ({ x: [span.begin - origin, span.end - origin], y: span.module, span })),
+    backgroundColor: spans.map(shade),
+    grouped: false,
+    categoryPercentage: 1,
+    barPercentage: kind === "loop" ? 0.8 : 0.36,
+    maxBarThickness: kind === "loop" ? 36 : 16,
+    borderSkipped: false,
+    order: kind === "loop" ? 1 : 0, // smaller is in front
+  };
+}
+
+class Timeline {
+  constructor() {
+    this.zoom = element("input", { type: "range", min: 0, max: 8, step: 0.25, value: 0 });
+    this.position = element("input", { type: "range", min: 0, max: 1, step: 0.001, value: 0.5 });
+    const names = data.timelines.map((t) => `${whole(t.sample)} (core ${t.core})`);
+    if (names.length > 1) by_id("timeline-controls").append(labelled("Sample", choice(names, (i) => this.show(data.timelines[i]))));
+    by_id("timeline-controls").append(labelled("Zoom", this.zoom), labelled("Position", this.position));
+    for (const control of [this.zoom, this.position]) control.addEventListener("input", () => this.look());
+    by_id("timeline-chart").before(timeline_legend());
+    this.shown = () => {};
+  }
+
+  show(timeline) {
+    this.spans = timeline.spans.map(named_span);
+    this.origin = timeline.begin;
+    this.begin = this.spans.reduce((cycle, span) => Math.min(cycle, span.begin), timeline.begin) - this.origin;
+    this.end = this.spans.reduce((cycle, span) => Math.max(cycle, span.end), timeline.end) - this.origin;
+    if (this.entry) remove_chart(this.entry);
+    const cycles = count_of(timeline.end - timeline.begin, "cycle");
+    this.entry = add_chart(by_id("timeline-chart"), `Timeline of sample ${timeline.sample}, ${cycles}`, () => this.options());
+    by_id("timeline-note").textContent =
+      `Sample ${timeline.sample} on core ${timeline.core}: ${cycles} from cycle ${whole(timeline.begin)} on.`;
+    this.shown(timeline);
+  }
+
+  /// The part of the sample that zoom and position leave.
+  part() {
+    const length = (this.end - this.begin) / 2 ** Number(this.zoom.value);
+    const begin = this.begin + (this.end - this.begin - length) * Number(this.position.value);
+    return { min: begin, max: begin + length };
+  }
+
+  look() {
+    Object.assign(this.entry.chart.options.scales.x, this.part());
+    this.entry.chart.update("none");
+  }
+
+  options() {
+    return {
+      type: "bar",
+      data: {
+        labels: data.modules.map((row) => row.module),
+        datasets: span_kinds.map((kind) => span_dataset(kind, this.spans.filter((s) => s.kind === kind), this.origin)),
+      },
+      options: {
+        indexAxis: "y",
+        interaction: { mode: "nearest", intersect: true },
+        scales: {
+          x: { ...this.part(), title: axis_title("cycles of the sample"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
+          y: { grid: { display: true }, ticks: { autoSkip: false } },
+        },
+        plugins: {
+          tooltip: {
+            callbacks: {
+              title: (items) => items[0].raw.y,
+              label: (item) => span_text(item.raw.span),
+            },
+          },
+        },
+      },
+    };
+  }
+}

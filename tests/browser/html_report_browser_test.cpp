@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <sstream>
+
+#include "report_html/html_report.hpp"
+#include "support/command.hpp"
+#include "support/example_run.hpp"
+#include "support/report_page.hpp"
+#include "support/temp_folder.hpp"
+
+using namespace faster;
+using namespace faster::test;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// Where Debian's package chromium puts it; empty without.
+std::string chromium() {
+    std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (std::filesystem::exists(folder + "/chromium"))
+            return folder + "/chromium";
+    return "";
+}
+
+/// CTest reports a test that prints this as skipped.
+bool browser_is_missing() {
+    if (!chromium().empty())
+        return false;
+    WARN("skipped: chromium is not installed (scripts/setup.sh --dev installs it)");
+    return true;
+}
+
+/// The page of a file in `folder` after its script ran. Anything on the console is an error: the page writes nothing.
+std::string drawn_page(TempFolder const& folder, std::string const& file, Words const& options = {}) {
+    Words arguments{"--headless=new",
+                    "--no-sandbox",  // CI is root in a container
+                    "--disable-gpu",
+                    "--disable-dev-shm-usage",
+                    "--allow-file-access-from-files",
+                    "--enable-logging=stderr",
+                    "--virtual-time-budget=10000",
+                    "--window-size=1280,2400",
+                    "--user-data-dir=" + (folder / "profile").string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.insert(arguments.end(), {"--dump-dom", "file://" + (folder / file).string()});
+    CommandResult const result = run_command(chromium(), arguments, folder.path());
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    REQUIRE(result.err.find(":CONSOLE") == std::string::npos);
+    return result.out;
+}
+
+/// What the page found out about itself.
+Json self_check(TempFolder const& folder, std::string const& file, Words const& options = {}) {
+    Json check = json_element(drawn_page(folder, file + "#self-check", options), "self-check");
+    CHECK(check["errors"] == Json::array());
+    CHECK(check["painted"] == check["charts"]);
+    CHECK(check["page_width"] <= check["window_width"]);  // nothing makes the page itself scroll sideways
+    return check;
+}
+
+std::string png_of(int side) {
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", cv::Mat(side, side, CV_8UC3, cv::Scalar(60, 120, 180)), bytes);
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string example_page(std::string const& title) {
+    return report::html_report({title,
+                                AcceleratorConfig{},
+                                example_run(),
+                                example_keys(),
+                                {example_timeline(0, 0, 1), example_timeline(1, 3, 450001)},
+                                {{title, png_of(8)}}});
+}
+
+Json const& column(Json const& check, std::string const& table, std::string const& title) {
+    Json const& columns = check["tables"][table];
+    auto const found = std::find_if(columns.begin(), columns.end(),
+                                    [&title](Json const& sorted) { return sorted["column"] == title; });
+    REQUIRE(found != columns.end());
+    return *found;
+}
+
+}  // namespace
+
+TEST_CASE("The browser draws every chart and section of the report without an error", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page("example.yaml"));
+    Json const check = self_check(folder, "report.html");
+    CHECK(check["charts"] == 3 + 4);  // modules, timeline, latencies; four FIFOs with occupancies
+    CHECK(check["pictures"] == 1);
+    CHECK(check["sections"] ==
+          Json::array({"summary", "modules", "timeline", "fifos", "loops", "latency", "pictures", "configuration"}));
+    CHECK(check["keys"].size() == example_keys().size());
+    CHECK(check["changed_keys"].size() == 2);
+}
+
+TEST_CASE("A click on the head of a column sorts numbers as numbers and names as names", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page("example.yaml"));
+    Json const check = self_check(folder, "report.html");
+    Json const& writes = column(check, "FIFOs", "writes");  // 2 cores, 1000 more from row to row
+    REQUIRE(writes["ascending"].size() == fifo_count);
+    CHECK(writes["ascending"].front() == "2,000");
+    CHECK(writes["ascending"].back() == "28,000");
+    CHECK(writes["descending"].front() == "28,000");
+    Json const& loops = column(check, "Loops", "loop");
+    CHECK(loops["ascending"].front() == "edge_map_builder.clear");
+    CHECK(loops["descending"].front() == "vertex_transform.vertex");
+    for (auto const& [table, columns] : check["tables"].items())
+        for (Json const& sorted : columns) {
+            CAPTURE(table, sorted["column"].get<std::string>());
+            auto const as_set = [](Json const& texts) {
+                return std::multiset<std::string>(texts.begin(), texts.end());
+            };
+            CHECK(as_set(sorted["ascending"]) == as_set(sorted["descending"]));
+        }
+}
+
+TEST_CASE("The choices of core, sample and zoom show what they say", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page("example.yaml"));
+    Json const check = self_check(folder, "report.html");
+    CHECK(check["cores"]["all, summed up"] == "sample_vertexshift register2122,0002,00001,800");
+    CHECK(check["cores"]["core 1"] == "sample_vertexshift register2121,0001,0000900");
+    CHECK(check["loops_of_cores"]["all, summed up"][0] == "20");  // entries
+    CHECK(check["loops_of_cores"]["core 0"][0] == "10");
+    CHECK(check["samples"]["0 (core 0)"] == "Sample 0 on core 0: 345,000 cycles from cycle 1 on.");
+    CHECK(check["samples"]["3 (core 1)"] == "Sample 3 on core 1: 345,000 cycles from cycle 450,001 on.");
+    CHECK(check["zoomed"] == Json::array({345000, 345000 / 256.0, 345000}));
+}
+
+TEST_CASE("Hostile names are text in the drawn page", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page(hostile_text));
+    Json const check = self_check(folder, "report.html");
+    CHECK(check["title"] == hostile_text + " - faster-sim");
+    CHECK(check["pictures"] == 1);
+    CHECK(check["elements_in_data"] == 0);
+    Json const& values = column(check, "Configuration", "value")["ascending"];
+    CHECK(std::find(values.begin(), values.end(), hostile_text) != values.end());
+}
+
+TEST_CASE("A run without samples is drawn, too", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", report::html_report({"empty", AcceleratorConfig{}, RunStatistics{}, {}, {}, {}}));
+    Json const check = self_check(folder, "report.html");
+    CHECK(check["sections"] == Json::array({"summary", "modules", "fifos", "loops", "configuration"}));
+}
+
+TEST_CASE("The page fits a phone, in the dark as well", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    folder.write("report.html", example_page("a_configuration_with_a_long_name_and_no_place_to_break_it.yaml"));
+    // A window has 500 px at least, a frame has not.
+    folder.write("phone.html",
+                 "<iframe width=360 height=740 src='report.html#self-check'></iframe><script>onload = () => "
+                 "document.body.append(frames[0].document.getElementById('self-check'))</script>");
+    for (Words const& options : {Words{}, Words{"--blink-settings=preferredColorScheme=0"}}) {
+        Json const check = json_element(drawn_page(folder, "phone.html", options), "self-check");
+        CHECK(check["errors"] == Json::array());
+        CHECK(check["painted"] == 7);
+        CHECK(check["window_width"] <= 360);
+        CHECK(check["page_width"] == check["window_width"]);
+        CHECK(check["dark"] == !options.empty());
+    }
+}

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "support/command.hpp"
+#include "support/report_page.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// A folder with config.yaml: three samples on two cores.
+class Workspace {
+  public:
+    Workspace() {
+        folder_.write("config.yaml",
+                      "accelerator: {raster_cores: 2, window: 60}\n"
+                      "workload:\n"
+                      "  object: tomato_soup_can\n"
+                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
+                      "  samples: {count: 3}\n");
+    }
+
+    CommandResult run(Words const& arguments) const {
+        Words words{"run", "config.yaml"};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return run_command(FASTER_SIM_BINARY, words, folder_.path());
+    }
+    TempFolder const& folder() const { return folder_; }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+
+  private:
+    TempFolder folder_;
+};
+
+void check_refused(Workspace const& workspace, Words const& arguments, std::string const& part) {
+    std::size_t const before = entries_in(workspace.folder().path());
+    CommandResult const result = workspace.run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    CHECK(lines_of(result.err).size() == 1);
+    CHECK_THAT(result.err, Contains(part));
+    CHECK(entries_in(workspace.folder().path()) == before);
+}
+
+/// The page without the value of simulation.engine.
+std::string without_engine(std::string page) {
+    std::string const row = R"({"key":"simulation.engine","value":")";
+    std::size_t const begin = page.find(row);
+    REQUIRE(begin != std::string::npos);
+    return page.erase(begin, page.find('}', begin) - begin);
+}
+
+}  // namespace
+
+TEST_CASE("A run writes its HTML report without --out, and nothing else") {
+    Workspace const workspace;
+    CommandResult const result = workspace.run({"--report", "new/report.html"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("written: new/report.html"));
+    CHECK(entries_in(workspace.folder().path()) == 2);
+    CHECK(entries_in(workspace.folder() / "new") == 1);
+    Json const data = json_element(workspace.text("new/report.html"), "data");
+    CHECK(data["headline"]["samples"] == 3);
+    CHECK(data["pictures"].empty());
+    CHECK_THAT(workspace.text("new/report.html"), Contains("<h1>config.yaml</h1>"));
+}
+
+TEST_CASE("The HTML report may lie in the folder of the results, new or old") {
+    Workspace const workspace;
+    for (int run = 0; run < 2; ++run) {
+        require_done(workspace.run({"--out", "out", "--report", "out/report.html"}));
+        CHECK(entries_in(workspace.folder() / "out") == 5);
+        CHECK(entries_in(workspace.folder().path()) == 2);
+    }
+}
+
+TEST_CASE("The HTML report and summary.json agree") {
+    Workspace const workspace;
+    require_done(workspace.run({"--out", "out", "--report", "report.html"}));
+    Json const data = json_element(workspace.text("report.html"), "data");
+    Json const summary = Json::parse(workspace.text("out/summary.json"));
+    CHECK(data["headline"]["total_cycles"] == summary["total_cycles"]);
+    for (char const* const table : {"fifos", "loops", "bound_by"})
+        CHECK(data[table] == summary[table]);
+    CHECK(data["configuration"].size() == summary["configuration"].size());
+}
+
+TEST_CASE("Equal runs write the same HTML report, on either engine") {
+    Workspace const workspace;
+    auto const report_of = [&](std::string const& engine, std::string const& name) {
+        require_done(workspace.run({"--images", "2", "--set", "simulation.engine=" + engine, "--report", name}));
+        return workspace.text(name);
+    };
+    std::string const page = report_of("decoupled", "first.html");
+    CHECK((page == report_of("decoupled", "second.html")));
+    CHECK((without_engine(page) == without_engine(report_of("lockstep", "third.html"))));
+}
+
+TEST_CASE("Pictures go into the HTML report, with and without --out") {
+    Workspace const workspace;
+    require_done(workspace.run({"--images", "2", "--report", "alone.html"}));
+    require_done(workspace.run({"--images", "2", "--report", "both.html", "--out", "out"}));
+    CHECK((workspace.text("alone.html") == workspace.text("both.html")));
+    Json const pictures = json_element(workspace.text("alone.html"), "data")["pictures"];
+    REQUIRE(pictures.size() == 2);
+    CHECK(pictures[1]["title"].get<std::string>().rfind("Sample 1", 0) == 0);
+    CHECK(pictures[1]["png"].get<std::string>().rfind("iVBORw0KGgo", 0) == 0);  // a PNG's first bytes
+}
+
+TEST_CASE("A page that cannot be written is refused in one line before the run") {
+    Workspace const workspace;
+    check_refused(workspace, {"--report", "config.yaml/report.html"}, "config.yaml/report.html: cannot be written");
+    check_refused(workspace, {"--report", "."}, "is a folder");
+    check_refused(workspace, {"--report", "/dev/null", "--out", "new/out"}, "/dev/null: is no regular file");
+    check_refused(workspace, {"--images", "2"}, "expected --out DIR or --report FILE");
+}
+
+TEST_CASE("A deadlock writes no HTML report") {
+    Workspace const workspace;
+    CommandResult const result =
+        workspace.run({"--set", "accelerator.fifos.fragment_depth.depth=1", "--report", "report.html"});
+    CHECK(result.exit_code == 3);
+    CHECK(entries_in(workspace.folder().path()) == 1);
+}
+
+TEST_CASE("A hostile name in the configuration stays in the data of the HTML report") {
+    Workspace const workspace;
+    std::string const mesh = "a</script><img src=x onerror=alert(1)>.obj";  // a file in a folder, as it has a slash
+    fs::create_directory(workspace.folder() / "a<");
+    workspace.folder().write(mesh, "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    require_done(workspace.run({"--set", "workload.object=./" + mesh, "--report", "report.html"}));
+    std::string const page = workspace.text("report.html");
+    CHECK(page.find("<img") == std::string::npos);
+    CHECK(page.find("onerror=alert") != std::string::npos);  // as text in a string
+    Json const rows = json_element(page, "data")["configuration"];
+    CHECK(std::any_of(rows.begin(), rows.end(), [&mesh](Json const& row) {
+        return row["value"].get<std::string>().find(mesh) != std::string::npos;
+    }));
+}

@@ -1,0 +1,158 @@
+#include "support/example_run.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace faster::test {
+
+namespace {
+
+constexpr Cycles total_cycles = 1000000;
+
+ProcessStatistics example_process(std::size_t module) {
+    ProcessStatistics process;
+    process[CycleClass::busy] = 100000 + 30000 * module;
+    process[CycleClass::fill_drain] = 20000;
+    process[CycleClass::idle_before] = 1000 * module;
+    process[CycleClass::idle_after] = 5000;
+    Cycles left = total_cycles - process.sum();
+    for (std::size_t f = 0; f < fifo_count; ++f) {
+        bool const reads = index_of(fifo_ends[f].reader) == module;
+        if (!reads && index_of(fifo_ends[f].writer) != module)
+            continue;
+        process.stalls[f] = left / 2;
+        process[reads ? CycleClass::empty_stall : CycleClass::full_stall] += left / 2;
+        left -= left / 2;
+    }
+    process[CycleClass::port_conflict] = left;
+    process.port_conflicts[index_of(BramId::depth_buffer)] = left;
+    return process;
+}
+
+CoreStatistics example_core() {
+    CoreStatistics core;
+    core.end_cycle = total_cycles;
+    for (std::size_t i = 0; i < module_count; ++i)
+        core.processes[i] = example_process(i);
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        core.fifos[i] = {FifoKind::shift_register, 2, 2, 1, 1000 * (i + 1), 1000 * (i + 1), 70 * i, 900 - 60 * i, 2};
+    for (std::size_t i = 0; i < loop_count; ++i)
+        core.loops[i] = {1, 1, 1, 3 + i, 10, 1000 * (i + 1), 0, 0, "", "", 0};
+    LoopStatistics& sweep = core.loops[index_of(LoopId::sweep)];
+    sweep.ii = 3;
+    sweep.port_conflict_cycles = 18000;
+    sweep.limited_by = sweep.bram = name_of(BramId::depth_buffer);
+    sweep.bram_accesses = 5;
+    return core;
+}
+
+/// Writes down one module after the other; the engine gives lengths that look like those of triangles.
+class Sketch {
+  public:
+    explicit Sketch(SampleTimeline& timeline) : timeline_(timeline) {}
+
+    void loop(LoopId id, Cycles begin, Cycles end) {
+        add(loop_names[index_of(id)].module, TimelineSpan::Kind::loop, index_of(id), begin, end);
+    }
+    void empty(FifoId id, Cycles begin, Cycles end) {
+        add(fifo_ends[index_of(id)].reader, TimelineSpan::Kind::empty_stall, index_of(id), begin, end);
+    }
+    void full(FifoId id, Cycles begin, Cycles end) {
+        add(fifo_ends[index_of(id)].writer, TimelineSpan::Kind::full_stall, index_of(id), begin, end);
+    }
+    Cycles between(Cycles low, Cycles high) { return low + random_() % (high - low); }
+    void sort() {
+        std::stable_sort(timeline_.spans.begin(), timeline_.spans.end(),
+                         [](TimelineSpan const& a, TimelineSpan const& b) { return a.begin < b.begin; });
+    }
+
+  private:
+    void add(ModuleId module, TimelineSpan::Kind kind, std::size_t item, Cycles begin, Cycles end) {
+        Cycles const count = kind == TimelineSpan::Kind::loop ? (end - begin) / 2 : end - begin;
+        timeline_.spans.push_back(
+            {index_of(module), kind, item, timeline_.begin + begin, timeline_.begin + end, count});
+    }
+
+    SampleTimeline& timeline_;
+    std::mt19937 random_{7};  // NOLINT: the same sketch every time
+};
+
+constexpr Cycles clear_cycles = 40000;
+constexpr Cycles last_triangle = 220000;
+constexpr Cycles sample_cycles = 345000;
+
+/// One triangle after the other, with the reader of its fragments starved between them.
+void sketch_triangles(Sketch& sketch) {
+    for (Cycles cycle = clear_cycles; cycle < last_triangle;) {
+        Cycles const scan = sketch.between(60, 500), setup = sketch.between(30, 60);
+        sketch.loop(LoopId::scan, cycle + setup, cycle + setup + scan);
+        if (scan > 200)
+            sketch.full(FifoId::edge_token, cycle + setup + scan / 3, cycle + setup + scan / 2);
+        sketch.loop(LoopId::fragment, cycle + setup + 20, cycle + setup + scan + 20);
+        sketch.empty(FifoId::command, cycle + setup + 20, cycle + setup + 20 + scan / 4);
+        cycle += setup + scan;
+    }
+}
+
+void sketch_occupancy(SampleTimeline& timeline, Sketch& sketch) {
+    for (FifoId const id : {FifoId::vertex, FifoId::command, FifoId::edge_token, FifoId::observed_depth}) {
+        std::vector<OccupancyPoint>& points = timeline.occupancy[index_of(id)];
+        std::uint64_t tokens = 0;
+        for (Cycles cycle = timeline.begin; cycle < timeline.end; cycle += sketch.between(50, 3000)) {
+            bool const in_triangles = cycle - timeline.begin > clear_cycles && cycle - timeline.begin < last_triangle;
+            tokens = in_triangles ? sketch.between(0, 3) : (id == FifoId::observed_depth ? 2U : 0U);
+            points.push_back({cycle, tokens});
+        }
+    }
+}
+
+}  // namespace
+
+RunStatistics example_run() {
+    RunStatistics run;
+    run.total_cycles = total_cycles;
+    run.cores = {example_core(), example_core()};
+    run.cores[0].samples = 3;
+    run.cores[1].samples = 2;
+    for (std::uint64_t sample = 0; sample < 5; ++sample) {
+        Cycles const begin = 1 + sample * 150000;
+        run.samples.push_back({sample, sample / 3, begin, begin + sample_cycles - 1 + 1000 * sample, {}});
+    }
+    return run;
+}
+
+SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles begin) {
+    SampleTimeline timeline;
+    timeline.core = core;
+    timeline.sample = sample;
+    timeline.begin = begin;
+    timeline.end = begin + sample_cycles;
+    Sketch sketch(timeline);
+    sketch.loop(LoopId::vertex, 0, last_triangle);
+    sketch.full(FifoId::vertex, 60, last_triangle - 500);
+    sketch.loop(LoopId::edge_clear, 0, clear_cycles);
+    sketch.loop(LoopId::depth_clear, 0, clear_cycles);
+    sketch.full(FifoId::command, 100, clear_cycles);
+    sketch.loop(LoopId::read, 10, sample_cycles - 100);
+    sketch.full(FifoId::observed_depth, 20, last_triangle);
+    sketch_triangles(sketch);
+    sketch.loop(LoopId::token, clear_cycles, last_triangle + 2000);
+    sketch.empty(FifoId::edge_token, last_triangle - 9000, last_triangle);
+    sketch.loop(LoopId::output, last_triangle + 2000, sample_cycles - 50);
+    sketch.full(FifoId::edge_map, last_triangle + 2100, sample_cycles - 60);
+    sketch.empty(FifoId::area_reciprocal, last_triangle + 600, last_triangle + 2000);
+    sketch.loop(LoopId::sweep, last_triangle + 2000, sample_cycles - 10);
+    sketch.empty(FifoId::result, 0, sample_cycles - 1);
+    sketch.sort();
+    sketch_occupancy(timeline, sketch);
+    return timeline;
+}
+
+std::vector<ResolvedKey> example_keys() {
+    RunConfig config;
+    config.workload.trace = hostile_text;
+    config.accelerator.raster_cores = 2;
+    return resolved_keys(config);
+}
+
+}  // namespace faster::test

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "config/resolved_config.hpp"
+#include "stats/run_statistics.hpp"
+#include "stats/sample_timeline.hpp"
+
+namespace faster::test {
+
+/// A name that ends a script element, opens others and tries every quote.
+std::string const hostile_text = R"(a"'`</script><img src=x onerror="document.title='stolen'"><!--&amp;\u003c)";
+
+/// A run of two cores and five samples with figures as a real one has them, made up by hand.
+RunStatistics example_run();
+
+/// What the modules do during a sample: clear, triangles, sweep, with stalls inside and tokens in the FIFOs.
+SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles begin);
+
+/// Every key, with a hostile file name among those that are not default.
+std::vector<ResolvedKey> example_keys();
+
+}  // namespace faster::test

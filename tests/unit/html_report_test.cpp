@@ -1,0 +1,146 @@
+#include "report_html/html_report.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "support/example_run.hpp"
+#include "support/report_page.hpp"
+
+namespace faster::report {
+
+using Json = nlohmann::ordered_json;
+using test::example_keys;
+using test::example_run;
+using test::example_timeline;
+using test::hostile_text;
+using test::json_element;
+
+namespace {
+
+std::string example_page() {
+    return html_report({"example.yaml",
+                        AcceleratorConfig{},
+                        example_run(),
+                        example_keys(),
+                        {example_timeline(1, 3, 450001)},
+                        {{"Sample 0", "not really a PNG"}}});
+}
+
+std::size_t count_of(std::string const& part, std::string const& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
+    RunStatistics const run = example_run();
+    Json const data = json_element(example_page(), "data");
+    CHECK(data["format"] == "faster-report");
+    CHECK(data["headline"]["total_cycles"] == run.total_cycles);
+    CHECK(data["headline"]["milliseconds"] == 5.0);
+    CHECK(data["headline"]["samples"] == 5);
+    CHECK(data["headline"]["raster_cores"] == 2);
+    CHECK(data["bound_by"][0].get<std::string>().rfind("Bound by ", 0) == 0);
+    CHECK(data["cycle_classes"].size() == cycle_class_count);
+    REQUIRE(data["modules"].size() == module_count);
+    CHECK(data["modules"][2]["module"] == "rasterizer");
+    CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);  // of both cores
+    CHECK(data["fifos"].size() == 2 * fifo_count);
+    CHECK(data["fifos"][3]["fifo"] == "vertex");
+    CHECK(data["fifos"][3]["writes"] == 4000);
+    CHECK(data["loops"].size() == 2 * loop_count);
+    CHECK(data["latency"]["min"] == 345000);
+    CHECK(data["latency"]["max"] == 349000);
+    CHECK(data["pictures"][0] == Json{{"title", "Sample 0"}, {"png", "bm90IHJlYWxseSBhIFBORw=="}});
+}
+
+TEST_CASE("The stalls in the page name FIFO, reason and partner, and add up to those of the modules", "[html]") {
+    RunStatistics const run = example_run();
+    Json const data = json_element(example_page(), "data");
+    Cycles sum = 0, expected = 0;
+    for (Json const& row : data["stalls"])
+        sum += row["cycles"].get<Cycles>();
+    for (std::size_t i = 0; i < module_count; ++i) {
+        ProcessStatistics const process = process_sum(run, i);
+        expected +=
+            process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::port_conflict];
+    }
+    CHECK(sum == expected);
+    auto const is_sought = [](Json const& row) { return row["module"] == "rasterizer" && row["item"] == "edge_token"; };
+    auto const row = std::find_if(data["stalls"].begin(), data["stalls"].end(), is_sought);
+    REQUIRE(row != data["stalls"].end());
+    CHECK((*row)["kind"] == "full_stall");
+    CHECK((*row)["waits_for"] == "edge_map_builder");
+}
+
+TEST_CASE("A timeline in the page has named spans and occupancies", "[html]") {
+    Json const timelines = json_element(example_page(), "data")["timelines"];
+    REQUIRE(timelines.size() == 1);
+    CHECK(timelines[0]["core"] == 1);
+    CHECK(timelines[0]["sample"] == 3);
+    CHECK(timelines[0]["begin"] == 450001);
+    CHECK(timelines[0]["spans"][0] ==
+          Json::array({"vertex_transform", "loop", "vertex", 450001, 670001, 220000, 110000, 1}));
+    CHECK(timelines[0]["occupancy"]["vertex"]["mean"].size() == 120);
+    CHECK_FALSE(timelines[0]["occupancy"].contains("result"));
+}
+
+TEST_CASE("The configuration in the page says what differs from the defaults", "[html]") {
+    Json const rows = json_element(example_page(), "data")["configuration"];
+    CHECK(rows.size() == example_keys().size());
+    for (Json const& row : rows) {
+        CAPTURE(row.dump());
+        bool const is_changed = row["key"] == "accelerator.raster_cores" || row["key"] == "workload.trace";
+        CHECK(row["default"] == !is_changed);
+        if (row["key"] == "workload.trace")
+            CHECK(row["value"] == hostile_text);
+    }
+}
+
+TEST_CASE("Hostile names do not leave their element", "[html]") {
+    std::string const page =
+        html_report({hostile_text, AcceleratorConfig{}, example_run(), example_keys(), {}, {{hostile_text, "png"}}});
+    std::string const harmless = html_report({"name", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    for (std::string const part : {"<script", "</script", "<img", "<!--", "<title"}) {
+        CAPTURE(part);
+        CHECK(count_of(part, page) == count_of(part, harmless));
+    }
+    CHECK(json_element(page, "data")["pictures"][0]["title"] == hostile_text);
+}
+
+TEST_CASE("A title that looks like a place in the template stays a title", "[html]") {
+    std::string const page = html_report({"@data@ @title@", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    CHECK(count_of("<h1>@data@ @title@</h1>", page) == 1);
+    CHECK(json_element(page, "data")["format"] == "faster-report");
+}
+
+TEST_CASE("Bytes that are no UTF-8 do not break the page", "[html]") {
+    std::string const page = html_report({"\xff", AcceleratorConfig{}, example_run(), {}, {}, {{"\xff\xfe", "png"}}});
+    CHECK(json_element(page, "data")["pictures"].size() == 1);
+}
+
+TEST_CASE("A run without samples, timelines and pictures has a page, too", "[html]") {
+    Json const data = json_element(html_report({"empty", AcceleratorConfig{}, RunStatistics{}, {}, {}, {}}), "data");
+    CHECK(data["headline"]["total_cycles"] == 0);
+    CHECK(data["latency"].is_null());
+    for (char const* const list : {"bound_by", "stalls", "fifos", "loops", "timelines", "pictures", "configuration"}) {
+        CAPTURE(list);
+        CHECK(data[list] == Json::array());
+    }
+}
+
+TEST_CASE("The page is complete in itself", "[html]") {
+    std::string const page = html_report({"name", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    CHECK(count_of("default-src 'none'", page) == 1);  // the browser would refuse to load anything
+    for (std::string const load : {" src=", "<link", "@import", "url(", "fetch(", "XMLHttpRequest", "import("}) {
+        CAPTURE(load);
+        CHECK(count_of(load, page) == 0);
+    }
+    CHECK(count_of("@style@", page) + count_of("@chart_js@", page) + count_of("@scripts@", page) == 0);
+    CHECK(count_of("Chart.js v3", page) == 1);  // with its licence
+}
+
+}  // namespace faster::report

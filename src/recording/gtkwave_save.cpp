@@ -1,5 +1,7 @@
 #include "recording/gtkwave_save.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -13,6 +15,9 @@ namespace {
 // GTKWave's trace flags.
 constexpr unsigned hex = 0x22, decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022;
 constexpr unsigned group_begin = 0x800200, group_end = 0x1000200, closed = 0x400000;
+
+constexpr double first_cycles = 300;  // shown at first
+constexpr double ticks_across = 5;    // marks of the time axis, 200 pixels apart
 
 class SaveText {
   public:
@@ -50,10 +55,12 @@ struct Tables {
     std::string stalls;
 };
 
-void add_module(SaveText& save, std::string const& path, Tables const& tables) {
+void add_module(SaveText& save, std::string const& path, std::string const& name, Tables const& tables) {
+    save.open_group(name, false);
     save.translated_signal(path + ".state", tables.states);
     save.translated_signal(path + ".stall", tables.stalls);
     save.signal(decimal, path + ".iteration", 32);
+    save.close_group(name);
 }
 
 unsigned bits_for(std::uint64_t largest) {
@@ -88,7 +95,7 @@ void add_core(SaveText& save, AcceleratorConfig const& config, RecordedCore cons
         save.signal(decimal, fmt::format("{}.sample.{}", path, number), 32);
     for (std::size_t module = 0; module < module_count; ++module)
         if (filter.shows(static_cast<ModuleId>(module)))
-            add_module(save, fmt::format("{}.{}", path, module_names[module]), tables);
+            add_module(save, fmt::format("{}.{}", path, module_names[module]), module_names[module], tables);
     for (std::size_t fifo = 0; fifo < fifo_count; ++fifo) {
         if (!filter.shows(static_cast<FifoId>(fifo)))
             continue;
@@ -142,10 +149,15 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     };
     Tables const tables{beside(".states.txt").string(), beside(".stalls.txt").string()};
     SaveText save;
-    save.put(
-        "[*] faster-sim\n[dumpfile] \"{}\"\n[timestart] 0\n[sst_width] 220\n[signals_width] 330\n"
-        "[sst_expanded] 1\n",
-        std::filesystem::absolute(vcd).lexically_normal().string());
+    // The zoom is the logarithm of the time between two marks.
+    double const ticks_per_cycle = (counts_in_ns(config.clock_mhz) ? 1e3 : 1e6) / config.clock_mhz;
+    double const zoom = std::log2(first_cycles / ticks_across * ticks_per_cycle);
+    Cycles first = cores.empty() ? 0 : ~Cycles{0};
+    for (RecordedCore const& core : cores)
+        first = std::min(first, core.from);
+    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n", std::filesystem::absolute(vcd).lexically_normal().string());
+    save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks_per_cycle));
+    save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
         add_core(save, config, core, filter, tables);
     write(tables.states, state_table());

@@ -38,12 +38,12 @@ char* put_binary(char* at, std::uint64_t value) {
     return at + bits;
 }
 
-/// Whole nanoseconds, if a cycle is a whole number of them.
+}  // namespace
+
 bool counts_in_ns(double clock_mhz) {
     double const ns = 1e3 / clock_mhz;
     return std::abs(ns - std::round(ns)) < 1e-9;
 }
-}  // namespace
 
 VcdFile::VcdFile(std::filesystem::path const& file, double clock_mhz)
     : name_(file.string()), written_to_(hidden_name(file)), file_(std::fopen(written_to_.c_str(), "wb")) {

@@ -12,6 +12,9 @@
 
 namespace faster::recording {
 
+/// Whether a dump's unit of time is a nanosecond: if a cycle is a whole number of them. Otherwise a picosecond.
+bool counts_in_ns(double clock_mhz);
+
 /// Writes a value change dump (IEEE 1364-2005, clause 18). Values are set cycle by cycle; of several in one cycle the
 /// last counts, and what does not change is not written. Signals belong to domains, each with a window of cycles of its
 /// own, outside of which they read as unknown.

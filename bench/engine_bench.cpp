@@ -5,14 +5,17 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <sys/wait.h>
 #include <systemc>
 #include <unistd.h>
 
 #include "config/load_config.hpp"
+#include "recording/vcd_trace.hpp"
 #include "reference/scorer.hpp"
 #include "simulation/simulate.hpp"
 #include "workload/build_stimulus.hpp"
@@ -95,13 +98,35 @@ Stimulus stimulus_of(RunConfig const& config) {
     return workload::build_stimulus(config.workload, config.accelerator.window, config.accelerator.fraction_bits);
 }
 
-Measurement engine(Engine engine, std::uint64_t samples, int window = 200) {
+Measurement engine(Engine engine, std::uint64_t samples, int window = 200,
+                   std::function<SimulationOptions(RunConfig const&)> const& options = {}) {
     RunConfig config = main_job(window);
     config.workload.samples.count = samples;
     Stimulus const stimulus = stimulus_of(config);
     RunStatistics run;
-    double const seconds = seconds_of([&] { run = simulate(config.accelerator, stimulus, engine); });
+    SimulationOptions const with = options ? options(config) : SimulationOptions{};
+    double const seconds = seconds_of([&] { run = simulate(config.accelerator, stimulus, engine, with); });
     return {seconds, static_cast<double>(run.total_cycles * run.cores.size())};
+}
+
+/// Writes a waveform, and takes it away again.
+Measurement with_vcd(Engine kind, std::uint64_t samples, std::optional<std::size_t> sample) {
+    std::filesystem::path const file =
+        std::filesystem::temp_directory_path() / ("faster_bench_" + std::to_string(getpid()) + ".vcd");
+    Measurement const result = engine(kind, samples, 200, [&](RunConfig const& config) {
+        Recording vcd;
+        if (sample)
+            vcd.window.samples = recording::RecordingWindow::Samples{*sample, *sample};
+        vcd.done = [&, machine = config.accelerator](std::vector<recording::RecordedCore> const& cores) {
+            recording::write_vcd(file, machine, cores, recording::SignalFilter{});
+        };
+        SimulationOptions options;
+        options.recordings.push_back(vcd);
+        return options;
+    });
+    for (char const* const ending : {".vcd", ".gtkw", ".states.txt", ".stalls.txt"})
+        std::filesystem::remove(std::filesystem::path(file).replace_extension(ending));
+    return result;
 }
 
 Measurement reference_score() {
@@ -150,6 +175,9 @@ void print_ratios() {
                 seconds("decoupled") / seconds("reference"));
     std::printf("  window 400 time : window 200 time               %8.2f\n",
                 seconds("window_400") / seconds("decoupled"));
+    std::printf("  VCD of 1 sample of 62 : decoupled time          %8.2f\n",
+                seconds("vcd_sample") / seconds("decoupled"));
+    std::printf("  VCD of all : lockstep time                      %8.2f\n", seconds("vcd_all") / seconds("lockstep"));
 }
 
 }  // namespace
@@ -161,6 +189,8 @@ int sc_main(int argc, char** argv) {
     add("lockstep", "lane_cycles", [] { return engine(Engine::lockstep, 20); });
     add("reference", "samples", reference_score);
     add("window_400", "lane_cycles", [] { return engine(Engine::decoupled, 620, 400); });
+    add("vcd_sample", "lane_cycles", [] { return with_vcd(Engine::decoupled, 620, 30); });
+    add("vcd_all", "lane_cycles", [] { return with_vcd(Engine::lockstep, 20, {}); });
     benchmark::RunSpecifiedBenchmarks();
     print_ratios();
     return 0;

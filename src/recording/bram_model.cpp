@@ -9,7 +9,7 @@ BramModel::BramModel(AcceleratorConfig const& config) : side_(config.window) {
         ports_[i] = config.brams[i].ports;
 }
 
-std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, std::vector<std::int64_t> const& fields) {
+std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, TokenValues const& fields) {
     Event const& event = core_event.event;
     accesses_.clear();
     used_.fill(0);

@@ -23,7 +23,7 @@ class BramModel {
 
     /// To be told of every event of the core; `fields` are those of the token that a read reads. Returns the accesses
     /// of an iteration, valid until the next call.
-    std::vector<BramAccess> const& take(CoreEvent const& event, std::vector<std::int64_t> const& fields);
+    std::vector<BramAccess> const& take(CoreEvent const& event, TokenValues const& fields);
 
   private:
     void iterate(LoopId loop, Event const& event);

@@ -22,15 +22,16 @@ struct Source {
 };
 
 /// Takes the next event out of a source, with all fields of a token.
-void take(Source& source, CoreEvent& event, std::vector<std::int64_t>& fields) {
+void take(Source& source, CoreEvent& event, TokenValues& fields) {
     event = {source.core, source.module, source.event, nullptr};
     source.has_event = source.stream.get(source.event);
     if (event.event.kind != Event::Kind::write)
         return;
-    fields.assign(1, event.event.value);
-    for (; source.has_event && source.event.kind == Event::Kind::field;
-         source.has_event = source.stream.get(source.event))
-        fields.push_back(source.event.value);
+    fields = {event.event.value};
+    for (std::size_t i = 1; source.has_event && source.event.kind == Event::Kind::field; ++i) {
+        fields.at(i) = source.event.value;
+        source.has_event = source.stream.get(source.event);
+    }
     event.fields = &fields;
 }
 
@@ -43,7 +44,7 @@ void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
     for (auto const& [core, spools] : cores)
         for (std::size_t module = 0; module < module_count; ++module)
             sources.push_back(std::make_unique<Source>(core, module, (*spools)[module]));
-    std::vector<std::int64_t> fields;
+    TokenValues fields{};
     CoreEvent event;
     for (;;) {
         Cycles cycle = ~Cycles{0};

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -7,12 +8,15 @@
 
 namespace faster::recording {
 
+/// The fields of a token, in the order of its layout; those it does not have are 0.
+using TokenValues = std::array<std::int64_t, 5>;
+
 /// An event, and whose it is. A write has all fields of its token.
 struct CoreEvent {
     std::size_t core = 0;
     std::size_t module = 0;
     Event event;
-    std::vector<std::int64_t> const* fields = nullptr;  ///< of a write; valid during the call
+    TokenValues const* fields = nullptr;  ///< of a write; valid during the call
 };
 
 /// Visits the events of all processes of several cores, the earliest first; of one cycle, by core and module.

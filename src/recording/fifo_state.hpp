@@ -16,11 +16,11 @@ class FifoState {
   public:
     explicit FifoState(timing::FifoShape const& shape) : shape_(&shape) {}
 
-    void write(std::vector<std::int64_t> const& fields) { tokens_.push_back(fields); }
+    void write(TokenValues const& fields) { tokens_.push_back(fields); }
     void arrive() { ++arrived_; }
     /// Takes the oldest token out.
-    std::vector<std::int64_t> read() {
-        std::vector<std::int64_t> token = std::move(tokens_.front());
+    TokenValues read() {
+        TokenValues const token = tokens_.front();
         tokens_.pop_front();
         --arrived_;
         return token;
@@ -31,7 +31,7 @@ class FifoState {
 
   private:
     timing::FifoShape const* shape_;
-    std::deque<std::vector<std::int64_t>> tokens_;
+    std::deque<TokenValues> tokens_;
     std::uint64_t arrived_ = 0;
 };
 

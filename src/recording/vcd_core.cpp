@@ -91,7 +91,7 @@ void VcdCore::show_occupancy(std::size_t fifo) {
     set(signals.empty, occupancy == 0 ? 1 : 0);
 }
 
-void VcdCore::show_token(std::vector<VcdFile::Signal> const& signals, std::vector<std::int64_t> const& fields) {
+void VcdCore::show_token(std::vector<VcdFile::Signal> const& signals, TokenValues const& fields) {
     for (std::size_t i = 0; i < signals.size(); ++i)
         vcd_.set(signals[i], fields[i]);
 }

@@ -68,7 +68,7 @@ class VcdCore {
             vcd_.set(signal, value);
     }
     void show_occupancy(std::size_t fifo);
-    void show_token(std::vector<VcdFile::Signal> const& signals, std::vector<std::int64_t> const& fields);
+    void show_token(std::vector<VcdFile::Signal> const& signals, TokenValues const& fields);
     void show_bram(std::vector<BramAccess> const& accesses);
     void take_write(CoreEvent const& event);
     void take_read(CoreEvent const& event);
@@ -78,7 +78,7 @@ class VcdCore {
     RecordedCore const& core_;
     BramModel bram_model_;
     std::vector<FifoState> fifos_;
-    std::vector<std::int64_t> token_read_;
+    TokenValues token_read_{};
     std::array<FifoSignals, fifo_count> fifo_signals_;
     std::array<ModuleSignals, module_count> module_signals_;
     std::array<std::vector<BramPort>, bram_count> bram_signals_;

@@ -44,8 +44,10 @@ void write_vcd(std::filesystem::path const& file, AcceleratorConfig const& confi
     for (auto const& core : signals)
         core->begin();
     for_each_event(spools, [&](CoreEvent const& event) {
-        arrive_until(event.event.cycle, vcd, signals);
-        vcd.advance(event.event.cycle);
+        if (event.event.cycle > vcd.cycle()) {
+            arrive_until(event.event.cycle, vcd, signals);
+            vcd.advance(event.event.cycle);
+        }
         signals[event.core]->take(event);
     });
     for (auto const& [from, to] : windows)

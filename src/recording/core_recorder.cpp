@@ -46,11 +46,11 @@ CoreRecorder::CoreRecorder(RasterCore& core, RecordingWindow const& window) : co
 
 void CoreRecorder::tape_to(Tape* tape) {
     for (std::size_t i = 0; i < module_count; ++i) {
-        auto& tapes = core_.timing().process(i).tapes();
+        timing::ProcessTiming& process = core_.timing().process(i);
         if (taped_to_ != nullptr)
-            tapes.erase(std::find(tapes.begin(), tapes.end(), &(*taped_to_)[i]));
+            process.remove_tape((*taped_to_)[i]);
         if (tape != nullptr)
-            tapes.push_back(&(*tape)[i]);
+            process.add_tape((*tape)[i]);
     }
     taped_to_ = tape;
 }

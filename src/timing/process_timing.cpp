@@ -319,6 +319,11 @@ void ProcessTiming::count_loop() {
     counters.port_conflict_beyond_end += conflicts - std::min(conflicts, unstalled - counted);
 }
 
+void ProcessTiming::remove_tape(OperationLog& tape) {
+    tapes_.erase(std::remove(tapes_.begin(), tapes_.end(), &tape), tapes_.end());
+    is_taped_ = !tapes_.empty();
+}
+
 void ProcessTiming::take_state(ProcessTiming const& other) {
     std::vector<Port> const ports = ports_;
     StepObserver* const observer = observer_;
@@ -326,6 +331,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     ports_ = ports;
     runs_.clear();  // they point to the other's FIFOs
     tapes_.clear();
+    is_taped_ = false;
     set_observer(observer);
 }
 

@@ -57,7 +57,13 @@ class ProcessTiming {
 
     OperationLog& log() { return log_; }
     /// Logs besides log() that take down everything the process says.
-    std::vector<OperationLog*>& tapes() { return tapes_; }
+    std::vector<OperationLog*> const& tapes() const { return tapes_; }
+    bool is_taped() const { return is_taped_; }
+    void add_tape(OperationLog& tape) {
+        tapes_.push_back(&tape);
+        is_taped_ = true;
+    }
+    void remove_tape(OperationLog& tape);
 
     /// Moves over everything that accesses nothing, up to the next step. `blocked`: an access of that step has no known
     /// earliest cycle yet, because the other side of its FIFO (blocking_port()) has not got there.
@@ -201,6 +207,7 @@ class ProcessTiming {
     std::vector<LoopPlan> plans_;
     std::vector<LoopCounters> loop_counters_;
     OperationLog log_;
+    bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
     Cycles time_ = 0;
     Cycles empty_stall_cycles_ = 0;

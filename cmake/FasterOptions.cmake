@@ -3,7 +3,7 @@
 add_library(faster_options INTERFACE)
 target_include_directories(faster_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(faster_options INTERFACE
-  -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -ffp-contract=off -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual)
 if(FASTER_WARNINGS_AS_ERRORS)
   target_compile_options(faster_options INTERFACE -Werror)

@@ -76,6 +76,7 @@ void ProcessClock::bring_kernel_to(Cycles cycle) {
 
 void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
     timing_.set_starving(static_cast<int>(__builtin_ctz(fifo.read_port())));
+    timing_.note_site(fifo.read_port(), site_);
     fifo.reader_waits_ = true;
     sc_core::wait(fifo.written_);
     timing_.set_starving(-1);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/cycles.hpp"
+#include "common/source_site.hpp"
 #include "config/run_config.hpp"
 #include "timing/core_timing.hpp"
 
@@ -42,6 +43,8 @@ class ProcessClock {
             log.wait(static_cast<std::uint32_t>(left));
         });
     }
+    /// Where the next access outside loops stands in the source. Deadlock reports name it, or the begin of a loop.
+    void here(SourceSite site = SourceSite::here()) { site_ = site; }
     /// The accesses of one step, together.
     void step(std::uint8_t ports) {
         say([ports](OperationLog& log) { log.step(ports, 0); });
@@ -51,7 +54,8 @@ class ProcessClock {
         say([](OperationLog& log) { log.stamp(); });
     }
 
-    void enter_loop(unsigned loop) {
+    void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {
+        timing_.note_loop_site(loop, site);
         say([loop](OperationLog& log) { log.enter(loop); });
     }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
@@ -82,6 +86,7 @@ class ProcessClock {
     }
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     void access(std::uint8_t port) {
+        timing_.note_site(port, site_);
         if (collecting_)
             collected_ |= port;
         else
@@ -132,6 +137,7 @@ class ProcessClock {
     std::uint64_t ticks_per_cycle_;
     std::vector<FifoChannel*> fifos_;   // by port
     std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
+    SourceSite site_;
     bool collecting_ = false;
     std::uint8_t collected_ = 0;
 };
@@ -139,7 +145,10 @@ class ProcessClock {
 /// Accesses through plain ports in this scope happen together, as one step.
 class Step {
   public:
-    explicit Step(ProcessClock& clock) : clock_(clock) { clock_.collecting_ = true; }
+    explicit Step(ProcessClock& clock, SourceSite site = SourceSite::here()) : clock_(clock) {
+        clock_.here(site);
+        clock_.collecting_ = true;
+    }
     ~Step() noexcept(false) {
         clock_.collecting_ = false;
         std::uint8_t const ports = clock_.collected_;

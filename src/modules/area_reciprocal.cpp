@@ -18,9 +18,12 @@ void AreaReciprocal::end_of_elaboration() {
 void AreaReciprocal::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i)
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
+            clock_.here();
             std::int64_t const area = area_in.read();
-            if (area > 0)
+            if (area > 0) {
+                clock_.here();
                 area_reciprocal_out.write(datapath::reciprocal_of(area, core_.stimulus.fraction));
+            }
             clock_.advance(1);
         }
 }

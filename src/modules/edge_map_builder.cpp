@@ -45,6 +45,7 @@ void EdgeMapBuilder::clear() {
 }
 
 void EdgeMapBuilder::build() {
+    clock_.here();
     EdgeToken current = edge_token_in.read();
     clock_.advance(1);
     if (current.kind == EdgeTokenKind::End) {

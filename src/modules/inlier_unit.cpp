@@ -51,6 +51,7 @@ void InlierUnit::run() {
             core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
         clock_.advance(1);
         sweep();
+        clock_.here();
         result_out.write(counters_);
         clock_.advance(1);
     }
@@ -64,6 +65,7 @@ void InlierUnit::clear() {
 }
 
 void InlierUnit::draw_triangles() {
+    clock_.here();
     Command command = command_in.read();
     clock_.advance(1);
     while (command == Command::Triangle) {

@@ -22,6 +22,7 @@ void ObservationReader::end_of_elaboration() {
 
 void ObservationReader::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        clock_.here();
         SampleHeader const header = sample_observation_in.read();
         clock_.advance(1);
         send_window(header);

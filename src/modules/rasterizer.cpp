@@ -56,6 +56,7 @@ void Rasterizer::run() {
 }
 
 void Rasterizer::start_sample() {
+    clock_.here();
     SampleHeader const header = sample_raster_in.read();
     clock_.stamp();
     clock_.advance(1);
@@ -66,6 +67,7 @@ void Rasterizer::start_sample() {
 TriangleCode Rasterizer::receive_triangle() {
     TriangleCode triangle;
     for (VertexCode& vertex : triangle.vertex) {
+        clock_.here();
         vertex = vertex_in.read();
         clock_.advance(1);
     }

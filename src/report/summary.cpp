@@ -68,4 +68,29 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
     return summary.dump(2) + "\n";
 }
 
+std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run) {
+    auto const rows = [](std::vector<StuckProcess> const& processes) {
+        Json array = Json::array();
+        for (StuckProcess const& p : processes)
+            array.push_back({{"core", p.core},
+                             {"process", p.process},
+                             {"position", p.position},
+                             {"source", p.source},
+                             {"waits_for", p.waits_for},
+                             {"to", p.to_write ? "write" : "read"},
+                             {"fifo", p.fifo},
+                             {"occupancy", p.occupancy},
+                             {"capacity", p.capacity},
+                             {"since_cycle", p.since_cycle}});
+        return array;
+    };
+    Json summary;
+    summary["format"] = "faster-summary";
+    summary["version"] = 1;
+    summary["deadlock"] = {
+        {"cycle", run.deadlock_cycle()}, {"wait_cycle", rows(run.wait_cycle())}, {"stuck", rows(run.stuck)}};
+    summary["configuration"] = configuration(keys);
+    return summary.dump(2) + "\n";
+}
+
 }  // namespace faster::report

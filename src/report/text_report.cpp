@@ -111,9 +111,9 @@ void host_speed(std::string& text, RunStatistics const& run, HostTime const& hos
 }
 
 std::string describe(StuckProcess const& p) {
-    return fmt::format("core {}: {} ({}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}", p.core,
-                       p.process, p.position, p.waits_for, p.to_write ? "read from" : "write to", p.fifo, p.occupancy,
-                       p.capacity, p.since_cycle);
+    return fmt::format("core {}: {} ({}, {}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}",
+                       p.core, p.process, p.position, p.source, p.waits_for, p.to_write ? "read from" : "write to",
+                       p.fifo, p.occupancy, p.capacity, p.since_cycle);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ void add_samples(RasterCore const& core, std::uint64_t index, std::vector<Sample
 void add_stuck(RasterCore& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
     for (timing::Wait const& wait : core.timing().waits())
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
-                         wait.since, wait.other});
+                         wait.since, wait.other, std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
 }
 
 }  // namespace

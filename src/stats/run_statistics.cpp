@@ -48,4 +48,16 @@ ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
     return sum;
 }
 
+std::string leftover_tokens(RunStatistics const& run) {
+    std::string text;
+    for (std::size_t core = 0; core < run.cores.size(); ++core)
+        for (std::size_t i = 0; i < fifo_count; ++i) {
+            FifoStatistics const& fifo = run.cores[core].fifos[i];
+            if (fifo.writes != fifo.reads)
+                text += (text.empty() ? "" : ", ") + std::string(fifo_names[i]) + " of core " + std::to_string(core) +
+                        " (" + std::to_string(fifo.writes - fifo.reads) + ")";
+        }
+    return text;
+}
+
 }  // namespace faster

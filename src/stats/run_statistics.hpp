@@ -81,6 +81,7 @@ struct StuckProcess {
     std::uint64_t capacity = 0;
     Cycles since_cycle = 0;
     std::string waits_for;  ///< the process at the FIFO's other end
+    std::string source;     ///< file and line of its loop, or of its access outside loops
 };
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
@@ -95,6 +96,9 @@ struct RunStatistics {
     /// The processes that wait for each other in a circle, in order; the last waits for the first.
     std::vector<StuckProcess> wait_cycle() const;
 };
+
+/// FIFOs that were not read empty, for people: a finished run has none, or the model is wrong.
+std::string leftover_tokens(RunStatistics const& run);
 
 /// One module of all cores together.
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);

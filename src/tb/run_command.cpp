@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <stdexcept>
 #include <unistd.h>
 
 #include "common/input_error.hpp"
@@ -73,6 +74,12 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
     folder.commit();
 }
 
+/// Only who waits for whom: nobody should take the rest for results.
+void write_deadlock(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run) {
+    io::write_file(folder.path() / "summary.json", report::deadlock_summary_json(resolved_keys(loaded.config), run));
+    folder.commit();
+}
+
 void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
                   RunStatistics const& run, std::vector<SampleTimeline> const& timelines,
                   SamplePictures const& pictures) {
@@ -118,8 +125,12 @@ int run(RunRequest const& request) {
 
     if (statistics.deadlocked()) {
         fmt::print(stderr, "{}", report::deadlock_report(statistics));
+        if (folder)
+            write_deadlock(*folder, loaded, statistics);
         return exit_deadlock;
     }
+    if (std::string const left = leftover_tokens(statistics); !left.empty())
+        throw std::logic_error("tokens are left at the end of the run: " + left);
     if (folder)
         write_results(*folder, loaded, statistics, host, pictures, request.images > 0);
     if (report_file)  // may lie in the folder

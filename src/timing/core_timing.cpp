@@ -139,6 +139,7 @@ std::vector<Wait> CoreTiming::waits() {
         wait.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
         wait.capacity = fifo.shape().capacity;
         wait.since = process.waiting_since();
+        wait.site = process.site_at_hand(port);
         Ends const& both = ends_[number_of(fifo)];
         int const other = wait.to_write ? both.reader : both.writer;
         wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();

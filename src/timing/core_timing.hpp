@@ -19,6 +19,7 @@ struct Wait {
     std::uint64_t occupancy = 0;
     std::uint64_t capacity = 0;
     Cycles since = 0;   ///< local time of the process
+    SourceSite site;    ///< of the loop, or of the access outside loops
     std::string other;  ///< the process at the other end of the FIFO
 };
 

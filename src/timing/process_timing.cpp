@@ -51,6 +51,7 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     plans_.push_back(std::move(plan));
     loops_.push_back(std::move(shape));
     loop_counters_.emplace_back();
+    loop_sites_.emplace_back();
     return static_cast<unsigned>(loops_.size() - 1);
 }
 

@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "common/cycles.hpp"
+#include "common/source_site.hpp"
 #include "timing/fifo_timing.hpp"
 #include "timing/initiation_interval.hpp"
 #include "timing/operation.hpp"
@@ -120,6 +122,13 @@ class ProcessTiming {
     void set_starving(int port) { starving_port_ = port; }
     /// Where the process is, for people: "scan, iteration 12".
     std::string position() const;
+    /// Where in the source a loop begins, and where a port is accessed outside loops.
+    void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
+    void note_site(std::uint8_t port, SourceSite const& site) {
+        port_sites_[static_cast<unsigned>(__builtin_ctz(port))] = site;
+    }
+    /// Of what the process is at, which waits for a port.
+    SourceSite site_at_hand(unsigned port) const { return in_loop_ ? loop_sites_[current_loop_] : port_sites_[port]; }
 
   private:
     static constexpr Cycles never = ~Cycles{0};
@@ -209,6 +218,8 @@ class ProcessTiming {
     OperationLog log_;
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
+    std::vector<SourceSite> loop_sites_;
+    std::array<SourceSite, 8> port_sites_{};
     Cycles time_ = 0;
     Cycles empty_stall_cycles_ = 0;
     Cycles full_stall_cycles_ = 0;

@@ -422,7 +422,7 @@ TEST_CASE("Help, version and keys go to stdout") {
     }
 }
 
-TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes nothing") {
+TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes it, but no results") {
     Workspace const workspace;
     std::set<std::string> const before = workspace.tree();
     std::map<std::string, std::string> reports;
@@ -432,9 +432,25 @@ TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes 
                                                    engine_is(engine) + Words{"--images", "1", "--out", "new/out"});
         CHECK(result.exit_code == 3);
         CHECK(result.out.empty());
-        for (std::string const part : {"deadlock", "wait-for cycle", "rasterizer", "inlier_unit", "fragment_depth"})
+        for (std::string const part : {"deadlock", "wait-for cycle", "rasterizer", "inlier_unit", "fragment_depth",
+                                       "src/modules/rasterizer.cpp:", "src/modules/inlier_unit.cpp:"})
             CHECK_THAT(result.err, Contains(part));
-        CHECK(workspace.tree() == before);
+        std::set<std::string> after = before;
+        after.insert({"new", "new/out", "new/out/summary.json"});
+        CHECK(workspace.tree() == after);
+        auto const summary = workspace.json("new/out/summary.json");
+        CHECK(summary.count("samples") == 0);
+        auto const& deadlock = summary.at("deadlock");
+        CHECK(deadlock.at("cycle") > 0);
+        CHECK(deadlock.at("stuck").size() >= deadlock.at("wait_cycle").size());
+        REQUIRE(deadlock.at("wait_cycle").size() > 1);
+        std::string waits_for = deadlock.at("wait_cycle").back().at("waits_for");
+        for (auto const& process : deadlock.at("wait_cycle")) {  // each is waited for by the one before
+            CHECK(process.at("process") == waits_for);
+            waits_for = process.at("waits_for");
+            CHECK_THAT(process.at("source").get<std::string>(), Contains("src/modules/"));
+            CHECK(process.at("occupancy") <= process.at("capacity"));
+        }
         reports[engine] = result.err;
     }
     CHECK(reports["lockstep"] == reports["decoupled"]);

@@ -73,7 +73,7 @@ template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
 
 template <class Visit, class Row> void visit_stuck(Visit visit, Row& row) {
     visit(row.core, row.process, row.position, row.fifo, row.to_write, row.occupancy, row.capacity, row.since_cycle,
-          row.waits_for);
+          row.waits_for, row.source);
 }
 
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {

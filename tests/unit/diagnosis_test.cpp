@@ -76,4 +76,13 @@ TEST_CASE("A run without samples is bound by nothing", "[diagnosis]") {
     CHECK(report::diagnosis_sentences(AcceleratorConfig{}, RunStatistics{}).empty());
 }
 
+TEST_CASE("Tokens that are left in a FIFO are named", "[diagnosis]") {
+    RunStatistics run;
+    run.cores.resize(2);
+    CHECK(leftover_tokens(run).empty());
+    run.cores[1].fifos[index_of(FifoId::area)].writes = 3;
+    run.cores[1].fifos[index_of(FifoId::area)].reads = 1;
+    CHECK(leftover_tokens(run) == "area of core 1 (2)");
+}
+
 }  // namespace faster

@@ -13,7 +13,7 @@ namespace faster::recording {
 namespace {
 
 // GTKWave's trace flags.
-constexpr unsigned hex = 0x22, decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022;
+constexpr unsigned decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022;
 constexpr unsigned group_begin = 0x800200, group_end = 0x1000200, closed = 0x400000;
 
 constexpr double first_cycles = 300;  // shown at first

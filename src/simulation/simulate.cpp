@@ -21,7 +21,7 @@ RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus
     sc_core::sc_start();
     for (auto const& core : accelerator.cores())
         core->timing().resolve();
-    RunStatistics const run = collect(accelerator, config, stimulus);
+    RunStatistics run = collect(accelerator, config, stimulus);
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
     return run;
 }

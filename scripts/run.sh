@@ -24,6 +24,6 @@ fi
 bash "$root/scripts/setup.sh"
 cd "$root"
 cmake --preset release
-cmake --build --preset release
+cmake --build --preset release --target faster-sim
 cd - >/dev/null # paths among OPTIONS are the caller's
 exec "$root/build/release/bin/faster-sim" run "$config" --out "$out" --report "$out/report.html" --images 6 "$@"

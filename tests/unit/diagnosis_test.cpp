@@ -61,15 +61,15 @@ TEST_CASE("A run is bound by the module that waits least in the core that ends l
 
 TEST_CASE("The diagnosis says why in sentences, the largest cause first, none below one percent", "[diagnosis]") {
     std::vector<std::string> const sentences = report::diagnosis_sentences(AcceleratorConfig{}, example());
-    CHECK(
-        sentences ==
-        std::vector<std::string>{
-            "Bound by inlier_unit, which waits least: 30.5 % of the time of core 1, the last to end.",
-            "60.0 % is inlier_unit.sweep at II 3, because depth_buffer has 5 accesses per iteration on 2 ports: 40.0 % "
-            "are port conflicts.",
-            "20.0 % inlier_unit waits for edge_map_builder: edge_map is empty.",
-            "10.0 % inlier_unit waits for rasterizer: command is empty.", "5.0 % is inlier_unit between its loops.",
-            "4.5 % is inlier_unit filling and draining pipelines."});
+    REQUIRE(sentences.size() == 6);
+    CHECK(sentences[0] == "Bound by inlier_unit, which waits least: 30.5 % of the time of core 1, the last to end.");
+    CHECK_THAT(sentences[1],
+               Catch::Contains("60.0 % is inlier_unit.sweep at II 3, because depth_buffer has 5 accesses"));
+    CHECK_THAT(sentences[1], Catch::EndsWith("per iteration on 2 ports: 40.0 % are port conflicts."));
+    CHECK(sentences[2] == "20.0 % inlier_unit waits for edge_map_builder: edge_map is empty.");
+    CHECK(sentences[3] == "10.0 % inlier_unit waits for rasterizer: command is empty.");
+    CHECK(sentences[4] == "5.0 % is inlier_unit between its loops.");
+    CHECK(sentences[5] == "4.5 % is inlier_unit filling and draining pipelines.");
 }
 
 TEST_CASE("A run without samples is bound by nothing", "[diagnosis]") {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with the checks of .clang-tidy on all C++ files of src, tests and bench, on all cores; any finding is an error.
-#   scripts/check-tidy.sh [build folder]    the folder's compile_commands.json says how each file is compiled (build/ci)
+# Runs clang-tidy with the checks of .clang-tidy on the C++ files of src, tests and bench, on all cores; any finding is an error.
+#   scripts/check-tidy.sh [build folder [folder]]    the build folder's compile_commands.json says how each file is compiled
+#                                                    (build/ci); a folder checks only what is in it
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,7 +11,7 @@ if [[ ! -f "$build/compile_commands.json" ]]; then
     exit 1
 fi
 
-mapfile -t files < <(bash scripts/list-cpp-files.sh cpp)  # headers are checked where they are included
+mapfile -t files < <(bash scripts/list-cpp-files.sh cpp | { grep "^${2:-}" || true; })  # headers are checked where they are included
 if ((${#files[@]} == 0)); then
     echo "check-tidy: no files found" >&2
     exit 1

@@ -50,5 +50,5 @@ if [[ "$tidy" == true ]]; then
         echo "test: clang-tidy is missing" >&2
         exit 1
     fi
-    bash scripts/check-tidy.sh "build/$preset"
+    bash scripts/check-tidy.sh "build/$preset" src/ # all, tests included, takes 8 minutes on 2 cores: by hand
 fi

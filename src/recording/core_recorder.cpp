@@ -65,7 +65,7 @@ void CoreRecorder::sample_begins(std::size_t i) {
         return;
     }
     core_.catch_up();
-    learn_window(core_.timing());
+    learn_window();
     make_checkpoint();
     drop_checkpoints(i);
     // Otherwise, a later begin may do as well.
@@ -102,11 +102,11 @@ std::size_t CoreRecorder::longest_lead() const {
     return headers + observed + 4;
 }
 
-void CoreRecorder::learn_window(timing::CoreTiming const& timing) {
+void CoreRecorder::learn_window() {
     if (!samples_)
         return;
-    auto const& starts = stamps_of(timing, ModuleId::rasterizer);
-    auto const& ends = stamps_of(timing, ModuleId::result_collector);
+    auto const& starts = stamps_of(core_.timing(), ModuleId::rasterizer);
+    auto const& ends = stamps_of(core_.timing(), ModuleId::result_collector);
     if (!from_ && starts.size() > samples_->first)
         from_ = starts[samples_->first];
     if (!to_ && ends.size() > samples_->last)
@@ -123,7 +123,7 @@ void CoreRecorder::start() {
 /// Works out in detail what has been taped.
 void CoreRecorder::feed() {
     core_.catch_up();
-    learn_window(core_.timing());
+    learn_window();
     if (to_)
         capture_->set_end(*to_);
     for (Checkpoint& checkpoint : checkpoints_)
@@ -145,7 +145,7 @@ void CoreRecorder::feed() {
 
 void CoreRecorder::finish() {
     if (phase_ == Phase::waiting && !checkpoints_.empty()) {
-        learn_window(core_.timing());
+        learn_window();
         if (from_)
             start();
     } else if (phase_ == Phase::recording) {

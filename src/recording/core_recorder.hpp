@@ -43,7 +43,7 @@ class CoreRecorder {
 
     void make_checkpoint();
     void drop_checkpoints(std::size_t i);
-    void learn_window(timing::CoreTiming const& timing);
+    void learn_window();
     void start();
     void feed();
     void stop();

@@ -63,10 +63,6 @@ void add_module(SaveText& save, std::string const& path, std::string const& name
     save.close_group(name);
 }
 
-unsigned bits_for(std::uint64_t largest) {
-    return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));
-}
-
 void add_fifo(SaveText& save, std::string const& path, RecordedCore const& core, std::size_t fifo) {
     save.signal(decimal, path + ".occupancy", bits_for(core.fifos[fifo].capacity));
     for (char const* const name : {"full", "empty", "write", "read"})
@@ -150,13 +146,13 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     Tables const tables{beside(".states.txt").string(), beside(".stalls.txt").string()};
     SaveText save;
     // The zoom is the logarithm of the time between two marks.
-    double const ticks_per_cycle = (counts_in_ns(config.clock_mhz) ? 1e3 : 1e6) / config.clock_mhz;
-    double const zoom = std::log2(first_cycles / ticks_across * ticks_per_cycle);
+    double const ticks = ticks_per_cycle(config.clock_mhz);
+    double const zoom = std::log2(first_cycles / ticks_across * ticks);
     Cycles first = cores.empty() ? 0 : ~Cycles{0};
     for (RecordedCore const& core : cores)
         first = std::min(first, core.from);
     save.put("[*] faster-sim\n[dumpfile] \"{}\"\n", std::filesystem::absolute(vcd).lexically_normal().string());
-    save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks_per_cycle));
+    save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
         add_core(save, config, core, filter, tables);

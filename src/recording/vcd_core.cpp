@@ -6,13 +6,6 @@ namespace faster::recording {
 
 using Kind = Event::Kind;
 
-namespace {
-/// Bits that hold a number.
-unsigned bits_for(std::uint64_t largest) {
-    return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));
-}
-}  // namespace
-
 VcdCore::VcdCore(VcdFile& vcd, RecordedCore const& core, AcceleratorConfig const& config, SignalFilter const& filter,
                  std::size_t domain)
     : vcd_(vcd), core_(core), bram_model_(config) {

@@ -31,7 +31,7 @@ void put_byte(char* at, std::uint64_t byte) {
 
 /// A number's binary digits without leading zeros. Returns the end.
 char* put_binary(char* at, std::uint64_t value) {
-    unsigned const bits = value == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(value));
+    unsigned const bits = bits_for(value);
     value <<= 64U - bits;
     for (unsigned done = 0; done < bits; done += 8, value <<= 8)
         put_byte(at + done, value >> 56);
@@ -45,13 +45,19 @@ bool counts_in_ns(double clock_mhz) {
     return std::abs(ns - std::round(ns)) < 1e-9;
 }
 
+double ticks_per_cycle(double clock_mhz) {
+    return counts_in_ns(clock_mhz) ? std::round(1e3 / clock_mhz) : 1e6 / clock_mhz;
+}
+
 VcdFile::VcdFile(std::filesystem::path const& file, double clock_mhz)
-    : name_(file.string()), written_to_(hidden_name(file)), file_(std::fopen(written_to_.c_str(), "wb")) {
+    : name_(file.string()),
+      written_to_(hidden_name(file)),
+      file_(std::fopen(written_to_.c_str(), "wb")),
+      ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {
     if (file_ == nullptr)
         throw InputError(fmt::format("{}: cannot be written: {}, expected a file in a folder that is there", name_,
                                      std::strerror(errno)));
     bool const in_ns = counts_in_ns(clock_mhz);
-    ticks_per_cycle_ = in_ns ? std::round(1e3 / clock_mhz) : 1e6 / clock_mhz;
     buffer_.resize(buffer_size);
     put_text(fmt::format("$version faster-sim {} $end\n$comment {:g} MHz $end\n$timescale 1 {} $end\n", FASTER_VERSION,
                          clock_mhz, in_ns ? "ns" : "ps"));

@@ -14,6 +14,12 @@ namespace faster::recording {
 
 /// Whether a dump's unit of time is a nanosecond: if a cycle is a whole number of them. Otherwise a picosecond.
 bool counts_in_ns(double clock_mhz);
+/// In that unit.
+double ticks_per_cycle(double clock_mhz);
+/// Bits of a signal that shows numbers up to the largest.
+inline unsigned bits_for(std::uint64_t largest) {
+    return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));
+}
 
 /// Writes a value change dump (IEEE 1364-2005, clause 18). Values are set cycle by cycle; of several in one cycle the
 /// last counts, and what does not change is not written. Signals belong to domains, each with a window of cycles of its

@@ -43,6 +43,11 @@ class ProcessClock {
             log.wait(static_cast<std::uint32_t>(left));
         });
     }
+    /// T += the cycles of a setup, told once before simulation starts.
+    void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
+    void set_up() {
+        say([](OperationLog& log) { log.setup(); });
+    }
     /// Where the next access outside loops stands in the source. Deadlock reports name it, or the begin of a loop.
     void here(SourceSite site = SourceSite::here()) { site_ = site; }
     /// The accesses of one step, together.
@@ -52,6 +57,7 @@ class ProcessClock {
     /// Notes the local time; read back from timing().stamps().
     void stamp() {
         say([](OperationLog& log) { log.stamp(); });
+        core_.shorten_trail();
     }
 
     void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {

@@ -32,6 +32,7 @@ void Rasterizer::end_of_elaboration() {
     clock_.connect_writes(*edge_token_);
     scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config),
                                  {command_, fragment_depth_, fragment_index_, edge_token_});
+    clock_.set_setup_cycles(core_.config.setup_depth);
     edge_port_ = edge_token_->write_port();
     fragment_ports_ = static_cast<std::uint8_t>(command_->write_port() | fragment_depth_->write_port() |
                                                 fragment_index_->write_port() | edge_port_);
@@ -46,7 +47,7 @@ void Rasterizer::run() {
             TriangleCode const triangle = receive_triangle();
             datapath::TriangleSetup const setup = datapath::set_up(
                 triangle, core_.stimulus.width, core_.stimulus.height, core_.stimulus.fraction.vertex_xy);
-            clock_.advance(core_.config.setup_depth);
+            clock_.set_up();
             announce(setup);
             if (setup.drawn())
                 scan(setup);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
 
@@ -63,6 +64,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
             summary["loops"].push_back(loop_row(core, i, statistics.loops[i]));
     }
     summary["bound_by"] = diagnosis_sentences(config, run);
+    if (run.critical_path)
+        summary["critical_path"] = critical_path_json(run);
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     return summary.dump(2) + "\n";

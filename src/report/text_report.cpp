@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "report/critical_path_report.hpp"
 #include "report/csv.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/latencies.hpp"
@@ -124,6 +125,7 @@ std::string text_report(AcceleratorConfig const& config, RunStatistics const& ru
     text += '\n';
     for (std::string const& sentence : diagnosis_sentences(config, run))
         line(text, "  {}", sentence);
+    text += critical_path_text(run);
     module_table(text, run);
     loop_table(text, run);
     fifo_table(text, run);

@@ -5,6 +5,7 @@
 #include "modules/accelerator.hpp"
 #include "simulation/collect.hpp"
 #include "simulation/recordings.hpp"
+#include "simulation/trace_path.hpp"
 
 namespace faster {
 
@@ -16,12 +17,16 @@ RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus
         core->set_probe(options.probe);
         if (options.progress)
             core->set_progress([&done, &options] { options.progress(++done); });
+        if (options.critical_path)
+            core->timing().leave_trail(options.trail_length);
     }
     Recordings recordings(accelerator, options.recordings);
     sc_core::sc_start();
     for (auto const& core : accelerator.cores())
         core->timing().resolve();
     RunStatistics run = collect(accelerator, config, stimulus);
+    if (options.critical_path && !run.deadlocked())
+        run.critical_path = trace_path(accelerator);
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
     return run;
 }

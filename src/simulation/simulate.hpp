@@ -20,6 +20,8 @@ struct SimulationOptions {
     SampleProbe* probe = nullptr;                      ///< sees the maps of every sample; may be null
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
     std::vector<Recording> recordings;
+    bool critical_path = false;                              ///< to be traced
+    std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
 };
 
 /// Builds the accelerator, runs it until nothing moves, and collects its figures. A deadlock is a result, not an error:

@@ -8,6 +8,7 @@
 #include "common/cycles.hpp"
 #include "common/tokens.hpp"
 #include "config/accelerator_config.hpp"
+#include "stats/critical_path.hpp"
 #include "stats/cycle_class.hpp"
 
 namespace faster {
@@ -89,7 +90,8 @@ struct RunStatistics {
     Cycles total_cycles = 0;
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
-    std::vector<StuckProcess> stuck;  ///< empty unless the run deadlocked
+    std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
+    std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
     bool deadlocked() const { return !stuck.empty(); }
     Cycles deadlock_cycle() const;

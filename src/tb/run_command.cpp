@@ -114,6 +114,7 @@ int run(RunRequest const& request) {
         ProgressLine progress(stimulus.samples.size());
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
+        options.critical_path = request.critical_path;
         options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
         if (report_file)
             options.recordings.push_back(

@@ -31,6 +31,7 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
     command.add_option("--trace", request.trace, "Replay a stimulus trace instead of the configured workload")
         ->type_name("DIR");
     command.add_option("--report", request.report, "Write the run as one HTML page")->type_name("FILE.html");
+    command.add_flag("--critical-path", request.critical_path, "Trace along which operations the total comes about");
     command
         .add_option(
             "--images", request.images,

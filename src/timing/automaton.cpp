@@ -66,6 +66,8 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         auto const& loops = group.driver().loops();
         driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
         bench_core_ = core.blank_copy();
+        if (leaves_trails_)
+            bench_core_->leave_trail();
         bench_group_ = std::make_unique<Group>(*bench_core_, lead);
         bench_ = std::make_unique<RelativeState>(*bench_group_);
         bench_counters_ = bench_->counters();
@@ -190,7 +192,7 @@ bool Automaton::begin(Group const& group) {
     // The logs stay where they are: the state of a follower at rest has none.
     if (!real.save(words_, false))
         return false;
-    session_->time = group.driver().local_time();
+    session_->begin = session_->time = group.driver().local_time();
     bench_->load(words_, bench_time);
     std::vector<std::uint64_t> const before = values_of(bench_counters_);
     for (unsigned m = 1; m < group.members().size(); ++m) {
@@ -205,6 +207,9 @@ bool Automaton::begin(Group const& group) {
     std::vector<std::uint64_t*> const counters = real.counters();
     for (std::size_t i = 0; i < counters.size(); ++i)
         *counters[i] += *bench_counters_[i] - before[i];
+    if (leaves_trails_)
+        for (TrailEvent const& event : take_trail())
+            group.driver().trail()->append(event, session_->begin);
     bench_->save(session_->words, true);
     session_->state = bench_->reach() > longest_reach ? none : number_of(session_->words);
     session_->loose.clear();
@@ -224,6 +229,8 @@ void Automaton::end(Group const& group) {
         session_->iterations.push_back(real.iterations(m));
     real.restore(session_->state == none ? session_->words : *states_[session_->state], session_->time);
     restore_stands(real);
+    if (group.driver().trail() != nullptr)
+        extend(*group.driver().trail());
     for (unsigned m = 0; m < group.members().size(); ++m)
         session_->entries.push_back(real.entries(m));
     for (unsigned f = 0; f < group.fifos().size(); ++f) {
@@ -233,6 +240,27 @@ void Automaton::end(Group const& group) {
             continue;
         for (std::size_t i = 0; i < known; ++i)
             real.set_room_time(f, i, times[times.size() - known + i]);
+    }
+}
+
+/// What has been left on the bench since the last call.
+std::vector<TrailEvent> Automaton::take_trail() {
+    return leaves_trails_ ? bench_core_->take_trail(bench_time) : std::vector<TrailEvent>();
+}
+
+void Automaton::extend(Trail& trail) const {
+    Cycles time = session_->begin;
+    bool goes_on = false;
+    for (Number const number : session_->history) {
+        Account const& each = account(*session_, number);
+        bool const remembered = number < first_loose;
+        for (TrailEvent const& event : each.trail)
+            if (!remembered)
+                trail.append(event, time);
+        time += each.cycles;
+        if (remembered)
+            trail.followed(number, time, goes_on);
+        goes_on = remembered;
     }
 }
 
@@ -284,6 +312,7 @@ Automaton::Print Automaton::print_of_phrase() const {
 /// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
+    take_trail();  // of one that came to nothing
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     Before before;
     before.counters = values_of(bench_counters_);
@@ -308,6 +337,7 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     }
     account.cycles = bench_group_->driver().local_time() - bench_time;
     describe(before, account);
+    account.trail = take_trail();
     bool const recurring = bench_->reach() <= longest_reach;
     bool const remembered =
         recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;

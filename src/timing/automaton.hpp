@@ -39,6 +39,12 @@ class Automaton {
     /// Enters what the session still holds in the counters of the core's processes and FIFOs.
     void settle(Group const& group, Session& session) const;
 
+    /// From now on, tells the trails of the cores what decides their times. Before the first is followed.
+    void leave_trails() { leaves_trails_ = true; }
+    /// What a transition that is remembered takes, and what decides it, from its begin on.
+    Cycles cycles(std::uint32_t transition) const { return accounts_[transition].cycles; }
+    std::vector<TrailEvent> const& trail(std::uint32_t transition) const { return accounts_[transition].trail; }
+
     /// The core cannot be followed, or repeats itself too rarely.
     bool gave_up() const { return decided_ && !usable_; }
     std::size_t states() const { return states_.size(); }
@@ -76,6 +82,7 @@ class Automaton {
         std::vector<Growth> growth;
         std::vector<Stand> stands;
         std::vector<Room> rooms;
+        std::vector<TrailEvent> trail;
     };
     using Slot = TransitionTable::Slot;
     using Print = TransitionTable::Print;
@@ -99,6 +106,8 @@ class Automaton {
     void describe_rooms(Account& account);
     Account const& account(Session const& session, Number number) const;
     void restore_stands(RelativeState& real);
+    std::vector<TrailEvent> take_trail();
+    void extend(Trail& trail) const;
     void add_iterations(Group const& group, Session& session) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
@@ -108,6 +117,7 @@ class Automaton {
     bool decided_ = false;
     bool usable_ = false;
     bool driver_is_regular_ = false;
+    bool leaves_trails_ = false;
     std::unique_ptr<CoreTiming> bench_core_;
     std::unique_ptr<Group> bench_group_;
     std::unique_ptr<RelativeState> bench_;
@@ -129,6 +139,7 @@ class Automaton {
 struct Automaton::Session {
     Number state = none;
     Words words;  ///< of the state, if it has no number
+    Cycles begin = 0;
     Cycles time = 0;
     std::uint32_t frozen = 0;
     std::vector<Number> history;  ///< of accounts

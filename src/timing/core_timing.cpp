@@ -1,6 +1,9 @@
 #include "timing/core_timing.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "timing/path_sweep.hpp"
 
 namespace faster::timing {
 
@@ -44,6 +47,7 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
         }
         for (LoopShape const& loop : process.loops())
             same.add_loop(loop);
+        same.set_setup_cycles(process.setup_cycles());
     }
     return copy;
 }
@@ -96,6 +100,25 @@ void CoreTiming::resolve(bool to_the_end) {
         automaton_->settle(*group_, session_);
     for (ProcessTiming& process : processes_)
         process.log().compact();
+    shorten_trail();
+}
+
+void CoreTiming::leave_trail(std::size_t length) {
+    if (processes_.size() > PathSums::most_processes)
+        throw std::logic_error("a trail is for at most 8 processes");
+    trail_ = std::make_unique<Trail>(length);
+    for (ProcessTiming& process : processes_)
+        process.set_trail(trail_.get());
+    if (automaton_ != nullptr)
+        automaton_->leave_trails();
+}
+
+void CoreTiming::shorten_trail() {
+    if (trail_ == nullptr || !trail_->is_long())
+        return;
+    if (ends_.empty())
+        connect();
+    forget_trunk(*this, *trail_);
 }
 
 /// What a process waited before its first access is no stall, and no state of the automaton tells it: until all of the

@@ -43,20 +43,31 @@ class CoreTiming {
     /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead.
     void let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton);
 
+    /// Takes down what decides the times from now on. Before anything has happened.
+    void leave_trail(std::size_t length = Trail::usual_length);
+    Trail const* trail() const { return trail_.get(); }
+    /// All of it, which forgets it; in cycles since `origin`.
+    std::vector<TrailEvent> take_trail(Cycles origin) { return trail_->take(origin); }
+    /// Keeps the trail short. Now and then, between operations.
+    void shorten_trail();
+    Automaton const* automaton() const { return automaton_.get(); }
+
     FifoTiming& fifo(std::size_t number) { return fifos_[number]; }
     ProcessTiming& process(std::size_t number) { return processes_[number]; }
     std::deque<FifoTiming> const& fifos() const { return fifos_; }
     std::deque<ProcessTiming> const& processes() const { return processes_; }
     std::size_t number_of(FifoTiming const& fifo) const;
+    /// Numbers of the processes at a FIFO; -1: none. Once connected, by the first resolve().
+    struct Ends {
+        int writer = -1;
+        int reader = -1;
+    };
+    Ends const& ends(unsigned process, unsigned port) const { return ends_[number_of(processes_[process].fifo(port))]; }
 
     /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
     std::vector<Wait> waits();
 
   private:
-    struct Ends {
-        int writer = -1;
-        int reader = -1;
-    };
     void connect();
     /// All but the processes `held`, a bit each.
     void settle(std::uint32_t runnable, std::uint32_t held);
@@ -67,6 +78,7 @@ class CoreTiming {
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;  // by FIFO
     SteadyState steady_state_;
+    std::unique_ptr<Trail> trail_;
     std::shared_ptr<Automaton> automaton_;
     std::unique_ptr<Group> group_;
     Automaton::Session session_;

@@ -11,7 +11,7 @@ namespace faster::timing {
 class Operation {
   public:
     enum class Kind : std::uint8_t {
-        wait,     ///< T += count
+        wait,     ///< T += count; with a gap: setup() `count` times
         step,     ///< the accesses of `ports` together, then T += count
         enter,    ///< enter pipelined loop number `count`
         iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing;
@@ -74,6 +74,7 @@ class Operation {
         head.add_tail(tail_ports(), 0);
         return head;
     }
+    bool is_setup() const { return gap() != 0; }  ///< of a wait
     Operation rest() const {
         Operation rest(Kind::iterate, ports(), 0, count() - 1);
         rest.add_tail(tail_ports(), tail_gap());
@@ -100,13 +101,16 @@ class OperationLog {
 
     void wait(std::uint32_t cycles) {
         Operation& last = operations_.back();
-        bool const extends = !exhausted() && (last.kind() == Kind::step || last.kind() == Kind::wait);
+        bool const extends =
+            !exhausted() && last.gap() == 0 && (last.kind() == Kind::step || last.kind() == Kind::wait);
         if (extends && last.count() + cycles <= Operation::longest_count)
             last.add(cycles);
         else
             append(Operation(Kind::wait, 0, 0, cycles));
     }
     void step(std::uint8_t ports, std::uint32_t cycles_after) { append(Operation(Kind::step, ports, 0, cycles_after)); }
+    /// T += what a setup of this process takes, whatever that is.
+    void setup() { append(Operation(Kind::wait, 0, 1, 1)); }
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }

@@ -80,13 +80,15 @@ Cycles ProcessTiming::front_cycle() const {
 /// Waits for each access in program order, charging what each adds, then lets them happen together.
 void ProcessTiming::perform(std::uint8_t ports) {
     Cycles const arrival = time_;
-    for_each_port(ports, [this](unsigned number) {
+    int waited_for = -1;
+    for_each_port(ports, [this, &waited_for](unsigned number) {
         Port const& port = ports_[number];
         Cycles const earliest = port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read();
         if (earliest <= time_)
             return;
         Cycles const stall = earliest - time_;
         time_ = earliest;
+        waited_for = static_cast<int>(number);
         if (port.writes) {
             port.fifo->add_full_stall(stall);
             full_stall_cycles_ += stall;
@@ -97,6 +99,8 @@ void ProcessTiming::perform(std::uint8_t ports) {
         if (observer_ != nullptr)
             observer_->stalled(*this, number, earliest - stall, earliest);
     });
+    if (trail_ != nullptr && waited_for >= 0)
+        leave_trail(static_cast<unsigned>(waited_for));
     if (observer_ != nullptr)
         observer_->accessed(*this, ports, time_);
     if (!has_accessed_)
@@ -108,6 +112,21 @@ void ProcessTiming::perform(std::uint8_t ports) {
         else
             port.fifo->read(time_);
     });
+}
+
+void ProcessTiming::leave_trail(unsigned port) {
+    Region region;
+    if (in_loop_) {
+        bool const drains = !log_.exhausted() && log_.front().kind() == Operation::Kind::leave;
+        region = Region::of_loop(current_loop_, drains ? Region::Part::drain : Region::Part::iterations);
+    }
+    trail_->stalled(index_, port, region, in_loop_ ? pipeline_.offset : 0, time_);
+}
+
+void ProcessTiming::set_up() {
+    mark(Region::setup(), time_);
+    time_ += setup_cycles_ * log_.front().count();
+    mark(Region(), time_);
 }
 
 void ProcessTiming::note_first_access(std::uint8_t ports, Cycles arrival) {
@@ -189,7 +208,10 @@ bool ProcessTiming::find_step() {
         Operation& operation = log_.front();
         switch (operation.kind()) {
             case Operation::Kind::wait:
-                time_ += operation.count();
+                if (operation.is_setup())
+                    set_up();
+                else
+                    time_ += operation.count();
                 log_.consume();
                 break;
             case Operation::Kind::step:
@@ -208,6 +230,7 @@ bool ProcessTiming::find_step() {
                     return true;
                 count_loop();
                 in_loop_ = false;
+                mark(Region(), time_);
                 if (observer_ != nullptr)
                     observer_->left_loop(*this, time_);
                 log_.consume();
@@ -284,6 +307,8 @@ bool ProcessTiming::find_step_in_pipeline(std::uint8_t ports) {
 /// Lets an unaligned loop's last tokens leave; then moves to the end of the loop's last stage.
 bool ProcessTiming::find_step_while_draining() {
     LoopPlan& loop = plan();
+    if (pipeline_.drain_left == loop.longest_lag && !pipeline_.open)
+        mark(Region::of_loop(current_loop_, Region::Part::drain), time_);
     for (; pipeline_.drain_left > 0; --pipeline_.drain_left)
         if (find_step_in_pipeline(0))
             return true;
@@ -299,7 +324,10 @@ void ProcessTiming::enter_loop(unsigned loop) {
     iterations_ = 0;
     if (observer_ != nullptr)
         observer_->entered_loop(*this, loop, time_);
+    if (plan().fill > 0)
+        mark(Region::of_loop(loop, Region::Part::fill), time_);
     time_ += plan().fill;
+    mark(Region::of_loop(loop, Region::Part::iterations), time_);
     pipeline_ = PipelinePosition{};
     pipeline_.drain_left = plan().longest_lag;
 }
@@ -328,8 +356,10 @@ void ProcessTiming::remove_tape(OperationLog& tape) {
 void ProcessTiming::take_state(ProcessTiming const& other) {
     std::vector<Port> const ports = ports_;
     StepObserver* const observer = observer_;
+    Trail* const trail = trail_;
     *this = other;
     ports_ = ports;
+    trail_ = trail;
     runs_.clear();  // they point to the other's FIFOs
     tapes_.clear();
     is_taped_ = false;
@@ -358,13 +388,18 @@ template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std
         known = std::min(known, Writes ? fifos[i]->known_writes() : fifos[i]->known_reads());
     }
     Cycles time = time_;
+    Region const region = Region::of_loop(current_loop_, Region::Part::iterations);
     for (std::uint64_t k = 0; k < known; ++k) {
+        unsigned waited_for = N;
         for (unsigned i = 0; i < N; ++i) {
             Cycles const earliest = Writes ? fifos[i]->earliest_write() : fifos[i]->earliest_read();
             Cycles const later = std::max(earliest, time);
             stalls[i] += later - time;
+            waited_for = later > time ? i : waited_for;
             time = later;
         }
+        if (trail_ != nullptr && waited_for < N)
+            trail_->stalled(index_, run_.ports[waited_for], region, 0, time);
         for (unsigned i = 0; i < N; ++i)
             Writes ? fifos[i]->write(time) : fifos[i]->read(time);
         time += run_.stride;
@@ -390,6 +425,7 @@ ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
         if (run.size == 4)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
         Port const& port = ports_[number];
+        run.ports[run.size] = number;
         run.fifos[run.size++] = port.fifo;
         run.writes = port.writes;
         run.neighbours |= port.neighbour;

@@ -10,6 +10,7 @@
 #include "timing/initiation_interval.hpp"
 #include "timing/operation.hpp"
 #include "timing/step_observer.hpp"
+#include "timing/trail.hpp"
 
 namespace faster::timing {
 
@@ -56,6 +57,10 @@ class ProcessTiming {
     unsigned add_reads(FifoTiming& fifo);
     unsigned add_writes(FifoTiming& fifo);
     unsigned add_loop(LoopShape shape);
+
+    /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
+    void set_setup_cycles(Cycles cycles) { setup_cycles_ = cycles; }
+    Cycles setup_cycles() const { return setup_cycles_; }
 
     OperationLog& log() { return log_; }
     /// Logs besides log() that take down everything the process says.
@@ -105,6 +110,9 @@ class ProcessTiming {
         by_steps_ = observer != nullptr || !has_accessed_;
         run_.active = false;
     }
+    /// From now on, tells what decides its times. Null: no longer.
+    void set_trail(Trail* trail) { trail_ = trail; }
+    Trail* trail() const { return trail_; }
     /// Continues from where another process of the same ports and loops stands, what it has logged included.
     void take_state(ProcessTiming const& other);
     bool in_loop() const { return in_loop_; }
@@ -169,6 +177,7 @@ class ProcessTiming {
         std::uint64_t number = 0;
         unsigned size = 0;  ///< ports
         FifoTiming* fifos[4] = {};
+        unsigned ports[4] = {};
         bool writes = false;
         Cycles stride = 1;  ///< cycles from one access to the next
         std::uint32_t neighbours = 0;
@@ -186,6 +195,12 @@ class ProcessTiming {
     void enter_loop(unsigned loop);
     void count_loop();
     void perform(std::uint8_t ports);
+    void mark(Region region, Cycles from) {
+        if (trail_ != nullptr)
+            trail_->marked(index_, region, from);
+    }
+    void set_up();
+    void leave_trail(unsigned port);
     void note_first_access(std::uint8_t ports, Cycles arrival);
     void end_iterations(Operation& operation, std::uint32_t count) {
         count_iterations(std::uint64_t{count} * (1U + operation.gap()));
@@ -223,7 +238,9 @@ class ProcessTiming {
     Cycles time_ = 0;
     Cycles empty_stall_cycles_ = 0;
     Cycles full_stall_cycles_ = 0;
+    Cycles setup_cycles_ = 0;
     StepObserver* observer_ = nullptr;
+    Trail* trail_ = nullptr;
     bool by_steps_ = true;  ///< until the first access; always when observed
     bool has_accessed_ = false;
     Cycles idle_before_cycles_ = 0;

@@ -73,7 +73,10 @@ RelativeState::Waiting RelativeState::park(unsigned member) {
             break;
         Cycles const later = std::max(p.time_, earliest(p, port));
         charge(member, port, later - p.time_);
+        bool const waited = later > p.time_;
         p.time_ = later;
+        if (waited && p.trail_ != nullptr)
+            p.leave_trail(port);
     }
     waiting.since = p.time_;
     Cycles const base = not_before(0);

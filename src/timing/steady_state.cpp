@@ -18,7 +18,7 @@ void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& pro
     if (leader_ != &process || looks_ > most_looks || !find_group(processes))
         return;
     take(now_);
-    if (looks_ > 0 && now_.relative == before_.relative)
+    if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
         jump(now_);
     else if (is_power_of_two(++looks_))  // Brent: keep an ever older state to compare with, so that any period is found
         std::swap(before_, now_);
@@ -69,6 +69,7 @@ bool SteadyState::add_neighbours(ProcessTiming const& member, std::deque<Process
 void SteadyState::take(Snapshot& snapshot) const {
     Cycles const origin = leader_->time_;
     auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
+    snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
     snapshot.relative.clear();
     snapshot.growing.assign(1, origin);
     for (ProcessTiming const* process : group_) {
@@ -119,6 +120,7 @@ void SteadyState::jump(Snapshot const& now) {
         return;
     std::size_t at = 0;
     Cycles const cycles = growth(at++);
+    leave_trail(periods, cycles / periods);
     for (ProcessTiming* process : group_) {
         process->time_ += cycles;
         process->empty_stall_cycles_ += growth(at++);
@@ -136,6 +138,18 @@ void SteadyState::jump(Snapshot const& now) {
         at += 3;
     }
     looks_ = 0;
+}
+
+void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
+    std::uint32_t mask = 0;
+    for (ProcessTiming const* process : group_)
+        mask |= 1U << process->index();
+    if (leader_->trail() != nullptr)
+        leader_->trail()->repeated(before_.trail_mark, mask, periods, cycles);
+}
+
+bool SteadyState::trail_remembers(Snapshot const& snapshot) const {
+    return leader_->trail() == nullptr || leader_->trail()->remembers(snapshot.trail_mark);
 }
 
 /// As if `tokens` more had gone through in `cycles`, and nothing else had changed.

@@ -25,6 +25,7 @@ class SteadyState {
     struct Snapshot {
         std::vector<std::int64_t> relative;  ///< the same in states with the same future
         std::vector<Cycles> growing;         ///< time and counters; grow by the same amount each period
+        std::uint64_t trail_mark = 0;
     };
 
     void follow(ProcessTiming& process);
@@ -32,6 +33,8 @@ class SteadyState {
     bool add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes);
     void take(Snapshot& snapshot) const;
     void jump(Snapshot const& now);
+    void leave_trail(std::uint64_t periods, Cycles cycles) const;
+    bool trail_remembers(Snapshot const& snapshot) const;
     std::uint64_t whole_periods_left(Snapshot const& now) const;
     static void shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles);
 

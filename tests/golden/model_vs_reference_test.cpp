@@ -93,7 +93,7 @@ template <class Pixel> std::string first_difference(Image<Pixel> const& model, I
 
 /// Returns the sum of the reference's valid_raster, so that a caller can tell that something was drawn.
 std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine) {
-    ForkedRun const run = run_forked(config, stimulus, engine, true);
+    ForkedRun const run = run_forked(config, stimulus, engine, {true});
     REQUIRE_FALSE(run.statistics.deadlocked());
     REQUIRE(run.statistics.samples.size() == stimulus.samples.size());
     REQUIRE(run.maps.size() == stimulus.samples.size());

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -20,6 +21,11 @@ class ByteWriter {
     template <class Number> void put_one(Number value) {
         static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
         bytes_.append(reinterpret_cast<char const*>(&value), sizeof value);
+    }
+    template <class Value> void put_one(std::optional<Value> const& value) {
+        put_one(value.has_value());
+        if (value)
+            put_one(*value);
     }
     void put_one(std::string const& text) {
         put_one(text.size());
@@ -53,6 +59,12 @@ class ByteReader {
         if (count > 0)
             std::memcpy(to, bytes_.data() + next_, count);
         next_ += count;
+    }
+    template <class Value> void get_one(std::optional<Value>& value) {
+        bool has_value = false;
+        get_one(has_value);
+        if (has_value)
+            get_one(value.emplace());
     }
     template <class Number> void get_one(Number& value) {
         static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);

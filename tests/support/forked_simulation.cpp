@@ -76,16 +76,24 @@ template <class Visit, class Row> void visit_stuck(Visit visit, Row& row) {
           row.waits_for, row.source);
 }
 
+template <class Visit, class Row> void visit_path(Visit visit, Row& row) {
+    visit(row.module, row.loop, row.cause, row.fifo, row.bram, row.cycles, row.crossings);
+}
+
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
     ByteWriter writer;
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
-    put(std::string{}, run.total_cycles, run.samples.size(), run.cores.size(), run.stuck.size(), maps.size());
+    CriticalPath const path = run.critical_path.value_or(CriticalPath{});
+    put(std::string{}, run.total_cycles, run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(),
+        run.stuck.size(), path.rows.size(), maps.size());
     for (auto const& row : run.samples)
         visit_sample(put, row);
     for (auto const& row : run.cores)
         visit_core(put, row);
     for (auto const& row : run.stuck)
         visit_stuck(put, row);
+    for (auto const& row : path.rows)
+        visit_path(put, row);
     for (auto const& row : maps)
         put(row.edge_map.pixels(), row.object_map.pixels(), row.depth_buffer.pixels());
     return writer.bytes();
@@ -108,10 +116,13 @@ ForkedRun from_bytes(std::string bytes, int window) {
     if (!error.empty())
         throw std::runtime_error("simulate: " + error);
     ForkedRun run;
-    get(run.statistics.total_cycles);
+    bool has_path = false;
+    CriticalPath path;
+    get(run.statistics.total_cycles, has_path, path.core);
     run.statistics.samples.resize(reader.get_size());
     run.statistics.cores.resize(reader.get_size());
     run.statistics.stuck.resize(reader.get_size());
+    path.rows.resize(reader.get_size());
     run.maps.resize(reader.get_size());
     for (auto& row : run.statistics.samples)
         visit_sample(get, row);
@@ -119,6 +130,10 @@ ForkedRun from_bytes(std::string bytes, int window) {
         visit_core(get, row);
     for (auto& row : run.statistics.stuck)
         visit_stuck(get, row);
+    for (auto& row : path.rows)
+        visit_path(get, row);
+    if (has_path)
+        run.statistics.critical_path = path;
     for (auto& row : run.maps) {
         get_image(reader, window, row.edge_map);
         get_image(reader, window, row.object_map);
@@ -127,11 +142,14 @@ ForkedRun from_bytes(std::string bytes, int window) {
     return run;
 }
 
-std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps) {
+std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                            ForkOptions const& wanted) {
     try {
-        MapCollector collector(with_maps ? stimulus.samples.size() : 0, stimulus.window);
+        MapCollector collector(wanted.with_maps ? stimulus.samples.size() : 0, stimulus.window);
         SimulationOptions options;
-        options.probe = with_maps ? &collector : nullptr;
+        options.probe = wanted.with_maps ? &collector : nullptr;
+        options.critical_path = wanted.critical_path;
+        options.trail_length = wanted.trail_length;
         RunStatistics const run = simulate(config, stimulus, engine, options);
         return to_bytes(run, collector.maps());
     } catch (std::exception const& error) {
@@ -143,11 +161,11 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
 
 /// Never returns. The test framework's handlers are taken off, or a crash would report the tests so far once more.
 [[noreturn]] void run_child(int pipe, AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
-                            bool with_maps) {
+                            ForkOptions const& options) {
     for (int const signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGTERM, SIGINT})
         std::signal(signal, SIG_DFL);
     alarm(longest_run_seconds);
-    std::string const bytes = simulated_bytes(config, stimulus, engine, with_maps);
+    std::string const bytes = simulated_bytes(config, stimulus, engine, options);
     for (std::size_t done = 0; done < bytes.size();) {
         ssize_t const count = write(pipe, bytes.data() + done, bytes.size() - done);
         if (count < 0)
@@ -178,7 +196,8 @@ void check_status(int status) {
 
 }  // namespace
 
-ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps) {
+ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                     ForkOptions const& options) {
     setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
     int ends[2];
     if (pipe(ends) != 0)
@@ -188,7 +207,7 @@ ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, 
         throw std::runtime_error("run_forked: no process");
     if (child == 0) {
         close(ends[0]);
-        run_child(ends[1], config, stimulus, engine, with_maps);
+        run_child(ends[1], config, stimulus, engine, options);
     }
     close(ends[1]);
     std::string bytes = read_all(ends[0]);

@@ -4,6 +4,7 @@
 #include "common/stimulus.hpp"
 #include "config/run_config.hpp"
 #include "stats/run_statistics.hpp"
+#include "timing/trail.hpp"
 
 namespace faster::testing {
 
@@ -12,8 +13,15 @@ struct ForkedRun {
     std::vector<SampleMaps> maps;  ///< one per sample if asked for, else empty; of a deadlocked run some are empty
 };
 
+struct ForkOptions {
+    bool with_maps = false;
+    bool critical_path = false;
+    std::size_t trail_length = timing::Trail::usual_length;
+};
+
 /// simulate() in a child process, because the SystemC kernel elaborates once per process. Throws std::runtime_error
 /// with the reason if the child throws, crashes or takes longer than two minutes.
-ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine, bool with_maps = false);
+ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                     ForkOptions const& options = {});
 
 }  // namespace faster::testing

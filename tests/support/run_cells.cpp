@@ -191,6 +191,19 @@ Cells stuck_cells(RunStatistics const& run) {
     return cells.take();
 }
 
+Cells path_cells(RunStatistics const& run) {
+    CellList cells;
+    cells.add("core", run.critical_path.value().core);
+    for (PathRow const& row : run.critical_path->rows) {
+        std::string const loop = row.loop ? loop_names[index_of(*row.loop)].name : "outside loops";
+        std::string const item = row.fifo ? fifo_names[index_of(*row.fifo)] : row.bram;
+        cells.at(std::string(name_of(row.module)) + ", " + loop + ", " + name_of(row.cause) + " " + item + ", ");
+        cells.add("cycles", row.cycles);
+        cells.add("crossings", row.crossings);
+    }
+    return cells.take();
+}
+
 Cells position_cells(RunStatistics const& run) {
     CellList cells;
     for (StuckProcess const& stuck : run.stuck) {

@@ -28,6 +28,9 @@ Cells stuck_cells(RunStatistics const& run);
 /// ... and that.
 Cells position_cells(RunStatistics const& run);
 
+/// The critical path, which must have been traced.
+Cells path_cells(RunStatistics const& run);
+
 /// "name: a against b" of the first cell that differs; empty if none does.
 std::string first_difference(Cells const& a, Cells const& b);
 

@@ -1,0 +1,176 @@
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/run_cells.hpp"
+
+namespace faster::testing {
+namespace {
+
+struct Trial {
+    AcceleratorConfig config;
+    Stimulus stimulus;
+};
+
+Trial trial_of(std::uint64_t seed, IntRange fifo_depth = {1, 64}) {
+    RandomConfigOptions config;
+    config.cores = {1, 3};
+    config.fifo_depth = fifo_depth;
+    RandomStimulusOptions stimulus;
+    stimulus.width = {24, 64};
+    stimulus.height = {24, 64};
+    stimulus.window = {4, 24};
+    stimulus.samples = {0, 6};
+    return {random_config(seed, config), random_stimulus(seed, stimulus)};
+}
+
+ForkOptions traced(std::size_t trail_length = timing::Trail::usual_length) {
+    ForkOptions options;
+    options.critical_path = true;
+    options.trail_length = trail_length;
+    return options;
+}
+
+RunStatistics trace(Trial const& trial, Engine engine = Engine::decoupled, ForkOptions const& options = traced()) {
+    return run_forked(trial.config, trial.stimulus, engine, options).statistics;
+}
+
+Cycles total_of(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    return run_forked(config, stimulus, Engine::decoupled).statistics.total_cycles;
+}
+
+Cycles sum_of(RunStatistics const& run) {
+    Cycles sum = 0;
+    for (PathRow const& row : run.critical_path.value().rows)
+        sum += row.cycles;
+    return sum;
+}
+
+template <class Wanted> Cycles cycles_where(RunStatistics const& run, Wanted wanted) {
+    Cycles sum = 0;
+    for (PathRow const& row : run.critical_path.value().rows)
+        sum += wanted(row) ? row.cycles : 0;
+    return sum;
+}
+
+/// A machine whose FIFOs are all the same but for their names, so that one step changes one thing.
+Trial plain_trial(std::uint64_t seed) {
+    Trial trial = trial_of(seed);
+    trial.config = AcceleratorConfig();
+    trial.config.raster_cores = 1 + seed % 2;
+    for (FifoConfig& fifo : trial.config.fifos) {
+        fifo.kind = FifoKind::shift_register;
+        fifo.depth = 4;
+    }
+    return trial;
+}
+
+}  // namespace
+
+TEST_CASE("The critical path adds up to the total, the same from both engines: seeds 7000 to 7079", "[critical_path]") {
+    for (std::uint64_t seed = 7000; seed < 7080; ++seed) {
+        CAPTURE(seed);
+        Trial const trial = trial_of(seed, seed % 2 == 0 ? IntRange{1, 64} : IntRange{2, 3});
+        RunStatistics const decoupled = trace(trial);
+        REQUIRE_FALSE(decoupled.deadlocked());
+        CHECK(sum_of(decoupled) == decoupled.total_cycles);
+        CHECK(first_difference(path_cells(trace(trial, Engine::lockstep)), path_cells(decoupled)) == "");
+        CHECK(first_difference(all_cells(run_forked(trial.config, trial.stimulus, Engine::decoupled).statistics),
+                               all_cells(decoupled)) == "");
+    }
+}
+
+TEST_CASE("The critical path adds up with long intervals, few ports and shallow loops too", "[critical_path]") {
+    for (std::uint64_t seed = 7400; seed < 7430; ++seed) {
+        CAPTURE(seed);
+        RandomConfigOptions config;
+        config.cores = {1, 2};
+        config.max_target_ii = 12;
+        config.max_recurrence_ii = 12;
+        config.max_ports = 1;
+        RandomStimulusOptions stimulus;
+        stimulus.window = {1, 10};
+        stimulus.triangles = {0, 6};
+        Trial const trial{random_config(seed, config), random_stimulus(seed, stimulus)};
+        RunStatistics const decoupled = trace(trial);
+        CHECK(sum_of(decoupled) == decoupled.total_cycles);
+        CHECK(first_difference(path_cells(trace(trial, Engine::lockstep)), path_cells(decoupled)) == "");
+    }
+}
+
+TEST_CASE("Forgetting what all paths have in common changes nothing", "[critical_path]") {
+    for (std::uint64_t seed = 7100; seed < 7140; ++seed) {
+        CAPTURE(seed);
+        Trial const trial = trial_of(seed, seed % 2 == 0 ? IntRange{1, 64} : IntRange{2, 3});
+        Cells const whole = path_cells(trace(trial));
+        for (Engine const engine : {Engine::lockstep, Engine::decoupled})
+            CHECK(first_difference(path_cells(trace(trial, engine, traced(16))), whole) == "");
+    }
+}
+
+TEST_CASE("The critical path is empty without samples, and missing of a deadlocked run", "[critical_path]") {
+    Trial trial = plain_trial(7200);
+    trial.stimulus.samples.clear();
+    CHECK(trace(trial).critical_path.value().rows.empty());
+    trial = plain_trial(7201);
+    trial.config.fifo(FifoId::fragment_depth).depth = 1;
+    RunStatistics const stuck = trace(trial);
+    REQUIRE(stuck.deadlocked());
+    CHECK_FALSE(stuck.critical_path.has_value());
+}
+
+TEST_CASE("What makes a row of the critical path longer makes the run longer by as much, at least", "[critical_path]") {
+    std::uint64_t exact = 0;
+    std::uint64_t compared = 0;
+    for (std::uint64_t seed = 7300; seed < 7325; ++seed) {
+        Trial const trial = plain_trial(seed);
+        RunStatistics const run = trace(trial);
+        auto const check = [&](std::string const& what, Cycles on_path, AcceleratorConfig const& longer) {
+            CAPTURE(seed, what, on_path);
+            Cycles const added = total_of(longer, trial.stimulus) - run.total_cycles;
+            CHECK(added >= on_path);
+            CHECK(added <= run.total_cycles + on_path);  // not below zero
+            exact += added == on_path ? 1 : 0;
+            ++compared;
+        };
+        AcceleratorConfig longer = trial.config;
+        ++longer.setup_depth;
+        check("setup",
+              cycles_where(run, [](PathRow const& row) { return row.cause == PathCause::setup; }) /
+                  trial.config.setup_depth,
+              longer);
+        for (std::size_t f = 0; f < fifo_count; ++f) {
+            longer = trial.config;
+            longer.fifos[f].kind = FifoKind::memory;  // as much room, one cycle more of read latency
+            --longer.fifos[f].depth;
+            check(std::string("read latency of ") + fifo_names[f],
+                  cycles_where(run,
+                               [f](PathRow const& row) {
+                                   return row.cause == PathCause::read_latency && index_of(*row.fifo) == f;
+                               }),
+                  longer);
+        }
+        for (std::size_t l = 0; l < loop_count; ++l) {
+            auto const of_loop = [l](PathCause cause) {
+                return
+                    [l, cause](PathRow const& row) { return row.cause == cause && row.loop == static_cast<LoopId>(l); };
+            };
+            longer = trial.config;
+            longer.loops[l].ii = run.cores.front().loops[l].ii + 1;
+            // Where the interval has more than one cycle, all of them are one iteration's.
+            Cycles const iterations =
+                (cycles_where(run, of_loop(PathCause::busy)) + cycles_where(run, of_loop(PathCause::port_conflict))) /
+                run.cores.front().loops[l].ii;
+            Cycles const entries_at_most = run.cores[run.critical_path->core].loops[l].entries * 2;
+            CAPTURE(entries_at_most);
+            check(std::string("interval of loop ") + loop_names[l].name,
+                  iterations - std::min(iterations, entries_at_most), longer);
+        }
+    }
+    CHECK(exact * 4 > compared);  // a path that is far too short would pass as well
+}
+
+}  // namespace faster::testing

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "config/key_builders.hpp"
@@ -138,7 +139,30 @@ void add_bram_keys(Keys& keys, BramId id) {
         {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).ports; }));
 }
 
+void add_loops_keys(Keys& keys) {
+    for (std::size_t index = 0; index < loop_count; ++index) {
+        if (LoopId{index} == LoopId::scan) {
+            add_setup_key(keys);
+        }
+        add_loop_keys(keys, LoopId{index});
+    }
+}
+
 }  // namespace
+
+Keys timing_keys() {
+    Keys keys;
+    for (std::size_t index = 0; index < fifo_count; ++index) {
+        add_fifo_keys(keys, FifoId{index});
+    }
+    add_loops_keys(keys);
+    for (std::size_t index = 0; index < bram_count; ++index) {
+        add_bram_keys(keys, BramId{index});
+    }
+    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return key.kind != KeyKind::integer; }),
+               keys.end());
+    return keys;
+}
 
 Keys accelerator_keys() {
     Keys keys;
@@ -148,12 +172,7 @@ Keys accelerator_keys() {
     for (std::size_t index = 0; index < fifo_count; ++index) {
         add_fifo_keys(keys, FifoId{index});
     }
-    for (std::size_t index = 0; index < loop_count; ++index) {
-        if (LoopId{index} == LoopId::scan) {
-            add_setup_key(keys);
-        }
-        add_loop_keys(keys, LoopId{index});
-    }
+    add_loops_keys(keys);
     for (std::size_t index = 0; index < bram_count; ++index) {
         add_bram_keys(keys, BramId{index});
     }

@@ -12,6 +12,10 @@ using Keys = std::vector<Key>;
 /// Every configuration key, once, in the order of the documentation. Keys of one section stand together.
 Keys const& all_keys();
 
+/// Those that decide how long a run takes and nothing else: depths and latencies of FIFOs, initiation intervals and
+/// depths of loops, ports of block RAMs. All are integers.
+Keys timing_keys();
+
 /// The key of that dotted name, or null.
 Key const* find_key(std::string_view name);
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace faster {
 
@@ -90,6 +91,14 @@ constexpr std::array<LoopName, loop_count> loop_names{{{ModuleId::vertex_transfo
                                                        {ModuleId::inlier_unit, "clear"},
                                                        {ModuleId::inlier_unit, "fragment"},
                                                        {ModuleId::inlier_unit, "sweep"}}};
+
+/// A loop of a module by its own name, which must be one.
+inline LoopId loop_named(ModuleId module, std::string_view name) {
+    std::size_t i = 0;
+    while (loop_names[i].module != module || loop_names[i].name != name)
+        ++i;
+    return static_cast<LoopId>(i);
+}
 
 enum class BramId : std::size_t { edge_map, object_map, depth_buffer };
 constexpr std::size_t bram_count = 3;

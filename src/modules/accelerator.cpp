@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <string>
 
-namespace faster {
+#include "modules/core_shapes.hpp"
 
-namespace {
-/// The rasterizer sets the pace while it draws.
-timing::Lead rasterizer_and_followers() {
-    auto const follower = [](ModuleId module, FifoId anchor) {
-        return timing::Lead::Follower{static_cast<unsigned>(module), static_cast<unsigned>(anchor)};
-    };
-    return {
-        static_cast<unsigned>(ModuleId::rasterizer),
-        {follower(ModuleId::vertex_transform, FifoId::vertex), follower(ModuleId::area_reciprocal, FifoId::area),
-         follower(ModuleId::edge_map_builder, FifoId::edge_token), follower(ModuleId::inlier_unit, FifoId::command)}};
-}
-}  // namespace
+namespace faster {
 
 Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                          Engine engine)

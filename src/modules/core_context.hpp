@@ -33,8 +33,8 @@ struct CoreContext {
     timing::CoreTiming& timing;
     SampleProbe* probe = nullptr;    ///< may be null
     std::function<void()> progress;  ///< called after every sample; may be empty
-    /// Called by the rasterizer before it begins the i-th sample of the core; may be empty.
-    std::function<void(std::size_t i)> sample_begins;
+    /// Called by the rasterizer before it begins the i-th sample of the core.
+    std::vector<std::function<void(std::size_t i)>> sample_begins;
     /// Cores need not take turns: they share nothing. One after the other keeps the host's caches warm (decoupled).
     sc_core::sc_event const* turn = nullptr;  ///< waited for before the first sample; may be null
     sc_core::sc_event* done = nullptr;        ///< notified after the last

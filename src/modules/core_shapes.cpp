@@ -68,4 +68,14 @@ timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config) {
     return shape;
 }
 
+timing::Lead rasterizer_and_followers() {
+    auto const follower = [](ModuleId module, FifoId anchor) {
+        return timing::Lead::Follower{static_cast<unsigned>(module), static_cast<unsigned>(anchor)};
+    };
+    return {
+        static_cast<unsigned>(ModuleId::rasterizer),
+        {follower(ModuleId::vertex_transform, FifoId::vertex), follower(ModuleId::area_reciprocal, FifoId::area),
+         follower(ModuleId::edge_map_builder, FifoId::edge_token), follower(ModuleId::inlier_unit, FifoId::command)}};
+}
+
 }  // namespace faster

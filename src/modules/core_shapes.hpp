@@ -1,5 +1,6 @@
 #pragma once
 #include "config/accelerator_config.hpp"
+#include "timing/lead.hpp"
 #include "timing/process_timing.hpp"
 
 namespace faster {
@@ -15,5 +16,8 @@ timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig cons
 
 /// A loop that only reads FIFOs, or none.
 timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config);
+
+/// The rasterizer sets the pace while it draws.
+timing::Lead rasterizer_and_followers();
 
 }  // namespace faster

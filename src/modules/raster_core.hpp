@@ -27,9 +27,9 @@ class RasterCore : public sc_core::sc_module {
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
-    void set_sample_begins(std::function<void(std::size_t)> call) { context_.sample_begins = std::move(call); }
+    void on_sample_begins(std::function<void(std::size_t)> call) { context_.sample_begins.push_back(std::move(call)); }
     /// Calls back when the core is wired up and nothing has happened yet.
-    void set_before_start(std::function<void()> call) { before_start_ = std::move(call); }
+    void on_start(std::function<void()> call) { starts_.push_back(std::move(call)); }
     /// In the order of FifoId.
     std::vector<FifoChannel*> channels();
     std::size_t window_pixels() const { return context_.window_pixels(); }
@@ -45,13 +45,13 @@ class RasterCore : public sc_core::sc_module {
 
   private:
     void start_of_simulation() override {
-        if (before_start_)
-            before_start_();
+        for (auto const& call : starts_)
+            call();
     }
     timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
     timing::FifoShape fifo_shape_of(FifoId id) const;
 
-    std::function<void()> before_start_;
+    std::vector<std::function<void()>> starts_;
     timing::CoreTiming timing_;
     sc_core::sc_event done_{"done"};
     CoreContext context_;

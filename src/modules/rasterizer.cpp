@@ -40,8 +40,8 @@ void Rasterizer::end_of_elaboration() {
 
 void Rasterizer::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        if (core_.sample_begins)
-            core_.sample_begins(i);
+        for (auto const& call : core_.sample_begins)
+            call(i);
         start_sample();
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
             TriangleCode const triangle = receive_triangle();

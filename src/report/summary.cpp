@@ -5,6 +5,7 @@
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
+#include "report/sensitivity_report.hpp"
 
 namespace faster::report {
 
@@ -66,6 +67,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
     summary["bound_by"] = diagnosis_sentences(config, run);
     if (run.critical_path)
         summary["critical_path"] = critical_path_json(run);
+    if (!run.sensitivities.empty())
+        summary["sensitivities"] = sensitivities_json(run);
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     return summary.dump(2) + "\n";

@@ -8,6 +8,7 @@
 #include "report/csv.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/latencies.hpp"
+#include "report/sensitivity_report.hpp"
 
 namespace faster::report {
 
@@ -126,6 +127,7 @@ std::string text_report(AcceleratorConfig const& config, RunStatistics const& ru
     for (std::string const& sentence : diagnosis_sentences(config, run))
         line(text, "  {}", sentence);
     text += critical_path_text(run);
+    text += sensitivities_text(run);
     module_table(text, run);
     loop_table(text, run);
     fifo_table(text, run);

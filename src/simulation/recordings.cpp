@@ -25,11 +25,11 @@ Recordings::Recordings(Accelerator& accelerator, std::vector<Recording> const& r
         }
         if (of_core.empty())
             continue;
-        accelerator.cores()[core]->set_before_start([of_core] {
+        accelerator.cores()[core]->on_start([of_core] {
             for (recording::CoreRecorder* recorder : of_core)
                 recorder->before_start();
         });
-        accelerator.cores()[core]->set_sample_begins([of_core](std::size_t i) {
+        accelerator.cores()[core]->on_sample_begins([of_core](std::size_t i) {
             for (recording::CoreRecorder* recorder : of_core)
                 recorder->sample_begins(i);
         });

@@ -5,6 +5,7 @@
 #include "modules/accelerator.hpp"
 #include "simulation/collect.hpp"
 #include "simulation/recordings.hpp"
+#include "simulation/taping.hpp"
 #include "simulation/trace_path.hpp"
 
 namespace faster {
@@ -21,9 +22,13 @@ RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus
             core->timing().leave_trail(options.trail_length);
     }
     Recordings recordings(accelerator, options.recordings);
+    std::unique_ptr<Taping> const taping =
+        options.recorded == nullptr ? nullptr : std::make_unique<Taping>(accelerator, *options.recorded);
     sc_core::sc_start();
     for (auto const& core : accelerator.cores())
         core->timing().resolve();
+    if (taping)
+        taping->finish();
     RunStatistics run = collect(accelerator, config, stimulus);
     if (options.critical_path && !run.deadlocked())
         run.critical_path = trace_path(accelerator);

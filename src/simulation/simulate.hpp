@@ -5,6 +5,7 @@
 #include "config/run_config.hpp"
 #include "modules/core_context.hpp"
 #include "recording/vcd_core.hpp"
+#include "retiming/recorded_run.hpp"
 #include "stats/run_statistics.hpp"
 
 namespace faster {
@@ -20,6 +21,7 @@ struct SimulationOptions {
     SampleProbe* probe = nullptr;                      ///< sees the maps of every sample; may be null
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
     std::vector<Recording> recordings;
+    retiming::RecordedRun* recorded = nullptr;               ///< takes down what was done; may be null
     bool critical_path = false;                              ///< to be traced
     std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
 };

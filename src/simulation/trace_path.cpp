@@ -75,9 +75,7 @@ class ProcessRows {
     std::optional<LoopId> loop_at(timing::Region region) const {
         if (!region.is_in_loop())
             return std::nullopt;
-        std::string const& name = process_.loops()[region.loop()].name;
-        auto const same = [&](LoopName const& loop) { return loop.module == base_.module && loop.name == name; };
-        return static_cast<LoopId>(std::find_if(loop_names.begin(), loop_names.end(), same) - loop_names.begin());
+        return loop_named(base_.module, process_.loops()[region.loop()].name);
     }
 
     static PathCause cause_of(Part part) {

@@ -10,6 +10,7 @@
 #include "config/accelerator_config.hpp"
 #include "stats/critical_path.hpp"
 #include "stats/cycle_class.hpp"
+#include "stats/sensitivity.hpp"
 
 namespace faster {
 
@@ -91,6 +92,7 @@ struct RunStatistics {
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
+    std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
     bool deadlocked() const { return !stuck.empty(); }

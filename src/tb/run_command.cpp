@@ -16,9 +16,11 @@
 #include "io/text_file.hpp"
 #include "io/trace.hpp"
 #include "report/csv.hpp"
+#include "report/sensitivity_report.hpp"
 #include "report/summary.hpp"
 #include "report/text_report.hpp"
 #include "report_html/html_report.hpp"
+#include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/sample_pictures.hpp"
 #include "tb/workload_source.hpp"
@@ -34,29 +36,29 @@ double seconds_since(HostClock::time_point start) {
 }
 
 io::FolderKind const results_folder{
-    "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "images"}};
+    "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "sensitivities.csv", "images"}};
 
-/// Samples done so far, on the terminal's last line; silent when stdout is no terminal.
+/// What is done so far, on the terminal's last line; silent when stdout is no terminal.
 class ProgressLine {
   public:
-    explicit ProgressLine(std::size_t samples) : samples_(samples), visible_(isatty(STDOUT_FILENO) != 0) {}
+    explicit ProgressLine(char const* what) : what_(what), visible_(isatty(STDOUT_FILENO) != 0) {}
     ~ProgressLine() {
         if (shown_)
             fmt::print("\r\033[K");
     }
-    void show(std::uint64_t done) {
+    void show(std::uint64_t done, std::uint64_t all) {
         if (!visible_ || seconds_since(last_) < 0.1)
             return;
         last_ = HostClock::now();
         shown_ = true;
         constexpr std::uint64_t width = 40;
-        std::uint64_t const filled = done * width / samples_;
-        fmt::print("\r[{:<{}}] {}/{} samples", std::string(filled, '#'), width, done, samples_);
+        std::uint64_t const filled = done * width / all;
+        fmt::print("\r[{:<{}}] {}/{} {}", std::string(filled, '#'), width, done, all, what_);
         std::fflush(stdout);
     }
 
   private:
-    std::size_t samples_;
+    char const* what_;
     bool visible_;
     bool shown_ = false;
     HostClock::time_point last_ = HostClock::now();
@@ -69,6 +71,8 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
     io::write_file(folder.path() / "samples.csv", report::samples_csv(run));
     io::write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder.path() / "loops.csv", report::loops_csv(run));
+    if (!run.sensitivities.empty())
+        io::write_file(folder.path() / "sensitivities.csv", report::sensitivities_csv(run));
     if (with_pictures)
         pictures.write(folder.path() / "images", run.samples);
     folder.commit();
@@ -78,6 +82,12 @@ void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStat
 void write_deadlock(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run) {
     io::write_file(folder.path() / "summary.json", report::deadlock_summary_json(resolved_keys(loaded.config), run));
     folder.commit();
+}
+
+std::vector<Sensitivity> work_out_sensitivities(retiming::RecordedRun const& recorded, LoadedConfig const& loaded) {
+    ProgressLine progress("retimings");
+    return retiming::sensitivities(recorded, loaded,
+                                   [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
@@ -109,17 +119,19 @@ int run(RunRequest const& request) {
     SamplePictures pictures(stimulus, static_cast<std::size_t>(request.images));
     start = HostClock::now();
     RunStatistics statistics;
+    retiming::RecordedRun recorded;
     std::vector<SampleTimeline> timelines;
     {
-        ProgressLine progress(stimulus.samples.size());
+        ProgressLine progress("samples");
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
-        options.critical_path = request.critical_path;
+        options.critical_path = request.critical_path || report_file;
+        options.recorded = request.sensitivities ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
         if (report_file)
             options.recordings.push_back(
                 sample_timeline_recording(loaded.config.accelerator, stimulus.samples.size(), timelines));
-        options.progress = [&progress](std::uint64_t done) { progress.show(done); };
+        options.progress = [&](std::uint64_t done) { progress.show(done, stimulus.samples.size()); };
         statistics = simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine, options);
     }
     host.simulate_seconds = seconds_since(start);
@@ -132,6 +144,8 @@ int run(RunRequest const& request) {
     }
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
+    if (request.sensitivities)
+        statistics.sensitivities = work_out_sensitivities(recorded, loaded);
     if (folder)
         write_results(*folder, loaded, statistics, host, pictures, request.images > 0);
     if (report_file)  // may lie in the folder

@@ -18,6 +18,7 @@ struct RunRequest {
     std::string out;                     ///< folder; empty: print only
     std::string report;                  ///< HTML file; empty: none
     bool critical_path = false;          ///< trace it
+    bool sensitivities = false;          ///< work them out
     std::int64_t images = 0;             ///< samples to write pictures of
     RecordingRequest recording;
 };

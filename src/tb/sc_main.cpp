@@ -32,6 +32,8 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->type_name("DIR");
     command.add_option("--report", request.report, "Write the run as one HTML page")->type_name("FILE.html");
     command.add_flag("--critical-path", request.critical_path, "Trace along which operations the total comes about");
+    command.add_flag("--sensitivities", request.sensitivities,
+                     "Work out what one step of each timing key changes (retimes the run about 100 times)");
     command
         .add_option(
             "--images", request.images,

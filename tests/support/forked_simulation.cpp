@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "datapath/edge_maps.hpp"
+#include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "support/byte_stream.hpp"
 
@@ -80,12 +81,18 @@ template <class Visit, class Row> void visit_path(Visit visit, Row& row) {
     visit(row.module, row.loop, row.cause, row.fifo, row.bram, row.cycles, row.crossings);
 }
 
+template <class Visit, class Row> void visit_sensitivity(Visit visit, Row& row) {
+    visit(row.key, row.value);
+    for (auto* step : {&row.down, &row.up})
+        visit(step->valid, step->deadlocks, step->total_cycles);
+}
+
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
     ByteWriter writer;
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
     CriticalPath const path = run.critical_path.value_or(CriticalPath{});
     put(std::string{}, run.total_cycles, run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(),
-        run.stuck.size(), path.rows.size(), maps.size());
+        run.stuck.size(), path.rows.size(), run.sensitivities.size(), maps.size());
     for (auto const& row : run.samples)
         visit_sample(put, row);
     for (auto const& row : run.cores)
@@ -94,6 +101,8 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
         visit_stuck(put, row);
     for (auto const& row : path.rows)
         visit_path(put, row);
+    for (auto const& row : run.sensitivities)
+        visit_sensitivity(put, row);
     for (auto const& row : maps)
         put(row.edge_map.pixels(), row.object_map.pixels(), row.depth_buffer.pixels());
     return writer.bytes();
@@ -123,6 +132,7 @@ ForkedRun from_bytes(std::string bytes, int window) {
     run.statistics.cores.resize(reader.get_size());
     run.statistics.stuck.resize(reader.get_size());
     path.rows.resize(reader.get_size());
+    run.statistics.sensitivities.resize(reader.get_size());
     run.maps.resize(reader.get_size());
     for (auto& row : run.statistics.samples)
         visit_sample(get, row);
@@ -132,6 +142,8 @@ ForkedRun from_bytes(std::string bytes, int window) {
         visit_stuck(get, row);
     for (auto& row : path.rows)
         visit_path(get, row);
+    for (auto& row : run.statistics.sensitivities)
+        visit_sensitivity(get, row);
     if (has_path)
         run.statistics.critical_path = path;
     for (auto& row : run.maps) {
@@ -142,6 +154,12 @@ ForkedRun from_bytes(std::string bytes, int window) {
     return run;
 }
 
+LoadedConfig loaded_from(AcceleratorConfig const& config) {
+    LoadedConfig loaded;
+    loaded.config.accelerator = config;
+    return loaded;
+}
+
 std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                             ForkOptions const& wanted) {
     try {
@@ -150,7 +168,11 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         options.probe = wanted.with_maps ? &collector : nullptr;
         options.critical_path = wanted.critical_path;
         options.trail_length = wanted.trail_length;
-        RunStatistics const run = simulate(config, stimulus, engine, options);
+        retiming::RecordedRun recorded;
+        options.recorded = wanted.sensitivities ? &recorded : nullptr;
+        RunStatistics run = simulate(config, stimulus, engine, options);
+        if (wanted.sensitivities)
+            run.sensitivities = retiming::sensitivities(recorded, loaded_from(config));
         return to_bytes(run, collector.maps());
     } catch (std::exception const& error) {
         ByteWriter writer;

@@ -16,6 +16,7 @@ struct ForkedRun {
 struct ForkOptions {
     bool with_maps = false;
     bool critical_path = false;
+    bool sensitivities = false;
     std::size_t trail_length = timing::Trail::usual_length;
 };
 

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "report/json_rows.hpp"
+#include "stats/run_statistics.hpp"
+
+namespace faster::report {
+
+/// The keys whose steps change total_cycles, those that save most first: lines of text, empty if none were worked out.
+std::string sensitivities_text(RunStatistics const& run);
+
+/// sensitivities.csv and `sensitivities` of summary.json (docs/formats.md): a row per key and step, in the order of the
+/// keys.
+std::string sensitivities_csv(RunStatistics const& run);
+Json sensitivities_json(RunStatistics const& run);
+
+}  // namespace faster::report

@@ -1,0 +1,84 @@
+#include <catch2/catch.hpp>
+#include <cstdint>
+
+#include "config/keys.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+
+namespace faster::testing {
+namespace {
+
+struct Trial {
+    AcceleratorConfig config;
+    Stimulus stimulus;
+};
+
+Trial random_trial(std::uint64_t seed) {
+    RandomConfigOptions config;
+    config.cores = {1, 3};
+    config.fifo_depth = {1, 12};
+    RandomStimulusOptions stimulus;
+    stimulus.width = {24, 48};
+    stimulus.height = {24, 48};
+    stimulus.window = {4, 16};
+    stimulus.samples = {1, 5};
+    return {random_config(seed, config), random_stimulus(seed, stimulus)};
+}
+
+/// Runs the step, and counts those that change something.
+void check_step(Trial const& trial, Cycles total, Key const& key, std::int64_t value, SensitivityStep const& step,
+                std::size_t& changes) {
+    if (!step.valid)
+        return;
+    CAPTURE(key.name(), value);
+    RunConfig changed;
+    changed.accelerator = trial.config;
+    key.write(changed, KeyValue{value});
+    RunStatistics const run = run_forked(changed.accelerator, trial.stimulus, Engine::decoupled).statistics;
+    REQUIRE(step.deadlocks == run.deadlocked());
+    CHECK(step.total_cycles == (run.deadlocked() ? 0 : run.total_cycles));
+    changes += run.deadlocked() || run.total_cycles != total ? 1U : 0U;
+}
+
+std::size_t check_all_steps(Trial const& trial, Engine engine) {
+    ForkOptions options;
+    options.sensitivities = true;
+    RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
+    Keys const keys = timing_keys();
+    REQUIRE(run.sensitivities.size() == keys.size());
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        Sensitivity const& row = run.sensitivities[i];
+        REQUIRE(row.key == keys[i].name());
+        check_step(trial, run.total_cycles, keys[i], row.value - 1, row.down, changes);
+        check_step(trial, run.total_cycles, keys[i], row.value + 1, row.up, changes);
+    }
+    return changes;
+}
+
+}  // namespace
+
+TEST_CASE("A step of any timing key changes the total as a run with it says", "[sensitivities]") {
+    std::size_t changes = 0;
+    for (std::uint64_t seed = 8000; seed < 8006; ++seed) {
+        CAPTURE(seed);
+        changes += check_all_steps(random_trial(seed), seed % 2 == 0 ? Engine::decoupled : Engine::lockstep);
+    }
+    CHECK(changes > 50);
+}
+
+TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
+    Trial trial = random_trial(8010);
+    trial.config = AcceleratorConfig();
+    trial.config.raster_cores = 2;
+    check_all_steps(trial, Engine::decoupled);
+    ForkOptions options;
+    options.sensitivities = true;
+    std::size_t deadlocks = 0;
+    for (Sensitivity const& row :
+         run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics.sensitivities)
+        deadlocks += row.down.deadlocks ? 1U : 0U;
+    CHECK(deadlocks >= 2);  // fragment_depth and fragment_index of depth 1
+}
+
+}  // namespace faster::testing

@@ -129,6 +129,14 @@ Measurement with_vcd(Engine kind, std::uint64_t samples, std::optional<std::size
     return result;
 }
 
+Measurement with_critical_path() {
+    return engine(Engine::decoupled, 620, 200, [](RunConfig const&) {
+        SimulationOptions options;
+        options.critical_path = true;
+        return options;
+    });
+}
+
 Measurement reference_score() {
     Stimulus const stimulus = stimulus_of(main_job());
     reference::Scorer scorer(stimulus);
@@ -175,6 +183,8 @@ void print_ratios() {
                 seconds("decoupled") / seconds("reference"));
     std::printf("  window 400 time : window 200 time               %8.2f\n",
                 seconds("window_400") / seconds("decoupled"));
+    std::printf("  critical path : decoupled time                  %8.2f\n",
+                seconds("critical_path") / seconds("decoupled"));
     std::printf("  VCD of 1 sample of 62 : decoupled time          %8.2f\n",
                 seconds("vcd_sample") / seconds("decoupled"));
     std::printf("  VCD of all : lockstep time                      %8.2f\n", seconds("vcd_all") / seconds("lockstep"));
@@ -189,6 +199,7 @@ int sc_main(int argc, char** argv) {
     add("lockstep", "lane_cycles", [] { return engine(Engine::lockstep, 20); });
     add("reference", "samples", reference_score);
     add("window_400", "lane_cycles", [] { return engine(Engine::decoupled, 620, 400); });
+    add("critical_path", "lane_cycles", with_critical_path);
     add("vcd_sample", "lane_cycles", [] { return with_vcd(Engine::decoupled, 620, 30); });
     add("vcd_all", "lane_cycles", [] { return with_vcd(Engine::lockstep, 20, {}); });
     benchmark::RunSpecifiedBenchmarks();

@@ -80,7 +80,8 @@ std::string sensitivities_text(RunStatistics const& run) {
                             cell(rows[i].up, run));
     if (rows.size() > most_lines)
         text += fmt::format("  ({} more in sensitivities.csv)\n", rows.size() - most_lines);
-    text += fmt::format("  {} keys change nothing by one step.\n", run.sensitivities.size() - rows.size());
+    std::size_t const idle = run.sensitivities.size() - rows.size();
+    text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
     return text;
 }
 

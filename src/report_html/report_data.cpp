@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
 #include "report/latencies.hpp"
+#include "report/sensitivity_report.hpp"
 #include "report/summary.hpp"
 #include "report_html/html_text.hpp"
 #include "report_html/latency_histogram.hpp"
@@ -175,6 +177,9 @@ std::string report_data(HtmlReportInput const& input) {
     data["cycle_classes"] = cycle_class_names;
     data["modules"] = modules(input.run);
     data["stalls"] = stalls(input.run);
+    data["path_causes"] = path_cause_names;
+    data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
+    data["sensitivities"] = sensitivities_json(input.run);
     data["fifos"] = fifos(input.run);
     data["loops"] = loops(input.run);
     data["latency"] = latency(input.run);

@@ -95,10 +95,10 @@ TEST_CASE("The browser draws every chart and section of the report without an er
     TempFolder const folder;
     folder.write("report.html", example_page("example.yaml"));
     Json const check = self_check(folder, "report.html");
-    CHECK(check["charts"] == 3 + 4);  // modules, timeline, latencies; four FIFOs with occupancies
+    CHECK(check["charts"] == 4 + 4);  // modules, critical path, timeline, latencies; four FIFOs with occupancies
     CHECK(check["pictures"] == 1);
-    CHECK(check["sections"] ==
-          Json::array({"summary", "modules", "timeline", "fifos", "loops", "latency", "pictures", "configuration"}));
+    CHECK(check["sections"] == Json::array({"summary", "modules", "critical-path", "sensitivities", "timeline", "fifos",
+                                            "loops", "latency", "pictures", "configuration"}));
     CHECK(check["keys"].size() == example_keys().size());
     CHECK(check["changed_keys"].size() == 2);
 }
@@ -117,6 +117,8 @@ TEST_CASE("A click on the head of a column sorts numbers as numbers and names as
     Json const& loops = column(check, "Loops", "loop");
     CHECK(loops["ascending"].front() == "edge_map_builder.clear");
     CHECK(loops["descending"].front() == "vertex_transform.vertex");
+    Json const& step = column(check, "Sensitivities", "one less");
+    CHECK(step["ascending"] == Json::array({"-7,500", "deadlock"}));
     for (auto const& [table, columns] : check["tables"].items())
         for (Json const& sorted : columns) {
             CAPTURE(table, sorted["column"].get<std::string>());
@@ -176,7 +178,7 @@ TEST_CASE("The page fits a phone, in the dark as well", "[browser]") {
     for (Words const& options : {Words{}, Words{"--blink-settings=preferredColorScheme=0"}}) {
         Json const check = json_element(drawn_page(folder, "phone.html", options), "self-check");
         CHECK(check["errors"] == Json::array());
-        CHECK(check["painted"] == 7);
+        CHECK(check["painted"] == 8);
         CHECK(check["window_width"] <= 360);
         CHECK(check["page_width"] == check["window_width"]);
         CHECK(check["dark"] == !options.empty());

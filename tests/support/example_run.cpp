@@ -106,6 +106,35 @@ void sketch_occupancy(SampleTimeline& timeline, Sketch& sketch) {
     }
 }
 
+CriticalPath example_path() {
+    CriticalPath path;
+    path.core = 1;
+    auto const add = [&path](ModuleId module, std::optional<LoopId> loop, PathCause cause, Cycles cycles) -> PathRow& {
+        PathRow row;
+        row.module = module;
+        row.loop = loop;
+        row.cause = cause;
+        row.cycles = cycles;
+        return path.rows.emplace_back(row);
+    };
+    add(ModuleId::inlier_unit, LoopId::sweep, PathCause::busy, 600000);
+    add(ModuleId::inlier_unit, LoopId::sweep, PathCause::port_conflict, 300000).bram = name_of(BramId::depth_buffer);
+    add(ModuleId::rasterizer, std::nullopt, PathCause::setup, 90000);
+    PathRow& crossing = add(ModuleId::inlier_unit, LoopId::fragment, PathCause::read_latency, 10000);
+    crossing.fifo = FifoId::command;
+    crossing.crossings = 10000;
+    return path;
+}
+
+std::vector<Sensitivity> example_sensitivities() {
+    return {{"accelerator.fifos.command.depth", 2, {true, true, 0}, {true, false, total_cycles - 500}},
+            {"accelerator.fifos.vertex.depth", 1, {false, false, 0}, {true, false, total_cycles}},
+            {"accelerator.loops.rasterizer.setup.depth",
+             12,
+             {true, false, total_cycles - 7500},
+             {true, false, total_cycles + 7500}}};
+}
+
 }  // namespace
 
 RunStatistics example_run() {
@@ -118,6 +147,8 @@ RunStatistics example_run() {
         Cycles const begin = 1 + sample * 150000;
         run.samples.push_back({sample, sample / 3, begin, begin + sample_cycles - 1 + 1000 * sample, {}});
     }
+    run.critical_path = example_path();
+    run.sensitivities = example_sensitivities();
     return run;
 }
 

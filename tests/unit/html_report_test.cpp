@@ -126,7 +126,9 @@ TEST_CASE("A run without samples, timelines and pictures has a page, too", "[htm
     Json const data = json_element(html_report({"empty", AcceleratorConfig{}, RunStatistics{}, {}, {}, {}}), "data");
     CHECK(data["headline"]["total_cycles"] == 0);
     CHECK(data["latency"].is_null());
-    for (char const* const list : {"bound_by", "stalls", "fifos", "loops", "timelines", "pictures", "configuration"}) {
+    CHECK(data["critical_path"].is_null());
+    for (char const* const list :
+         {"sensitivities", "bound_by", "stalls", "fifos", "loops", "timelines", "pictures", "configuration"}) {
         CAPTURE(list);
         CHECK(data[list] == Json::array());
     }

@@ -75,6 +75,80 @@ function show_stalls() {
   ], rows, { box: "high" });
 }
 
+/// Causes have the colours of what a module would call them.
+const path_colours = { read_latency: "empty_stall", backpressure: "full_stall" };
+const path_colour = (cause) => path_colours[cause] || cause;
+
+function path_bars() {
+  const modules = data.modules.map((row) => row.module);
+  const cycles = (module, cause) =>
+    data.critical_path.rows.reduce((sum, row) => sum + (row.module === module && row.cause === cause ? row.cycles : 0), 0);
+  return {
+    type: "bar",
+    data: {
+      labels: modules,
+      datasets: data.path_causes.map((cause) => ({
+        label: in_words(cause),
+        data: modules.map((module) => percent(cycles(module, cause), data.headline.total_cycles)),
+        backgroundColor: colour(path_colour(cause)),
+        barPercentage: 0.85,
+      })),
+    },
+    options: {
+      indexAxis: "y",
+      scales: {
+        x: { stacked: true, title: axis_title("% of the total") },
+        y: { stacked: true, ticks: { autoSkip: false } },
+      },
+      plugins: { tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${decimal(item.raw, 2)} %` } } },
+    },
+  };
+}
+
+function show_critical_path() {
+  const path = data.critical_path;
+  if (!path || path.rows.length === 0) return leave_out("critical-path");
+  by_id("path-note").textContent =
+    `Along which operations the ${whole(data.headline.total_cycles)} cycles came about: from the last result back, each module until it ` +
+    `last waited, then the one it waited for. Core ${path.core}, the last to end. Making something else faster does not make the run shorter.`;
+  const box = by_id("path-chart");
+  box.before(legend(data.path_causes.map((cause) => [path_colour(cause), in_words(cause)])));
+  add_chart(box, "The critical path by module and cause; the table below has the figures", path_bars);
+  new SortableTable(by_id("path-table"), "Critical path", [
+    { title: "module", value: (row) => row.module },
+    { title: "loop", value: (row) => row.loop || "-" },
+    { title: "cause", value: (row) => in_words(row.cause) },
+    { title: "FIFO or block RAM", value: (row) => row.item || "-" },
+    figure("cycles", (row) => row.cycles),
+    figure("% of the total", (row) => percent(row.cycles, data.headline.total_cycles), (row) => decimal(percent(row.cycles, data.headline.total_cycles), 2)),
+    figure("crossings", (row) => row.crossings),
+  ], path.rows, { box: "high" });
+}
+
+/// The change of one step; what is no number is shown, and sorted behind all others.
+function step_column(title, side) {
+  const step = (row) => row[side];
+  const change = (row) => step(row).outcome === "finished" ? step(row).change_cycles : Number.MAX_VALUE;
+  const text = (row) => step(row).outcome === "invalid" ? "not valid" : step(row).outcome === "deadlock" ? "deadlock"
+    : (step(row).change_cycles > 0 ? "+" : "") + whole(step(row).change_cycles);
+  return figure(title, change, text);
+}
+
+function show_sensitivities() {
+  if (data.sensitivities.length === 0) return leave_out("sensitivities");
+  const moves = (step) => step.outcome === "deadlock" || (step.outcome === "finished" && step.change_cycles !== 0);
+  const rows = data.sensitivities.filter((row) => moves(row.down) || moves(row.up));
+  by_id("sensitivity-note").textContent =
+    `${count_of(rows.length, "key")} of ${data.sensitivities.length} change something by a step; cycles of the total.`;
+  const best = (row) => Math.min(...[row.down, row.up].map((step) => (step.outcome === "finished" ? step.change_cycles : Number.MAX_VALUE)));
+  new SortableTable(by_id("sensitivity-table"), "Sensitivities", [
+    { title: "key", value: (row) => row.key },
+    figure("value", (row) => row.value),
+    step_column("one less", "down"),
+    step_column("one more", "up"),
+  ], rows.sort((a, b) => best(a) - best(b)), { box: "high" });
+}
+
 function spark_options(profile, capacity) {
   const line = (values, options) => ({ data: values, stepped: "middle", pointRadius: 0, ...options });
   return {
@@ -242,6 +316,8 @@ set_chart_defaults();
 show_headline();
 show_modules();
 show_stalls();
+show_critical_path();
+show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
 show_latency();

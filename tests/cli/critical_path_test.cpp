@@ -1,0 +1,92 @@
+#include <catch2/catch.hpp>
+
+#include "support/command.hpp"
+#include "support/report_page.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+class Workspace {
+  public:
+    Workspace() {
+        folder_.write("config.yaml",
+                      "accelerator: {raster_cores: 2, window: 60}\n"
+                      "workload:\n"
+                      "  object: tomato_soup_can\n"
+                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
+                      "  samples: {count: 3}\n");
+    }
+
+    CommandResult run(Words const& arguments) const {
+        Words words{"run", "config.yaml"};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return run_command(FASTER_SIM_BINARY, words, folder_.path());
+    }
+    Json summary(std::string const& run) const { return Json::parse(text(run + "/summary.json")); }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    std::size_t files_in(std::string const& run) const { return entries_in(folder_ / run); }
+
+  private:
+    TempFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("The critical path says how every cycle came about, the same from both engines") {
+    Workspace const workspace;
+    for (std::string const engine : {"decoupled", "lockstep"}) {
+        CommandResult const result =
+            workspace.run({"--critical-path", "--out", engine, "--set", "simulation.engine=" + engine});
+        require_done(result);
+        CHECK_THAT(result.out, Contains("Critical path of core "));
+    }
+    Json const summary = workspace.summary("decoupled");
+    std::uint64_t sum = 0;
+    for (Json const& row : summary["critical_path"]["rows"])
+        sum += row["cycles"].get<std::uint64_t>();
+    CHECK(sum == summary["total_cycles"]);
+    CHECK(summary["critical_path"] == workspace.summary("lockstep")["critical_path"]);
+}
+
+TEST_CASE("Without --critical-path and --sensitivities nothing of them is written") {
+    Workspace const workspace;
+    require_done(workspace.run({"--out", "plain"}));
+    CHECK_FALSE(workspace.summary("plain").contains("critical_path"));
+    CHECK_FALSE(workspace.summary("plain").contains("sensitivities"));
+    CHECK(workspace.files_in("plain") == 4);
+}
+
+TEST_CASE("Sensitivities are what runs with the changed keys find") {
+    Workspace const workspace;
+    CommandResult const result = workspace.run({"--sensitivities", "--out", "out"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("Sensitivities: change of the "));
+    CHECK(workspace.files_in("out") == 5);
+    std::vector<std::string> const lines = lines_of(workspace.text("out/sensitivities.csv"));
+    Json const summary = workspace.summary("out");
+    CHECK(lines.size() == 1 + 2 * summary["sensitivities"].size());
+    CHECK_THAT(workspace.text("out/sensitivities.csv"),
+               Contains("accelerator.fifos.fragment_depth.depth,2,1,deadlock,,"));
+
+    require_done(workspace.run({"--out", "changed", "--set", "accelerator.loops.rasterizer.setup.depth=13"}));
+    for (Json const& row : summary["sensitivities"])
+        if (row["key"] == "accelerator.loops.rasterizer.setup.depth")
+            CHECK(row["up"]["total_cycles"] == workspace.summary("changed")["total_cycles"]);
+
+    require_done(workspace.run({"--sensitivities", "--out", "lockstep", "--set", "simulation.engine=lockstep"}));
+    CHECK(workspace.text("lockstep/sensitivities.csv") == workspace.text("out/sensitivities.csv"));
+}
+
+TEST_CASE("A deadlocked run has neither critical path nor sensitivities") {
+    Workspace const workspace;
+    CommandResult const result = workspace.run(
+        {"--critical-path", "--sensitivities", "--out", "stuck", "--set", "accelerator.fifos.fragment_depth.depth=1"});
+    CHECK(result.exit_code == 3);
+    CHECK(workspace.files_in("stuck") == 1);
+}

@@ -1,0 +1,77 @@
+#include <catch2/catch.hpp>
+
+#include "report/critical_path_report.hpp"
+#include "report/sensitivity_report.hpp"
+#include "support/example_run.hpp"
+
+namespace faster::report {
+
+using test::example_run;
+
+TEST_CASE("The critical path is told with module, loop, cause and what is to blame", "[report]") {
+    std::string const text = critical_path_text(example_run());
+    CHECK(text.find("Critical path of core 1, the last to end: how its 1000000 cycles came about") !=
+          std::string::npos);
+    CHECK(text.find("inlier_unit.sweep           port_conflict depth_buffer          300000   30.00") !=
+          std::string::npos);
+    CHECK(text.find("rasterizer                  setup                                90000    9.00") !=
+          std::string::npos);
+    CHECK(text.find("inlier_unit.fragment        read_latency command                 10000    1.00") !=
+          std::string::npos);
+    CHECK(critical_path_text(RunStatistics{}).empty());
+}
+
+TEST_CASE("A long critical path is cut, and the rest counted", "[report]") {
+    RunStatistics run = example_run();
+    PathRow row;
+    row.cycles = 3;
+    run.critical_path->rows.resize(12, row);
+    run.critical_path->rows.resize(15, row);
+    std::string const text = critical_path_text(run);
+    CHECK(text.find("(3 more in summary.json)") != std::string::npos);
+    CHECK(text.substr(text.size() - 3) == " 9\n");
+}
+
+TEST_CASE("The critical path as JSON keeps every row", "[report]") {
+    Json const path = critical_path_json(example_run());
+    CHECK(path["core"] == 1);
+    REQUIRE(path["rows"].size() == 4);
+    CHECK(path["rows"][1] == Json{{"module", "inlier_unit"},
+                                  {"loop", "sweep"},
+                                  {"cause", "port_conflict"},
+                                  {"item", "depth_buffer"},
+                                  {"cycles", 300000},
+                                  {"crossings", 0}});
+    CHECK(path["rows"][2]["loop"] == "");
+    CHECK(path["rows"][3]["item"] == "command");
+    CHECK(path["rows"][3]["crossings"] == 10000);
+}
+
+TEST_CASE("Sensitivities are told with the one that saves most first", "[report]") {
+    std::string const text = sensitivities_text(example_run());
+    std::size_t const setup = text.find("accelerator.loops.rasterizer.setup.depth");
+    std::size_t const command = text.find("accelerator.fifos.command.depth");
+    REQUIRE(setup != std::string::npos);
+    CHECK(setup < command);
+    CHECK(text.find("      -7500 (-0.75 %)        +7500 (+0.75 %)\n") != std::string::npos);
+    CHECK(text.find("deadlock         -500 (-0.05 %)\n") != std::string::npos);
+    CHECK(text.find("accelerator.fifos.vertex.depth") == std::string::npos);  // changes nothing
+    CHECK(text.find("1 key changes nothing") != std::string::npos);
+    CHECK(sensitivities_text(RunStatistics{}).empty());
+}
+
+TEST_CASE("sensitivities.csv has a row per step, with its outcome", "[report]") {
+    CHECK(sensitivities_csv(example_run()) ==
+          "key,value,changed_value,outcome,total_cycles,change_cycles\n"
+          "accelerator.fifos.command.depth,2,1,deadlock,,\n"
+          "accelerator.fifos.command.depth,2,3,finished,999500,-500\n"
+          "accelerator.fifos.vertex.depth,1,0,invalid,,\n"
+          "accelerator.fifos.vertex.depth,1,2,finished,1000000,0\n"
+          "accelerator.loops.rasterizer.setup.depth,12,11,finished,992500,-7500\n"
+          "accelerator.loops.rasterizer.setup.depth,12,13,finished,1007500,7500\n");
+    Json const rows = sensitivities_json(example_run());
+    CHECK(rows[0]["down"] == Json{{"outcome", "deadlock"}});
+    CHECK(rows[2]["up"] == Json{{"outcome", "finished"}, {"total_cycles", 1007500}, {"change_cycles", 7500}});
+}
+
+}  // namespace faster::report

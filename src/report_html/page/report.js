@@ -121,7 +121,7 @@ function show_critical_path() {
     { title: "FIFO or block RAM", value: (row) => row.item || "-" },
     figure("cycles", (row) => row.cycles),
     figure("% of the total", (row) => percent(row.cycles, data.headline.total_cycles), (row) => decimal(percent(row.cycles, data.headline.total_cycles), 2)),
-    figure("crossings", (row) => row.crossings),
+    figure("crossings", (row) => row.crossings, (row) => (row.crossings > 0 ? whole(row.crossings) : "-")),
   ], path.rows, { box: "high" });
 }
 

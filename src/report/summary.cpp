@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/edge_map_design.hpp"
+#include "config/block_ram.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
 
@@ -17,33 +17,19 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
     return object;
 }
 
-/// Data width of each map [bits]: the edge map's design, and thesis A.3 with SPEC section 2 (u11). 0: no such memory.
-std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
-    PerMap const& bits = design_of(config.edge_map.algorithm).bits;
-    switch (id) {
-        case BramId::edge_map:
-            return bits.edge_map;
-        case BramId::object_map:
-            return bits.object_map;
-        case BramId::depth_buffer:
-            break;
-    }
-    return 11;
-}
-
 Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, CoreStatistics const& statistics) {
     auto const id = static_cast<BramId>(i);
     Cycles conflicts = 0;
     for (LoopStatistics const& loop : statistics.loops)
         if (loop.limited_by == name_of(id))
             conflicts += loop.port_conflict_cycles;
-    auto const side = static_cast<std::uint64_t>(config.window);
-    std::uint64_t const bits = bits_of(id, config);
+    MemoryShape const memory = memory_shape(id, config);
     return {{"core", core},
             {"bram", name_of(id)},
-            {"words", bits > 0 ? side * side : 0},
-            {"bits", bits},
-            {"ports", config.bram(id).ports},
+            {"words", memory.words},
+            {"bits", memory.bits},
+            {"ports", memory.ports},
+            {"ramb36", ramb36_count(memory)},
             {"port_conflict_cycles", conflicts}};
 }
 

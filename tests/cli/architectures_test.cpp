@@ -54,6 +54,7 @@ TEST_CASE("The presets of the thesis's designs run, with their intervals and mem
         auto const object_map = row_of(summary["brams"], "bram", "object_map");
         CHECK(edge_map["bits"] == preset.edge_map_bits);
         CHECK(edge_map["words"] == (preset.edge_map_bits > 0 ? 32 * 32 : 0));
+        CHECK(edge_map["ramb36"] == (preset.edge_map_bits > 0 ? 0.5 : 0));
         CHECK(object_map["bits"] == preset.object_map_bits);
         CHECK(object_map["words"] == (preset.object_map_bits > 0 ? 32 * 32 : 0));
     }

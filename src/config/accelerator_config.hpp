@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "common/cycles.hpp"
+#include "common/edge_map_config.hpp"
 #include "common/fixed_point.hpp"
 #include "config/machine.hpp"
 
@@ -37,7 +38,7 @@ struct AcceleratorConfig {
     int window = 200;  ///< side of the square window [px]
     double clock_mhz = 200.0;
     FractionBits fraction_bits;
-    bool flush_last = false;  ///< edge_map.flush_last: run A.2's second iteration even after the end token
+    EdgeMapConfig edge_map;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();
     std::array<LoopConfig, loop_count> loops = default_loops();

@@ -77,13 +77,31 @@ void add_fraction_keys(Keys& keys) {
         [](auto& config) -> auto& { return config.accelerator.fraction_bits.depth_buffer; }));
 }
 
+template <class Field> Key threshold_key(std::string const& weight, std::string const& vertices, Field field) {
+    return number_key(
+        {"accelerator.edge_map.threshold_" + weight, "px^2",
+         "Algorithm threshold: how far from zero the edge value between vertices " + vertices + " may be at an edge.",
+         "thesis 5.1; value: this project"},
+        {0, std::numeric_limits<double>::infinity()}, field);
+}
+
 void add_edge_map_keys(Keys& keys) {
+    keys.push_back(choice_key(
+        {"accelerator.edge_map.algorithm", "",
+         "How edge tokens become a contour; the thesis ends with dual_map, its Appendix A.2.", "thesis 5, 4.1.2, 7.2"},
+        [](auto& config) -> auto& { return config.accelerator.edge_map.algorithm; }));
     keys.push_back(boolean_key(
         {"accelerator.edge_map.flush_last", "",
          "Whether the edge map builder finishes its last object token even after the end "
          "token, which thesis A.2 does not.",
          "SPEC 2"},
-        [](auto& config) -> auto& { return config.accelerator.flush_last; }));
+        [](auto& config) -> auto& { return config.accelerator.edge_map.flush_last; }));
+    keys.push_back(threshold_key(
+        "w0", "1 and 2", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[0]; }));
+    keys.push_back(threshold_key(
+        "w1", "2 and 0", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[1]; }));
+    keys.push_back(threshold_key(
+        "w2", "0 and 1", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[2]; }));
 }
 
 std::string write_latency_meaning(FifoId id) {

@@ -18,6 +18,16 @@ template <> struct EnumNames<FifoKind> {
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
 };
 
+template <> struct EnumNames<EdgeMapAlgorithm> {
+    static constexpr std::array<std::pair<EdgeMapAlgorithm, char const*>, 6> all{
+        {{EdgeMapAlgorithm::threshold, "threshold"},
+         {EdgeMapAlgorithm::transition, "transition"},
+         {EdgeMapAlgorithm::bounded, "bounded"},
+         {EdgeMapAlgorithm::dual_map, "dual_map"},
+         {EdgeMapAlgorithm::dual_map_4_1_2, "dual_map_4_1_2"},
+         {EdgeMapAlgorithm::inner_border, "inner_border"}}};
+};
+
 template <> struct EnumNames<Engine> {
     static constexpr std::array<std::pair<Engine, char const*>, 2> all{
         {{Engine::lockstep, "lockstep"}, {Engine::decoupled, "decoupled"}}};

@@ -6,8 +6,9 @@
 
 namespace faster::datapath {
 
-WindowSweep::WindowSweep(int window, int depth_fraction)
+WindowSweep::WindowSweep(int window, int depth_fraction, ContourDepth contour_depth)
     : window_(window),
+      contour_depth_(contour_depth),
       near_limit_(2U << depth_fraction),
       valid_limit_(3U << depth_fraction),
       // |difference| <= 1/128 m; below 7 fractional bits only equal codes are that close
@@ -69,17 +70,20 @@ void WindowSweep::sweep_row(std::size_t count, std::uint16_t const* depth, std::
     }
 }
 
-/// A contour pixel lies beside the object: it takes the depth of the first neighbour that is drawn.
+/// Beside the object a contour pixel takes the depth of the first neighbour that is drawn, or 0.
+unsigned WindowSweep::depth_of_edge(std::uint16_t const* depth) const {
+    if (contour_depth_ == ContourDepth::own)
+        return *depth;
+    for (std::ptrdiff_t const offset :
+         {std::ptrdiff_t{window_}, std::ptrdiff_t{-window_}, std::ptrdiff_t{1}, std::ptrdiff_t{-1}})
+        if (depth[offset] < near_limit_)
+            return depth[offset];
+    return 0;
+}
+
 void WindowSweep::count_edge(std::uint16_t const* depth, unsigned observed, bool observed_edge,
                              SampleCounters& counters) const {
-    std::ptrdiff_t const neighbours[] = {window_, -window_, 1, -1};
-    unsigned z = 0;
-    for (std::ptrdiff_t const offset : neighbours)
-        if (depth[offset] < near_limit_) {
-            z = depth[offset];
-            break;
-        }
-    if (!agrees(z, observed))
+    if (!agrees(depth_of_edge(depth), observed))
         return;
     counters.inlier += 1;
     counters.edge_inlier += observed_edge ? 1 : 0;

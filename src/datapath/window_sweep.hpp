@@ -6,11 +6,15 @@
 
 namespace faster::datapath {
 
+/// Whose depth a contour pixel is compared with: that of a drawn neighbour, as it lies beside the object (thesis A.3),
+/// or its own (7.2).
+enum class ContourDepth { neighbour, own };
+
 /// Thesis A.3's last loop: compares the drawn window with the observed one, pixel by pixel in row-major order, and
 /// counts (SPEC section 2, InlierUnit). Depths are codes with `depth_fraction` fractional bits.
 class WindowSweep {
   public:
-    WindowSweep(int window, int depth_fraction);
+    WindowSweep(int window, int depth_fraction, ContourDepth contour_depth = ContourDepth::neighbour);
 
     /// Goes over pixels [first, first + count) of the window, adding to `counters`. `edge`, `observed_depth` and
     /// `observed_edge` hold the tokens of these pixels; `depth_buffer` the whole window.
@@ -23,7 +27,10 @@ class WindowSweep {
                    std::uint16_t const* observed, std::uint8_t const* observed_edge, SampleCounters& counters) const;
     void count_edge(std::uint16_t const* depth, unsigned observed, bool observed_edge, SampleCounters& counters) const;
 
+    unsigned depth_of_edge(std::uint16_t const* depth) const;
+
     int window_;
+    ContourDepth contour_depth_;
     unsigned near_limit_;   ///< 2.0 m: depths below it count as drawn
     unsigned valid_limit_;  ///< 3.0 m
     unsigned tolerance_;    ///< 2/256 m, in codes

@@ -12,14 +12,14 @@
 namespace faster {
 
 namespace datapath {
-class EdgeMaps;
+class EdgeMapPolicy;
 }
 
 /// Sees what a sample left in the maps, before the next sample clears them. Called from the modules' processes.
 class SampleProbe {
   public:
     virtual ~SampleProbe() = default;
-    virtual void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) = 0;
+    virtual void edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) = 0;
     virtual void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) = 0;
 };
 

@@ -1,5 +1,9 @@
 #include "modules/core_shapes.hpp"
 
+#include <algorithm>
+
+#include "config/edge_map_design.hpp"
+
 namespace faster {
 
 namespace {
@@ -9,21 +13,25 @@ struct Access {
     std::uint64_t per_iteration;
 };
 
+std::vector<Access> to_maps(PerMap const& accesses) {
+    return {{BramId::edge_map, accesses.edge_map}, {BramId::object_map, accesses.object_map}};
+}
+
 /// SPEC section 3, "BRAM accesses per iteration": the worst branch, whatever the data.
-std::vector<Access> accesses_of(LoopId id) {
+std::vector<Access> accesses_of(LoopId id, EdgeMapDesign const& design) {
     switch (id) {
         case LoopId::edge_clear:
-            return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
+            return to_maps(design.clear);
         case LoopId::token:
-            return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+            return to_maps(design.token);
         case LoopId::output:
-            return {{BramId::edge_map, 1}};
+            return to_maps(design.output);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, 1}};
         case LoopId::fragment:
             return {{BramId::depth_buffer, 2}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, 5}};
+            return {{BramId::depth_buffer, design.sweep_reads}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -54,10 +62,13 @@ timing::FifoShape fifo_shape(FifoId id, AcceleratorConfig const& config) {
 }
 
 timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig const& config) {
+    EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
     std::vector<timing::BramDemand> demands;
-    for (Access const& access : accesses_of(id))
-        demands.push_back({name_of(access.bram), access.per_iteration, config.bram(access.bram).ports});
-    return timing::schedule(config.loop(id).ii, config.loop(id).recurrence_ii, demands);
+    for (Access const& access : accesses_of(id, design))
+        if (access.per_iteration > 0)
+            demands.push_back({name_of(access.bram), access.per_iteration, config.bram(access.bram).ports});
+    Cycles const recurrence = id == LoopId::token ? design.token_recurrence : 1;
+    return timing::schedule(config.loop(id).ii, std::max(config.loop(id).recurrence_ii, recurrence), demands);
 }
 
 timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config) {

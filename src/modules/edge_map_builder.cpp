@@ -12,7 +12,10 @@ bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 }  // namespace
 
 EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base), maps_(core.stimulus.window) {
+    : sc_module(name),
+      core_(core),
+      clock_(core.timing, basename(), core.time_base),
+      maps_(datapath::make_edge_map_policy(core.config.edge_map.algorithm, core.stimulus.window)) {
     SC_THREAD(run);
 }
 
@@ -30,15 +33,16 @@ void EdgeMapBuilder::run() {
         clock_.advance(1);
         clear();
         build();
+        maps_->finish();
         if (core_.probe != nullptr)
-            core_.probe->edge_maps_done(core_.first_sample + i, maps_);
+            core_.probe->edge_maps_done(core_.first_sample + i, *maps_);
         clock_.advance(1);
         output();
     }
 }
 
 void EdgeMapBuilder::clear() {
-    maps_.clear();
+    maps_->clear();
     clock_.enter_loop(clear_loop_);
     clock_.iterate(0, core_.window_pixels());
     clock_.leave_loop();
@@ -71,7 +75,6 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
         taken += count;
     }
     if (end < available) {
-        maps_.settle();
         take_last(current);
         taken += 1;
     }
@@ -82,19 +85,14 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 /// The iterations of `current` and of all but the last of `next`, told to the clock together: a bit each that says
 /// whether a second one followed.
 void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
-    std::uint32_t seconds = maps_.mark(current);
-    for (unsigned i = 1; i < count; ++i)
-        seconds |= maps_.mark(next[i - 1]) << i;
+    std::uint32_t const seconds = maps_->take(current, next, count);
     current = next[count - 1];
     clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
 }
 
 /// The last token before the end: its second iteration only runs if the configuration says so.
 void EdgeMapBuilder::take_last(EdgeToken const& current) {
-    bool const second = core_.config.flush_last && maps_.needs_second(current);
-    maps_.take(current);
-    if (second)
-        maps_.take_second(current);
+    bool const second = maps_->take_last(current, core_.config.edge_map.flush_last);
     clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
 }
 
@@ -103,10 +101,11 @@ void EdgeMapBuilder::output() {
     auto& out = channel_of(edge_map_out);
     std::size_t const pixels = core_.window_pixels();
     clock_.enter_loop(output_loop_);
+    clock_.iterate(0, maps_->output_lead());
     for (std::size_t done = 0; done < pixels;) {
         std::size_t const n = std::min(burst, pixels - done);
         out.await_room();
-        std::copy_n(maps_.edge() + done, n, out.reserve(n));
+        std::copy_n(maps_->edge() + done, n, out.reserve(n));
         out.commit(n);
         clock_.iterate(out.write_port(), n);
         done += n;

@@ -1,18 +1,19 @@
 #pragma once
+#include <memory>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
 #include "common/tokens.hpp"
-#include "datapath/edge_maps.hpp"
+#include "datapath/edge_map/edge_map_policy.hpp"
 #include "modules/core_context.hpp"
 
 namespace faster {
 
-/// Merges the edges of single triangles into the contour of the object, in two one-bit maps.
+/// Merges the edges of single triangles into the contour of the object, as accelerator.edge_map.algorithm says.
 ///   in    edge_token_in  object and edge pixels in any order, End per sample
 ///   out   edge_map_out   W x W bits per sample, row-major
-///   time  loop `clear`, loop `token` (an object pixel of the window takes two iterations), loop `output`
-/// Source: thesis 4.1.2, 5.4 and A.2; SPEC sections 2 and 3.
+///   time  loop `clear`, loop `token` (some tokens take two iterations), loop `output`
+/// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<EdgeToken> edge_token_in{"edge_token_in"};
@@ -34,7 +35,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
 
     CoreContext const& core_;
     ProcessClock clock_;
-    datapath::EdgeMaps maps_;
+    std::unique_ptr<datapath::EdgeMapPolicy> maps_;
     ClockedFifo<EdgeToken>* edge_token_ = nullptr;
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;

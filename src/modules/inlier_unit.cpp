@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "config/edge_map_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -12,7 +13,9 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
       core_(core),
       clock_(core.timing, basename(), core.time_base),
       depth_unit_(core.stimulus.fraction),
-      window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer),
+      window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer,
+                    contour_is_on_object(core.config.edge_map.algorithm) ? datapath::ContourDepth::own
+                                                                         : datapath::ContourDepth::neighbour),
       depth_buffer_(core.window_pixels(), far_depth_code) {
     SC_THREAD(run);
 }

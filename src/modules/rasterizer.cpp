@@ -14,7 +14,11 @@ int clamped_offset(std::int64_t offset) { return static_cast<int>(std::clamp<std
 }  // namespace
 
 Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    : sc_module(name),
+      core_(core),
+      clock_(core.timing, basename(), core.time_base),
+      sends_near_edges_(core.config.edge_map.algorithm == EdgeMapAlgorithm::threshold),
+      thresholds_(datapath::threshold_codes(core.config.edge_map.thresholds, core.stimulus.fraction.vertex_xy)) {
     SC_THREAD(run);
 }
 
@@ -50,7 +54,7 @@ void Rasterizer::run() {
             clock_.set_up();
             announce(setup);
             if (setup.drawn())
-                scan(setup);
+                sends_near_edges_ ? scan_near_edges(setup) : scan(setup);
         }
         end_sample();
     }
@@ -182,6 +186,43 @@ void Rasterizer::send_edge(int row, int col) {
     if (clock_.lockstep())
         hand_over();
     clock_.iterate(edge_port_, 1);
+}
+
+/// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
+void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {
+    clock_.enter_loop(scan_loop_);
+    begin_burst(setup);
+    datapath::NearEdgeScan scan(setup, thresholds_);
+    while (!scan.done())
+        send_near_edge_line(scan.next_line());
+    end_burst();
+    clock_.leave_loop();
+}
+
+void Rasterizer::send_near_edge_line(datapath::NearEdgeLine const& line) {
+    for (int pixel = 0; pixel < line.inside.pixels();) {
+        datapath::Stretch const stretch = line.stretch_from(pixel);
+        send_stretch(line.inside, stretch);
+        unsigned const fragment_ports = stretch.is_inside ? unsigned{fragment_ports_} & ~unsigned{edge_port_} : 0U;
+        unsigned const token_port = stretch.is_near ? edge_port_ : 0U;
+        clock_.iterate(static_cast<std::uint8_t>(fragment_ports | token_port),
+                       static_cast<std::uint64_t>(stretch.end - stretch.first));
+        pixel = stretch.end;
+    }
+}
+
+void Rasterizer::send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch) {
+    for (int pixel = stretch.first; pixel < stretch.end; ++pixel) {
+        EdgeToken const token = token_at(line.row, line.col(pixel), EdgeTokenKind::Edge);
+        if (stretch.is_inside) {
+            *burst_.depth++ = line.z_sum + (pixel - line.before) * line.z_sum_per_step;
+            *burst_.index++ = {token.row, token.col};
+        }
+        if (stretch.is_near)
+            *burst_.token++ = token;
+    }
+    if (clock_.lockstep())
+        hand_over();
 }
 
 /// Room for all that a scan may send: a fragment and an edge for every pixel of the box.

@@ -3,6 +3,7 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "common/tokens.hpp"
+#include "datapath/near_edge_scan.hpp"
 #include "datapath/zigzag_scan.hpp"
 #include "modules/core_context.hpp"
 
@@ -14,10 +15,11 @@ namespace faster {
 ///         command_out         Triangle per drawn triangle, Fragment per covered pixel, End per sample
 ///         fragment_depth_out  z sum of each fragment
 ///         fragment_index_out  its pixel in the window
-///         edge_token_out      object and edge pixels, End per sample
+///         edge_token_out      object and edge pixels (edge map algorithm threshold: pixels near an edge), End per
+///                             sample
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
 ///   iteration
-/// Source: thesis 4.1.1 and A.1; SPEC sections 2 and 3.
+/// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3.
 class Rasterizer : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};
@@ -44,6 +46,9 @@ class Rasterizer : public sc_core::sc_module {
     void send_run(datapath::ScanLine const& line);
     void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
     void send_edge(int row, int col);
+    void scan_near_edges(datapath::TriangleSetup const& setup);
+    void send_near_edge_line(datapath::NearEdgeLine const& line);
+    void send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch);
     void begin_burst(datapath::TriangleSetup const& setup);
     void hand_over();
     void end_burst();
@@ -52,6 +57,8 @@ class Rasterizer : public sc_core::sc_module {
 
     CoreContext const& core_;
     ProcessClock clock_;
+    bool sends_near_edges_;                   ///< thesis 5.1's edge tokens, not A.1's
+    std::array<std::int64_t, 3> thresholds_;  ///< in codes of edge values
     unsigned scan_loop_ = 0;
     // The clocked FIFOs behind the ports, for the scan's bursts.
     ClockedFifo<Command>* command_ = nullptr;

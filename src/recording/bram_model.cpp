@@ -1,10 +1,12 @@
 #include "recording/bram_model.hpp"
 
+#include "config/edge_map_design.hpp"
+
 namespace faster::recording {
 
 using Kind = Event::Kind;
 
-BramModel::BramModel(AcceleratorConfig const& config) : side_(config.window) {
+BramModel::BramModel(AcceleratorConfig const& config) : algorithm_(config.edge_map.algorithm), side_(config.window) {
     for (std::size_t i = 0; i < bram_count; ++i)
         ports_[i] = config.brams[i].ports;
 }
@@ -30,12 +32,13 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
 void BramModel::iterate(LoopId loop, Event const& event) {
     switch (loop) {
         case LoopId::edge_clear:
-            add(BramId::edge_map, true, event.value, event.cycle);
-            add(BramId::object_map, true, event.value, event.cycle);
+            if (design_of(algorithm_).clear.edge_map > 0)
+                add(BramId::edge_map, true, event.value, event.cycle);
+            if (design_of(algorithm_).clear.object_map > 0)
+                add(BramId::object_map, true, event.value, event.cycle);
             return;
         case LoopId::output:
-            add(BramId::edge_map, false, event.value, event.cycle);
-            return;
+            return output_iteration(event.value, event.cycle);
         case LoopId::depth_clear:
             add(BramId::depth_buffer, true, event.value, event.cycle);
             return;
@@ -57,19 +60,64 @@ void BramModel::token_iteration(Cycles cycle) {
     auto const& [row, col, kind] = token_;
     if (row < 0 || row >= side_ || col < 0 || col >= side_)
         return;
-    bool const is_first = cycle == token_read_;
+    switch (algorithm_) {
+        case EdgeMapAlgorithm::threshold:
+        case EdgeMapAlgorithm::transition:
+        case EdgeMapAlgorithm::bounded:
+            return single_map_token(cycle);
+        case EdgeMapAlgorithm::dual_map:
+        case EdgeMapAlgorithm::dual_map_4_1_2:
+            return dual_map_token(cycle == token_read_, cycle);
+        case EdgeMapAlgorithm::inner_border:
+            if (kind == static_cast<std::int64_t>(EdgeTokenKind::Object))
+                add(BramId::object_map, true, row, col, cycle);
+            return;
+    }
+}
+
+/// An edge token looks at its pixel and writes it; so does every token of `threshold`. An object token writes its
+/// pixel; in `bounded` it looks at the pixels above and below as well, and writes them.
+void BramModel::single_map_token(Cycles cycle) {
+    auto const& [row, col, kind] = token_;
+    bool const is_edge = kind == static_cast<std::int64_t>(EdgeTokenKind::Edge);
+    bool const looks_around = !is_edge && algorithm_ == EdgeMapAlgorithm::bounded;
+    if (is_edge)
+        add(BramId::edge_map, false, row, col, cycle);
+    for (std::int64_t const side : {1, -1})
+        if (looks_around)
+            add(BramId::edge_map, false, row + side, col, cycle);
+    add(BramId::edge_map, true, row, col, cycle);
+    for (std::int64_t const side : {1, -1})
+        if (looks_around)
+            add(BramId::edge_map, true, row + side, col, cycle);
+}
+
+void BramModel::dual_map_token(bool is_first, Cycles cycle) {
+    auto const& [row, col, kind] = token_;
+    bool const writes_first = algorithm_ == EdgeMapAlgorithm::dual_map_4_1_2;
     if (kind == static_cast<std::int64_t>(EdgeTokenKind::Edge)) {
         add(BramId::object_map, false, row, col, cycle);
         add(BramId::edge_map, true, row, col, cycle);
-    } else if (is_first) {
+        return;
+    }
+    if (is_first) {
         add(BramId::edge_map, true, row, col, cycle);
         add(BramId::object_map, false, row + 1, col, cycle);
         add(BramId::object_map, false, row - 1, col, cycle);
-    } else {
+    }
+    if (is_first == writes_first)
         add(BramId::object_map, true, row, col, cycle);
+    if (!is_first) {
         add(BramId::edge_map, true, row + 1, col, cycle);
         add(BramId::edge_map, true, row - 1, col, cycle);
     }
+}
+
+/// Iteration i sends pixel i; where the contour is taken from the object map, it reads a row ahead of what it sends.
+void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
+    BramId const map = design_of(algorithm_).output.edge_map > 0 ? BramId::edge_map : BramId::object_map;
+    if (iteration < side_ * side_)
+        add(map, false, iteration, cycle);
 }
 
 void BramModel::fragment_iteration(Cycles cycle) {
@@ -77,12 +125,16 @@ void BramModel::fragment_iteration(Cycles cycle) {
     add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
 }
 
-/// The pixel and its four neighbours; the border is skipped.
+/// The pixel and its four neighbours, or the pixel alone; the border is skipped.
 void BramModel::sweep_iteration(std::int64_t pixel, Cycles cycle) {
     std::int64_t const row = pixel / side_;
     std::int64_t const col = pixel % side_;
     if (row == 0 || col == 0 || row == side_ - 1 || col == side_ - 1)
         return;
+    if (contour_is_on_object(algorithm_)) {
+        add(BramId::depth_buffer, false, row, col, cycle);
+        return;
+    }
     for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
         add(BramId::depth_buffer, false, r, c, cycle);
 }

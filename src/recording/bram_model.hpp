@@ -15,7 +15,8 @@ struct BramAccess {
     std::uint64_t address = 0;
 };
 
-/// Which addresses the iterations of one core access, from the tokens its processes read (thesis A.2, A.3). Accesses of
+/// Which addresses the iterations of one core access, from the tokens its processes read (thesis chapter 5,
+/// A.2, A.3). Accesses of
 /// one iteration to one block RAM take its ports in turn, a cycle later where there are not enough.
 class BramModel {
   public:
@@ -28,11 +29,15 @@ class BramModel {
   private:
     void iterate(LoopId loop, Event const& event);
     void token_iteration(Cycles cycle);
+    void single_map_token(Cycles cycle);
+    void dual_map_token(bool is_first, Cycles cycle);
+    void output_iteration(std::int64_t iteration, Cycles cycle);
     void fragment_iteration(Cycles cycle);
     void sweep_iteration(std::int64_t pixel, Cycles cycle);
     void add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle);
     void add(BramId bram, bool writes, std::int64_t address, Cycles cycle);
 
+    EdgeMapAlgorithm algorithm_;
     std::int64_t side_;
     std::array<std::uint64_t, bram_count> ports_{};
     std::array<std::size_t, module_count> loop_{};

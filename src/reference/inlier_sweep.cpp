@@ -33,14 +33,16 @@ std::int64_t neighbour_depth(Image<std::uint16_t> const& depth, int row, int col
 
 }  // namespace
 
-void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, SampleCounters& counters) {
+void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, EdgeDepth edge_depth,
+           SampleCounters& counters) {
     Limits const limits(depth_fraction_bits);
     for (int row = 1; row < maps.edge_map.height() - 1; ++row) {
         for (int col = 1; col < maps.edge_map.width() - 1; ++col) {
             bool const edge = maps.edge_map.at(row, col) != 0;
             std::int64_t const seen = observed.depth.at(row, col);
-            std::int64_t const drawn =
-                edge ? neighbour_depth(maps.depth_buffer, row, col, limits) : maps.depth_buffer.at(row, col);
+            std::int64_t const drawn = edge && edge_depth == EdgeDepth::of_neighbour
+                                           ? neighbour_depth(maps.depth_buffer, row, col, limits)
+                                           : maps.depth_buffer.at(row, col);
             if (edge) {
                 ++counters.valid_edge;
             }

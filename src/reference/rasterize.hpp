@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "common/tokens.hpp"
@@ -48,6 +49,7 @@ class PixelWeights {
   public:
     PixelWeights(TriangleCode const& triangle, Pixel pixel, int xy_fraction_bits);
 
+    std::int64_t value(std::size_t i) const { return (i == 0 ? w0_ : i == 1 ? w1_ : w2_).value(); }
     bool inside() const { return w0_.value() >= 0 && w1_.value() >= 0 && w2_.value() >= 0; }
     std::int64_t z_sum() const { return w0_.value() * z0_ + w1_.value() * z1_ + w2_.value() * z2_; }
     void next_row() {
@@ -66,45 +68,31 @@ class PixelWeights {
     std::int64_t z0_, z1_, z2_;
 };
 
-/// Zig-zag scan of a triangle that is to be drawn. Tells `sink`, in the order of thesis A.1:
+/// Zig-zag scan of a triangle that is to be drawn, in the order of thesis A.1. Tells `sink`
 ///   fragment(Pixel, z_sum)  a covered pixel, its z sum not yet divided by the area
-///   object(Pixel)           edge token of a covered pixel
-///   edge(Pixel)             edge token of a pixel just before or just behind the triangle
-template <class Sink>
-void scan(TriangleCode const& triangle, PixelBounds const& bounds, int xy_fraction_bits, Sink& sink) {
+/// and what `tokens` makes of the pixel (edge_tokens.hpp):
+///   object(Pixel), edge(Pixel)
+template <class Tokens, class Sink>
+void scan(TriangleCode const& triangle, PixelBounds const& bounds, int xy_fraction_bits, Tokens& tokens, Sink& sink) {
     int const left_wall = bounds.col_min;
     int const right_wall = bounds.col_max + 1;
     Pixel pixel = start_pixel(triangle, xy_fraction_bits);
     PixelWeights weights(triangle, pixel, xy_fraction_bits);
     int direction = pixel.col == left_wall ? 1 : -1;
     int line_start = pixel.col;
-    // Neither is reset at a new line: the zig-zag goes on where it is.
-    Pixel previous = pixel;
-    bool previous_inside = weights.inside();
-    bool edge_pending = false;
-    Pixel pending_edge;
+    tokens.begin(pixel, weights);
 
     while (true) {
-        if (edge_pending) {  // A.1 spends an iteration on this
-            sink.edge(pending_edge);
-            edge_pending = false;
-        }
         bool const inside = weights.inside();
         if (inside) {
             sink.fragment(pixel, weights.z_sum());
-            sink.object(pixel);
-            edge_pending = !previous_inside;
-            pending_edge = previous;
-        } else if (previous_inside) {
-            sink.edge(pixel);
         }
-        previous = pixel;
-        previous_inside = inside;
+        tokens.visit(pixel, weights, inside, sink);
 
         bool const at_wall = pixel.col == left_wall || pixel.col == right_wall;
         if (at_wall && pixel.col != line_start) {
             if (pixel.row == bounds.row_max) {
-                return;  // a pending edge is lost, as in A.1
+                return;
             }
             ++pixel.row;
             weights.next_row();
@@ -119,8 +107,8 @@ void scan(TriangleCode const& triangle, PixelBounds const& bounds, int xy_fracti
 
 /// Draws one triangle into `sink` (SPEC section 2, rasterizer): `triangle(area code)`, then what scan() tells. Nothing
 /// at all if one of its corners is outside the image of width x height pixels or its area is not positive.
-template <class Sink>
-void rasterize(TriangleCode const& triangle, int width, int height, int xy_fraction_bits, Sink& sink) {
+template <class Tokens, class Sink>
+void rasterize(TriangleCode const& triangle, int width, int height, int xy_fraction_bits, Tokens& tokens, Sink& sink) {
     PixelBounds const bounds = bounds_of(triangle, xy_fraction_bits);
     if (bounds.row_min < 0 || bounds.col_min < 0 || bounds.row_max >= height || bounds.col_max >= width) {
         return;
@@ -130,7 +118,7 @@ void rasterize(TriangleCode const& triangle, int width, int height, int xy_fract
         return;
     }
     sink.triangle(area);
-    scan(triangle, bounds, xy_fraction_bits, sink);
+    scan(triangle, bounds, xy_fraction_bits, tokens, sink);
 }
 
 }  // namespace faster::reference

@@ -4,7 +4,13 @@
 #include <string>
 
 #include "common/input_error.hpp"
-#include "reference/edge_map_builder.hpp"
+#include "reference/edge_map/bounded.hpp"
+#include "reference/edge_map/dual_map.hpp"
+#include "reference/edge_map/dual_map_4_1_2.hpp"
+#include "reference/edge_map/inner_border.hpp"
+#include "reference/edge_map/threshold.hpp"
+#include "reference/edge_map/transition.hpp"
+#include "reference/edge_tokens.hpp"
 #include "reference/inlier_sweep.hpp"
 #include "reference/rasterize.hpp"
 
@@ -46,7 +52,7 @@ void check(Stimulus const& stimulus) {
 
 // Receives what the rasterizer finds, in image coordinates, and hands it on in those of the window. What lies outside
 // the window is dropped.
-class WindowSink {
+template <class EdgeMapBuilder> class WindowSink {
   public:
     WindowSink(WindowOffset offset, int window, FragmentDepth& fragment_depth, DepthBuffer& depth_buffer,
                EdgeMapBuilder& edge_map_builder)
@@ -95,8 +101,8 @@ class WindowSink {
 
 }  // namespace
 
-Scorer::Scorer(Stimulus const& stimulus, bool flush_last)
-    : stimulus_(stimulus), flush_last_(flush_last), fragment_depth_(stimulus.fraction) {
+Scorer::Scorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map)
+    : stimulus_(stimulus), edge_map_(edge_map), fragment_depth_(stimulus.fraction) {
     check(stimulus);
     int const window = stimulus.window;
     maps_ = {{window, window}, {window, window}, {window, window}};
@@ -107,19 +113,39 @@ Scorer::Scorer(Stimulus const& stimulus, bool flush_last)
 }
 
 SampleCounters Scorer::run(std::size_t sample) {
+    switch (edge_map_.algorithm) {
+        case EdgeMapAlgorithm::threshold:
+            return run_with<Threshold>(sample, NearEdgeTokens(edge_map_.thresholds, stimulus_.fraction.vertex_xy));
+        case EdgeMapAlgorithm::transition:
+            return run_with<Transition>(sample, TransitionTokens());
+        case EdgeMapAlgorithm::bounded:
+            return run_with<Bounded>(sample, TransitionTokens());
+        case EdgeMapAlgorithm::dual_map_4_1_2:
+            return run_with<DualMapFirstWrite>(sample, TransitionTokens());
+        case EdgeMapAlgorithm::inner_border:
+            return run_with<InnerBorder>(sample, TransitionTokens());
+        case EdgeMapAlgorithm::dual_map:
+            break;
+    }
+    return run_with<DualMap>(sample, TransitionTokens());
+}
+
+template <class Builder, class Tokens> SampleCounters Scorer::run_with(std::size_t sample, Tokens tokens) {
     WindowOffset const offset = window_offset(stimulus_.samples.at(sample), stimulus_.window);
     DepthBuffer depth_buffer(maps_.depth_buffer, stimulus_.fraction);
-    EdgeMapBuilder edge_map_builder(maps_.edge_map, maps_.object_map);
+    Builder edge_map_builder(maps_.edge_map, maps_.object_map);
     WindowSink sink(offset, stimulus_.window, fragment_depth_, depth_buffer, edge_map_builder);
     for (TriangleCode const& triangle : triangles_of(sample)) {
-        rasterize(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy, sink);
+        rasterize(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy, tokens, sink);
     }
-    edge_map_builder.end(flush_last_);
+    edge_map_builder.end(edge_map_.flush_last);
 
     SampleCounters counters;
     counters.valid_raster = depth_buffer.valid_raster();
     read_window(stimulus_, offset, observed_);
-    sweep(maps_, observed_, stimulus_.fraction.depth_buffer, counters);
+    EdgeDepth const edge_depth =
+        edge_map_.algorithm == EdgeMapAlgorithm::inner_border ? EdgeDepth::of_pixel : EdgeDepth::of_neighbour;
+    sweep(maps_, observed_, stimulus_.fraction.depth_buffer, edge_depth, counters);
     return counters;
 }
 

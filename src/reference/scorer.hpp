@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "common/edge_map_config.hpp"
 #include "common/sample_score.hpp"
 #include "common/stimulus.hpp"
 #include "reference/depth_buffer.hpp"
@@ -14,10 +15,10 @@ namespace faster::reference {
 /// kept between samples. The stimulus is held by reference and must not change.
 class Scorer {
   public:
-    /// `flush_last` is the key accelerator.edge_map.flush_last. Throws InputError if the stimulus does not hang
+    /// `edge_map`: the keys accelerator.edge_map.*. Throws InputError if the stimulus does not hang
     /// together (a window below 1 px, images of another size, a triangle range outside, poses missing) or its fraction
     /// bits need more than 128 bit arithmetic.
-    explicit Scorer(Stimulus const& stimulus, bool flush_last = false);
+    explicit Scorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map = {});
 
     /// Scores one sample; throws std::out_of_range if there is no such sample.
     SampleCounters run(std::size_t sample);
@@ -37,9 +38,10 @@ class Scorer {
     };
 
     TriangleRange triangles_of(std::size_t sample);
+    template <class Builder, class Tokens> SampleCounters run_with(std::size_t sample, Tokens tokens);
 
     Stimulus const& stimulus_;
-    bool flush_last_;
+    EdgeMapConfig edge_map_;
     FragmentDepth fragment_depth_;
     std::optional<VertexTransform> vertex_transform_;  // of a posed stimulus
     SampleMaps maps_;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/block_ram.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
@@ -18,21 +19,19 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
     return object;
 }
 
-/// Data width of each map [bits]: thesis A.2 (u1) and A.3 with SPEC section 2 (u11).
-int bits_of(BramId id) { return id == BramId::depth_buffer ? 11 : 1; }
-
 Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, CoreStatistics const& statistics) {
     auto const id = static_cast<BramId>(i);
     Cycles conflicts = 0;
     for (LoopStatistics const& loop : statistics.loops)
         if (loop.limited_by == name_of(id))
             conflicts += loop.port_conflict_cycles;
-    auto const side = static_cast<std::uint64_t>(config.window);
+    MemoryShape const memory = memory_shape(id, config);
     return {{"core", core},
             {"bram", name_of(id)},
-            {"words", side * side},
-            {"bits", bits_of(id)},
-            {"ports", config.bram(id).ports},
+            {"words", memory.words},
+            {"bits", memory.bits},
+            {"ports", memory.ports},
+            {"ramb36", ramb36_count(memory)},
             {"port_conflict_cycles", conflicts}};
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "datapath/edge_maps.hpp"
+#include "datapath/edge_map/edge_map_policy.hpp"
 #include "io/colour_png.hpp"
 #include "io/png_image.hpp"
 #include "io/sample_picture.hpp"
@@ -48,7 +48,7 @@ Image<Colour> depth_map_of(SampleMaps const& maps, int fraction_bits) {
 
 }  // namespace
 
-void SamplePictures::edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) {
+void SamplePictures::edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) {
     if (sample >= count_)
         return;
     maps_[sample].edge_map = picture_of(maps.edge(), maps.side());

@@ -8,6 +8,7 @@
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
 #include "tb/compare_command.hpp"
+#include "tb/edge_quality_command.hpp"
 #include "tb/run_command.hpp"
 #include "tb/show_command.hpp"
 
@@ -62,6 +63,28 @@ void add_compare(CLI::App& app, faster::CompareRequest& request) {
     command.add_option("--json", request.json, "Write the whole comparison to this file")->type_name("FILE");
 }
 
+void add_edge_quality(CLI::App& app, faster::EdgeQualityRequest& request) {
+    CLI::App& command = *app.add_subcommand(
+        "edge-quality", "Judge the edge maps of the algorithms by the exact contours of many random poses");
+    command.add_option("--poses", request.poses, "Poses per class")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    command.add_option("--seed", request.seed, "Seed of the poses")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--classes", request.classes, "Built-in objects, with commas between (all)")
+        ->type_name("NAMES")
+        ->delimiter(',');
+    command.add_option("--algorithms", request.algorithms, "Of accelerator.edge_map.algorithm, likewise (all)")
+        ->type_name("NAMES")
+        ->delimiter(',');
+    command
+        .add_option("--out", request.out, "Write quality.csv and pictures of the best and worst poses to this folder")
+        ->type_name("DIR");
+}
+
 void add_show(CLI::App& app, faster::ShowRequest& request) {
     CLI::App& command = *app.add_subcommand("show", "Print a small picture of one sample of an older run");
     command.add_option("folder", request.folder, "Results of faster-sim run --out DIR --images K")
@@ -85,11 +108,11 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "compare", "show", "keys"};
+    std::vector<std::string> const known{"run", "record", "compare", "edge-quality", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record, compare, show or keys{}", given,
+    return fmt::format("unknown command {}, expected run, record, compare, edge-quality, show or keys{}", given,
                        faster::did_you_mean(given, known));
 }
 
@@ -105,6 +128,8 @@ int run_tool(int argc, char** argv) {
     add_run(app, run_request);
     add_record(app, record_request);
     add_compare(app, compare_request);
+    faster::EdgeQualityRequest edge_quality_request;
+    add_edge_quality(app, edge_quality_request);
     faster::ShowRequest show_request;
     add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
@@ -123,6 +148,8 @@ int run_tool(int argc, char** argv) {
         return record(record_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
+    if (app.got_subcommand("edge-quality"))
+        return edge_quality(edge_quality_request);
     if (app.got_subcommand("show"))
         return show(show_request);
     if (run_request.images > 0 && run_request.out.empty() && run_request.report.empty())

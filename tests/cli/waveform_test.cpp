@@ -255,6 +255,29 @@ TEST_CASE("A waveform shows what was selected", "[vcd]") {
     CHECK(waves.text("a.stalls.txt").find("14 edge_token full\n") != std::string::npos);
 }
 
+TEST_CASE("A waveform shows the memory accesses of each edge map algorithm", "[vcd][edge_map]") {
+    // one_triangle: window 32, 15 object tokens and 5 edge tokens, none at the window's border; 15 fragments.
+    auto const accesses = [](std::string const& algorithm, std::string const& bram) {
+        Waves const waves;
+        require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-cores", "0", "--set",
+                                                "accelerator.edge_map.algorithm=" + algorithm}));
+        Vcd const vcd = waves.vcd("a.vcd");
+        return vcd.duration("core_0.bram_" + bram + ".port0_enable", 1) +
+               vcd.duration("core_0.bram_" + bram + ".port1_enable", 1);
+    };
+    std::uint64_t const clear_and_output = 2 * 1024;
+    CHECK(accesses("transition", "edge_map") == clear_and_output + 15 * 1 + 5 * 2);
+    CHECK(accesses("transition", "object_map") == 0);
+    CHECK(accesses("bounded", "edge_map") == clear_and_output + 15 * 5 + 5 * 2);
+    CHECK(accesses("dual_map", "edge_map") == clear_and_output + 15 * 3 + 5 * 1);
+    CHECK(accesses("dual_map", "object_map") == 1024 + 15 * 3 + 5 * 1);
+    CHECK(accesses("dual_map_4_1_2", "object_map") == 1024 + 15 * 3 + 5 * 1);
+    CHECK(accesses("inner_border", "edge_map") == 0);
+    CHECK(accesses("inner_border", "object_map") == clear_and_output + 15);
+    CHECK(accesses("inner_border", "depth_buffer") == 1024 + 15 * 2 + 30 * 30);
+    CHECK(accesses("dual_map", "depth_buffer") == 1024 + 15 * 2 + 5 * 30 * 30);
+}
+
 TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nanoseconds", "[vcd]") {
     Waves const waves;
     require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--set", "accelerator.clock_mhz=400"}));

@@ -135,6 +135,20 @@ TEST_CASE("Engines and twin agree: many cores, deep FIFOs, larger windows", "[en
     check_seeds(5000, 20, options);
 }
 
+TEST_CASE("Engines and twin agree: every edge map algorithm", "[engine_vs_twin][edge_map]") {
+    std::uint64_t seed = 7000;
+    for (EdgeMapAlgorithm const algorithm :
+         {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition, EdgeMapAlgorithm::bounded,
+          EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        TrialOptions options = small_windows();
+        options.config.algorithm = algorithm;
+        options.config.is_deadlock_free = seed % 200 == 0;
+        check_seeds(seed, 30, options);
+        seed += 100;
+    }
+}
+
 TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {
     for (int kind = 0; kind < triangle_kind_count; ++kind) {
         CAPTURE(kind);

@@ -39,6 +39,19 @@ TEST_CASE("Engines agree on meshes under the default machine", "[engines_on_mesh
     }
 }
 
+TEST_CASE("Engines agree on meshes with every edge map algorithm", "[engines_on_meshes][edge_map]") {
+    Stimulus const scene = scene_of("tomato_soup_can", 3);
+    for (EdgeMapAlgorithm const algorithm :
+         {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition, EdgeMapAlgorithm::bounded,
+          EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        AcceleratorConfig config;
+        config.raster_cores = 2;
+        config.edge_map.algorithm = algorithm;
+        check_engines(config, scene);
+    }
+}
+
 TEST_CASE("Engines agree on meshes under random machines", "[engines_on_meshes]") {
     std::array<Stimulus, 3> const scenes{scene_of("potted_meat_can", 3), scene_of("scissors", 3),
                                          scene_of("power_drill", 3)};

@@ -21,6 +21,11 @@ namespace {
 
 using workload::Random;
 
+/// Those that are not the default, which all other tests here use.
+constexpr EdgeMapAlgorithm other_algorithms[] = {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition,
+                                                 EdgeMapAlgorithm::bounded, EdgeMapAlgorithm::dual_map_4_1_2,
+                                                 EdgeMapAlgorithm::inner_border};
+
 /// Uniform over all rotations.
 Eigen::Matrix3d random_rotation(Random& random) {
     double const w = random.normal();
@@ -97,7 +102,7 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
     REQUIRE_FALSE(run.statistics.deadlocked());
     REQUIRE(run.statistics.samples.size() == stimulus.samples.size());
     REQUIRE(run.maps.size() == stimulus.samples.size());
-    reference::Scorer scorer(stimulus, config.flush_last);
+    reference::Scorer scorer(stimulus, config.edge_map);
     std::uint64_t drawn = 0;
     for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample) {
         CAPTURE(sample);
@@ -117,13 +122,15 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
 }
 
 /// Traces of `stimuli` seeds, `options.samples` each, under random machines; every tenth in lockstep as well.
-void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulusOptions options) {
+void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulusOptions options,
+                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map) {
     for (std::uint64_t seed = first_seed; seed < first_seed + stimuli; ++seed) {
         CAPTURE(seed);
         options.random_fraction_bits = seed % 2 == 1;
         Stimulus const stimulus = random_stimulus(seed, options);
         RandomConfigOptions machine;
         machine.cores = {1, 3};
+        machine.algorithm = algorithm;
         AcceleratorConfig const config = random_config(seed, machine);
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)
@@ -134,7 +141,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
 AcceleratorConfig machine_of_seed(std::uint64_t seed) {
     AcceleratorConfig config;
     config.raster_cores = 1 + seed % 3;
-    config.flush_last = seed % 2 == 1;
+    config.edge_map.flush_last = seed % 2 == 1;
     return config;
 }
 
@@ -185,6 +192,34 @@ TEST_CASE("Model and reference agree on random triangles in windows of 200", "[g
     options.samples = {4, 4};
     options.triangles = {0, 60};
     check_traces(30000, 10, options);
+}
+
+TEST_CASE("Model and reference agree with every edge map algorithm", "[golden][edge_map]") {
+    std::uint64_t seed = 40000;
+    for (EdgeMapAlgorithm const algorithm : other_algorithms) {
+        CAPTURE(static_cast<int>(algorithm));
+        RandomStimulusOptions options;
+        options.samples = {8, 8};
+        check_traces(seed, 40, options, algorithm);
+        options.window = {200, 200};
+        options.width = {160, 640};
+        options.height = {120, 480};
+        options.triangles = {0, 60};
+        check_traces(seed + 50, 2, options, algorithm);
+        seed += 100;
+    }
+}
+
+TEST_CASE("Model and reference agree on built-in classes with every edge map algorithm", "[golden][edge_map]") {
+    for (char const* const name : {"cracker_box", "banana", "tomato_soup_can", "mug", "scissors"}) {
+        Stimulus const stimulus = posed_stimulus(models::make(name), 10, 500);
+        for (EdgeMapAlgorithm const algorithm : other_algorithms) {
+            CAPTURE(name, static_cast<int>(algorithm));
+            AcceleratorConfig config = machine_of_seed(1);
+            config.edge_map.algorithm = algorithm;
+            CHECK(check_model(config, stimulus, Engine::decoupled) > 10 * 100);
+        }
+    }
 }
 
 TEST_CASE("Model and reference agree on scanned meshes", "[golden]") {

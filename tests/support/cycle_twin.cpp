@@ -96,20 +96,48 @@ struct BramUse {
     std::uint64_t accesses;
 };
 
-std::vector<BramUse> bram_uses(LoopId loop) {
+/// Reads and writes of the worst branch, counted from the thesis's pseudo code.
+std::vector<BramUse> token_uses(EdgeMapAlgorithm algorithm) {
+    switch (algorithm) {
+        case EdgeMapAlgorithm::threshold:
+        case EdgeMapAlgorithm::transition:
+            return {{BramId::edge_map, 2}};
+        case EdgeMapAlgorithm::bounded:
+            return {{BramId::edge_map, 5}};
+        case EdgeMapAlgorithm::dual_map:
+            break;
+        case EdgeMapAlgorithm::dual_map_4_1_2:
+            return {{BramId::edge_map, 2}, {BramId::object_map, 3}};
+        case EdgeMapAlgorithm::inner_border:
+            return {{BramId::object_map, 1}};
+    }
+    return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+}
+
+bool has_one_map(EdgeMapAlgorithm algorithm) {
+    return algorithm == EdgeMapAlgorithm::threshold || algorithm == EdgeMapAlgorithm::transition ||
+           algorithm == EdgeMapAlgorithm::bounded;
+}
+
+std::vector<BramUse> bram_uses(LoopId loop, EdgeMapAlgorithm algorithm) {
+    bool const is_inner = algorithm == EdgeMapAlgorithm::inner_border;
     switch (loop) {
         case LoopId::edge_clear:
+            if (is_inner)
+                return {{BramId::object_map, 1}};
+            if (has_one_map(algorithm))
+                return {{BramId::edge_map, 1}};
             return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
         case LoopId::token:
-            return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+            return token_uses(algorithm);
         case LoopId::output:
-            return {{BramId::edge_map, 1}};
+            return {{is_inner ? BramId::object_map : BramId::edge_map, 1}};
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, 1}};
         case LoopId::fragment:
             return {{BramId::depth_buffer, 2}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, 5}};
+            return {{BramId::depth_buffer, is_inner ? 1U : 5U}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -130,7 +158,7 @@ LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
     LoopConfig const& loop = config.loop(id);
     Cycles ports_ii = 0;
     std::string tightest;
-    for (BramUse const& use : bram_uses(id)) {
+    for (BramUse const& use : bram_uses(id, config.edge_map.algorithm)) {
         Cycles const demanded = ceil_div(use.accesses, config.bram(use.bram).ports);
         if (demanded > ports_ii) {
             ports_ii = demanded;
@@ -138,13 +166,16 @@ LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
         }
     }
     LoopRules rules;
-    Cycles const without_ports = std::max(loop.ii, loop.recurrence_ii);
+    // Thesis 5.4: one map, read after it was written; a write takes two cycles.
+    bool const reads_what_it_wrote = id == LoopId::token && has_one_map(config.edge_map.algorithm);
+    Cycles const recurrence_ii = std::max<Cycles>(loop.recurrence_ii, reads_what_it_wrote ? 2 : 1);
+    Cycles const without_ports = std::max(loop.ii, recurrence_ii);
     rules.ii = std::max(without_ports, ports_ii);
     rules.port_conflicts_per_iteration = ports_ii > without_ports ? ports_ii - without_ports : 0;
-    rules.recurrence_per_iteration = loop.recurrence_ii > loop.ii ? loop.recurrence_ii - loop.ii : 0;
+    rules.recurrence_per_iteration = recurrence_ii > loop.ii ? recurrence_ii - loop.ii : 0;
     if (ports_ii > without_ports) {
         rules.limited_by = tightest;
-    } else if (loop.recurrence_ii > loop.ii) {
+    } else if (recurrence_ii > loop.ii) {
         rules.limited_by = "recurrence";
     }
     return rules;

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "datapath/edge_maps.hpp"
+#include "datapath/edge_map/edge_map_policy.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "support/byte_stream.hpp"
@@ -25,7 +25,7 @@ class MapCollector : public SampleProbe {
   public:
     MapCollector(std::size_t samples, int window) : maps_(samples), window_(window) {}
 
-    void edge_maps_done(std::size_t sample, datapath::EdgeMaps const& maps) override {
+    void edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) override {
         maps_[sample].edge_map = picture(maps.edge());
         maps_[sample].object_map = picture(maps.object());
     }

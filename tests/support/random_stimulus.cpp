@@ -333,7 +333,7 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     Dice dice(seed);
     AcceleratorConfig config;
     config.raster_cores = static_cast<std::uint64_t>(dice.in(options.cores));
-    config.flush_last = dice.one_in(2);
+    config.edge_map.flush_last = dice.one_in(2);
     config.setup_depth = static_cast<Cycles>(dice.between(1, 16));
     for (BramConfig& bram : config.brams) {
         bram.ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
@@ -362,6 +362,10 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     draw_latency(FifoId::observed_depth, LoopId::read);
     draw_latency(FifoId::observed_edge, LoopId::read);
     config.fifo(FifoId::area_reciprocal).write_latency = static_cast<Cycles>(dice.between(0, dice.one_in(2) ? 1 : 40));
+    config.edge_map.algorithm = options.algorithm;
+    for (double& threshold : config.edge_map.thresholds) {
+        threshold = dice.one_in(4) ? 0.0 : dice.between(0, 120) / 8.0;
+    }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);

@@ -51,13 +51,14 @@ struct RandomConfigOptions {
     Cycles max_target_ii = 4;
     Cycles max_recurrence_ii = 4;
     std::uint64_t max_ports = 3;
+    EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
     /// Makes the FIFOs that are written and read side by side (command, fragment_depth, fragment_index; observed_depth,
     /// observed_edge) deep enough for their write latencies; else many a configuration deadlocks, as it should.
     bool is_deadlock_free = true;
 };
 
-/// A valid configuration of every timing key. Window and fraction bits stay at their defaults: with a trace they are
-/// the trace's, so a caller copies them from its stimulus.
+/// A valid configuration of every timing key, and of the edge map's thresholds. Window and fraction bits stay at their
+/// defaults: with a trace they are the trace's, so a caller copies them from its stimulus.
 AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& options = {});
 
 }  // namespace faster::testing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "common/fixed_point.hpp"
 #include "common/image.hpp"
@@ -35,8 +36,9 @@ struct Fragment {
 /// Rasterizer (A.1): one object per sample, draws triangle after triangle.
 class Scanner {
   public:
-    Scanner(Stimulus const& stimulus, SampleInput const& sample)
+    Scanner(Stimulus const& stimulus, SampleInput const& sample, EdgeMapConfig const& edge_map)
         : stimulus_(stimulus),
+          edge_map_(edge_map),
           pixel_(std::int64_t{1} << stimulus.fraction.vertex_xy),
           row_offset_(sample.centre_row - stimulus.window / 2),
           col_offset_(sample.centre_col - stimulus.window / 2) {}
@@ -93,7 +95,11 @@ class Scanner {
                 iteration.sends_fragment = true;
                 ++result.fragments;
             }
-            if (inside && !prev_inside) {
+            if (edge_map_.algorithm == EdgeMapAlgorithm::threshold) {
+                if (is_near_edge(v, r, c)) {
+                    send_edge_token(relative(r, c), false, iteration);
+                }
+            } else if (inside && !prev_inside) {
                 send_edge_token(relative(r, c), true, iteration);
                 pending = relative(prev_r, prev_c);
                 is_pending = true;
@@ -146,6 +152,22 @@ class Scanner {
         return edge_value(v[1], v[2], p) >= 0 && edge_value(v[2], v[0], p) >= 0 && edge_value(v[0], v[1], p) >= 0;
     }
 
+    /// Thesis 5.1: in the triangle or at most the thresholds beyond its edges, but not further inside than they all.
+    bool is_near_edge(Point const (&v)[3], int r, int c) const {
+        Point const p{c * pixel_, r * pixel_};
+        bool is_far_inside = true;
+        for (int i = 0; i < 3; ++i) {
+            double const pixels = static_cast<double>(edge_value(v[(i + 1) % 3], v[(i + 2) % 3], p)) /
+                                  static_cast<double>(pixel_ * pixel_);
+            double const threshold = edge_map_.thresholds[static_cast<std::size_t>(i)];
+            if (pixels < -threshold) {
+                return false;
+            }
+            is_far_inside = is_far_inside && pixels > threshold;
+        }
+        return !is_far_inside;
+    }
+
     std::int64_t depth_at(TriangleCode const& triangle, Point const (&v)[3], std::int64_t area_code, int r,
                           int c) const {
         FractionBits const& bits = stimulus_.fraction;
@@ -159,6 +181,7 @@ class Scanner {
     }
 
     Stimulus const& stimulus_;
+    EdgeMapConfig const& edge_map_;
     std::int64_t const pixel_;  ///< code of one pixel
     int const row_offset_;
     int const col_offset_;
@@ -214,9 +237,117 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
     return edge;
 }
 
+/// The designs of thesis 5.1 to 5.3 as printed: one map of 0 unknown, 1 edge, 2 no edge.
+Image<std::uint8_t> build_single_map(std::vector<TwinEdgeToken> const& tokens, int window, EdgeMapAlgorithm algorithm) {
+    Image<std::uint8_t> map(window, window, 0);
+    auto const set_edge = [&map](int row, int col) {
+        if (map.contains(row, col) && map.at(row, col) != 2) {
+            map.at(row, col) = 1;
+        }
+    };
+    for (TwinEdgeToken const& token : tokens) {
+        auto const [row, col] = token.pixel;
+        if (!map.contains(row, col)) {
+            continue;
+        }
+        if (algorithm == EdgeMapAlgorithm::threshold) {
+            map.at(row, col) = map.at(row, col) == 0 ? 1 : 2;
+        } else if (!token.is_object) {
+            set_edge(row, col);
+        } else {
+            map.at(row, col) = 2;
+            if (algorithm == EdgeMapAlgorithm::bounded) {
+                set_edge(row + 1, col);
+                set_edge(row - 1, col);
+            }
+        }
+    }
+    for (std::uint8_t& pixel : map.pixels()) {
+        pixel = pixel == 1 ? 1 : 0;
+    }
+    return map;
+}
+
+/// Thesis 4.1.2: the object bit at once, the edges above and below in an iteration of their own if there are any.
+Image<std::uint8_t> build_first_write(std::vector<TwinEdgeToken> const& tokens, int window, bool flush_last,
+                                      std::vector<bool>& iteration_reads) {
+    Image<std::uint8_t> edge(window, window, 0);
+    Image<std::uint8_t> object(window, window, 0);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        auto const [row, col] = tokens[i].pixel;
+        iteration_reads.push_back(true);
+        if (!edge.contains(row, col)) {
+            continue;
+        }
+        if (!tokens[i].is_object) {
+            edge.at(row, col) = object.at(row, col) != 0 ? edge.at(row, col) : std::uint8_t{1};
+            continue;
+        }
+        object.at(row, col) = 1;
+        edge.at(row, col) = 0;
+        bool const edge_down = row + 1 < window && object.at(row + 1, col) == 0;
+        bool const edge_up = row > 0 && object.at(row - 1, col) == 0;
+        if ((!edge_down && !edge_up) || (i + 1 == tokens.size() && !flush_last)) {
+            continue;
+        }
+        iteration_reads.push_back(false);
+        if (edge_down) {
+            edge.at(row + 1, col) = 1;
+        }
+        if (edge_up) {
+            edge.at(row - 1, col) = 1;
+        }
+    }
+    return edge;
+}
+
+/// Thesis 7.2: covered pixels of which a neighbour in the window is not covered.
+Image<std::uint8_t> build_inner_border(std::vector<TwinEdgeToken> const& tokens, int window) {
+    Image<std::uint8_t> object(window, window, 0);
+    for (TwinEdgeToken const& token : tokens) {
+        if (token.is_object && object.contains(token.pixel.row, token.pixel.col)) {
+            object.at(token.pixel.row, token.pixel.col) = 1;
+        }
+    }
+    Image<std::uint8_t> edge(window, window, 0);
+    for (int row = 0; row < window; ++row) {
+        for (int col = 0; col < window; ++col) {
+            for (auto const& [down, right] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                bool const is_bare =
+                    object.contains(row + down, col + right) && object.at(row + down, col + right) == 0;
+                if (object.at(row, col) != 0 && is_bare) {
+                    edge.at(row, col) = 1;
+                }
+            }
+        }
+    }
+    return edge;
+}
+
+/// By the configured algorithm; also sets what its loops take.
+Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, EdgeMapConfig const& config,
+                          TwinSampleFunction& result) {
+    switch (config.algorithm) {
+        case EdgeMapAlgorithm::dual_map:
+            return build_edge_map(tokens, window, config.flush_last, result.token_iteration_reads);
+        case EdgeMapAlgorithm::dual_map_4_1_2:
+            return build_first_write(tokens, window, config.flush_last, result.token_iteration_reads);
+        case EdgeMapAlgorithm::inner_border:
+            result.token_iteration_reads.assign(tokens.size(), true);
+            result.output_lead = static_cast<std::size_t>(window);
+            return build_inner_border(tokens, window);
+        case EdgeMapAlgorithm::threshold:
+        case EdgeMapAlgorithm::transition:
+        case EdgeMapAlgorithm::bounded:
+            break;
+    }
+    result.token_iteration_reads.assign(tokens.size(), true);
+    return build_single_map(tokens, window, config.algorithm);
+}
+
 /// InlierUnit (A.3).
 SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::vector<Fragment> const& fragments,
-                     Image<std::uint8_t> const& edge_map) {
+                     Image<std::uint8_t> const& edge_map, bool edge_has_depth) {
     int const window = stimulus.window;
     int const buffer_bits = stimulus.fraction.depth_buffer;
     int const fragment_bits = stimulus.fraction.fragment_depth;
@@ -251,6 +382,8 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
             int z = 0;
             if (edge) {
                 ++counters.valid_edge;
+            }
+            if (edge && !edge_has_depth) {
                 for (int const neighbour :
                      {buffer.at(r + 1, c), buffer.at(r - 1, c), buffer.at(r, c + 1), buffer.at(r, c - 1)}) {
                     if (neighbour < two) {
@@ -278,16 +411,16 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
 
 }  // namespace
 
-TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, bool flush_last) {
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map) {
     SampleInput const& input = stimulus.samples.at(sample);
     TwinSampleFunction result;
-    Scanner scanner(stimulus, input);
+    Scanner scanner(stimulus, input, edge_map);
     for (std::uint32_t i = 0; i < input.triangle_count; ++i) {
         result.triangles.push_back(scanner.draw(stimulus.triangles.at(input.first_triangle + i)));
     }
-    Image<std::uint8_t> const edge_map =
-        build_edge_map(scanner.edge_tokens(), stimulus.window, flush_last, result.token_iteration_reads);
-    result.counters = score(stimulus, input, scanner.fragments(), edge_map);
+    Image<std::uint8_t> const edges = build(scanner.edge_tokens(), stimulus.window, edge_map, result);
+    result.counters =
+        score(stimulus, input, scanner.fragments(), edges, edge_map.algorithm == EdgeMapAlgorithm::inner_border);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/edge_map_config.hpp"
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
 
@@ -37,11 +38,11 @@ struct TwinTriangle {
 /// control flow of section 3.
 struct TwinSampleFunction {
     std::vector<TwinTriangle> triangles;
-    std::vector<bool>
-        token_iteration_reads;  ///< one per iteration of the token loop; false for A.2's second iterations
+    std::vector<bool> token_iteration_reads;  ///< one per iteration of the token loop; false for second iterations
+    std::size_t output_lead = 0;              ///< iterations of the output loop before it sends the first bit
     SampleCounters counters;
 };
 
-TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, bool flush_last);
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map);
 
 }  // namespace faster::testing

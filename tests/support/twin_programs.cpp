@@ -110,7 +110,9 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, std::size_t pixel
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
     pass(program, 1);
-    uniform_loop(program, LoopId::output, {write_of(FifoId::edge_map)}, pixels);
+    std::vector<std::uint8_t> output(sample.output_lead, 0);
+    output.insert(output.end(), pixels, 1);
+    loop(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
     return program;
 }
 
@@ -155,7 +157,7 @@ TwinProgram result_collector() {
 }  // namespace
 
 TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample) {
-    TwinSampleFunction const function = evaluate_sample(stimulus, sample, config.flush_last);
+    TwinSampleFunction const function = evaluate_sample(stimulus, sample, config.edge_map);
     std::size_t const side = static_cast<std::size_t>(stimulus.window);
     std::size_t const pixels = side * side;
 

@@ -148,7 +148,7 @@ simulation: {engine: lockstep}
                                  .config;
     CHECK(config.accelerator.raster_cores == 3);
     CHECK(config.accelerator.clock_mhz == 250.0);
-    CHECK(config.accelerator.flush_last);
+    CHECK(config.accelerator.edge_map.flush_last);
     CHECK(config.accelerator.fifo(faster::FifoId::area).depth == 16);
     CHECK(config.accelerator.fifo(faster::FifoId::area).kind == faster::FifoKind::memory);
     CHECK(config.accelerator.fifo(faster::FifoId::area_reciprocal).write_latency == 50);
@@ -339,7 +339,8 @@ TEST_CASE("An object of the scene has a class, a place and nothing unknown", "[c
 
 TEST_CASE("A section is a map and a key is not", "[config][errors]") {
     CHECK(file_error("accelerator:\n  edge_map: true\n") ==
-          "test.yaml:2: accelerator.edge_map = true, expected a map with flush_last");
+          "test.yaml:2: accelerator.edge_map = true, expected a map with algorithm, flush_last, "
+          "threshold_w0, threshold_w1, threshold_w2");
     CHECK(file_error("accelerator:\n  window: {size: 3}\n") ==
           "test.yaml:2: accelerator.window = a map, expected an integer from 1 to 4096");
     CHECK(file_error("- accelerator\n") ==

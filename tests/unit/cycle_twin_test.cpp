@@ -191,7 +191,7 @@ TEST_CASE("One small triangle, token by token", "[cycle_twin]") {
 
 TEST_CASE("flush_last runs the second iteration that the end token cuts off", "[cycle_twin]") {
     AcceleratorConfig config = one_core();
-    config.flush_last = true;
+    config.edge_map.flush_last = true;
     TwinResult const result = run_twin(config, one_small_triangle());
     // The 7th iteration starts at 102: the token loop ends at 106 instead of 105, still in time for the sweep.
     CHECK(loop_of(result, LoopId::token).iterations == 7);
@@ -334,7 +334,7 @@ TEST_CASE("Timing never changes the counters", "[cycle_twin]") {
         Stimulus const stimulus = random_stimulus(seed, options);
         AcceleratorConfig config = random_config(seed);
         AcceleratorConfig defaults;
-        defaults.flush_last = config.flush_last;
+        defaults.edge_map.flush_last = config.edge_map.flush_last;
         TwinResult const slow = run_twin(config, stimulus);
         TwinResult const fast = run_twin(defaults, stimulus);
         REQUIRE(slow.samples.size() == fast.samples.size());

@@ -11,7 +11,8 @@
 
 #include "common/input_error.hpp"
 #include "reference/depth_buffer.hpp"
-#include "reference/edge_map_builder.hpp"
+#include "reference/edge_map/dual_map.hpp"
+#include "reference/edge_tokens.hpp"
 #include "reference/inlier_sweep.hpp"
 #include "reference/observed_window.hpp"
 #include "reference/rasterize.hpp"
@@ -53,7 +54,8 @@ VertexCode vertex(int x, int y, int z = 16384) {
 
 Recorder draw(TriangleCode const& triangle, int width = 20, int height = 20, int fraction_bits = 4) {
     Recorder recorder;
-    reference::rasterize(triangle, width, height, fraction_bits, recorder);
+    reference::TransitionTokens tokens;
+    reference::rasterize(triangle, width, height, fraction_bits, tokens, recorder);
     return recorder;
 }
 
@@ -214,7 +216,7 @@ TEST_CASE("An object token marks its pixel and those above and below that are no
           "[reference][edge_map]") {
     Image<std::uint8_t> edges{4, 3};
     Image<std::uint8_t> objects{4, 3};
-    reference::EdgeMapBuilder builder(edges, objects);
+    reference::DualMap builder(edges, objects);
     builder.object(1, 1);
     CHECK(objects.at(1, 1) == 0);  // only its second iteration marks it
     builder.next_token();
@@ -236,7 +238,7 @@ TEST_CASE("An object token marks its pixel and those above and below that are no
 TEST_CASE("Objects in the first and last line have no neighbour beyond", "[reference][edge_map]") {
     Image<std::uint8_t> edges{2, 1};
     Image<std::uint8_t> objects{2, 1};
-    reference::EdgeMapBuilder builder(edges, objects);
+    reference::DualMap builder(edges, objects);
     builder.object(0, 0);
     builder.next_token();
     CHECK(edges.pixels() == std::vector<std::uint8_t>{0, 1});
@@ -278,7 +280,9 @@ TEST_CASE("The last object's second iteration runs only with flush_last", "[refe
     CHECK(plain.object_map.at(2, 1) == 0);
     CHECK(plain.edge_map.at(2, 1) == 0);  // its first iteration did clear what O(1,1) had marked
     CHECK(plain.edge_map.at(3, 1) == 0);
-    SampleMaps const flushed = reference::Scorer(stimulus, true).score(0).maps;
+    EdgeMapConfig flushing;
+    flushing.flush_last = true;
+    SampleMaps const flushed = reference::Scorer(stimulus, flushing).score(0).maps;
     CHECK(flushed.object_map.at(2, 1) == 1);
     CHECK(flushed.edge_map.at(3, 1) == 1);
 }
@@ -395,6 +399,24 @@ TEST_CASE("With few bits in the depth buffer the threshold of 2/256 m is still e
     CHECK(counters_of(stimulus).inlier == 0);
 }
 
+TEST_CASE("An edge pixel on the object takes its own depth", "[reference][inlier]") {
+    SampleMaps maps{{3, 3}, {3, 3}, {3, 3, 600}};
+    maps.edge_map.at(1, 1) = 1;
+    maps.depth_buffer.at(1, 1) = 500;
+    reference::ObservedWindow observed{{3, 3}, {3, 3}};
+    observed.edges.at(1, 1) = 1;
+    auto const counted = [&](std::uint16_t depth) {
+        observed.depth.at(1, 1) = depth;
+        SampleCounters counters;
+        reference::sweep(maps, observed, 9, reference::EdgeDepth::of_pixel, counters);
+        return counters;
+    };
+    CHECK(counted(504) == SampleCounters{0, 1, 1, 1, 1});
+    CHECK(counted(600) == SampleCounters{0, 1, 0, 1, 0});
+    maps.depth_buffer.at(1, 1) = far_depth_code;  // covered, but too far to be drawn
+    CHECK(counted(0) == SampleCounters{0, 1, 0, 1, 0});
+}
+
 TEST_CASE("An edge pixel takes the depth of the first drawn neighbour: below, above, right, left",
           "[reference][inlier]") {
     // One pixel inside the border, an edge. Its neighbours differ by more than the threshold of 4 codes.
@@ -404,7 +426,7 @@ TEST_CASE("An edge pixel takes the depth of the first drawn neighbour: below, ab
     auto const inliers_at = [&](std::uint16_t depth) {
         observed.depth.at(1, 1) = depth;
         SampleCounters counters;
-        reference::sweep(maps, observed, 9, counters);
+        reference::sweep(maps, observed, 9, reference::EdgeDepth::of_neighbour, counters);
         return counters.inlier;
     };
     maps.depth_buffer.at(1, 1) = 500;  // its own depth does not count

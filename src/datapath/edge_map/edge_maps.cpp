@@ -1,4 +1,4 @@
-#include "datapath/edge_maps.hpp"
+#include "datapath/edge_map/edge_maps.hpp"
 
 #include <algorithm>
 

@@ -1,24 +1,15 @@
 #pragma once
-#include <algorithm>
-#include <cstdint>
-
-#include "common/image.hpp"
+#include "reference/edge_map/edge_map_builder.hpp"
 
 namespace faster::reference {
 
-/// Turns the edge tokens of one sample into its edge map (SPEC section 2, EdgeMapBuilder; thesis A.2). Works on two
-/// W x W maps of the caller, which it clears. Rows and columns are those of the window and lie inside it.
-///
-/// An object token takes two iterations in A.2: the first clears its edge bit and looks at the pixels above and below,
-/// the second sets bits. The second runs before the next token is looked at, wherever that token lies: so every token,
-/// also one outside the window, is announced by next_token().
-class EdgeMapBuilder {
+/// Thesis 5.4 and A.2, the default (SPEC section 2, EdgeMapBuilder). An object token takes two iterations: the first
+/// clears its edge bit and looks at the pixels above and below, the second sets bits. The second runs before the next
+/// token is looked at, wherever that token lies: so every token, also one outside the window, is announced by
+/// next_token().
+class DualMap : public EdgeMapBuilder {
   public:
-    EdgeMapBuilder(Image<std::uint8_t>& edge_map, Image<std::uint8_t>& object_map)
-        : edge_map_(edge_map), object_map_(object_map) {
-        std::fill(edge_map_.pixels().begin(), edge_map_.pixels().end(), std::uint8_t{0});
-        std::fill(object_map_.pixels().begin(), object_map_.pixels().end(), std::uint8_t{0});
-    }
+    DualMap(Image<std::uint8_t>& edge_map, Image<std::uint8_t>& object_map) : EdgeMapBuilder(edge_map, object_map) {}
 
     void next_token() {
         if (!second_due_) {
@@ -57,8 +48,6 @@ class EdgeMapBuilder {
     }
 
   private:
-    Image<std::uint8_t>& edge_map_;
-    Image<std::uint8_t>& object_map_;
     bool second_due_ = false;
     bool above_due_ = false;
     bool below_due_ = false;

@@ -1,0 +1,73 @@
+#include "config/block_ram.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "config/edge_map_design.hpp"
+
+namespace faster {
+namespace {
+
+constexpr std::uint64_t ports_per_primitive = 2;
+
+/// Words and bits of a primitive in one of its shapes.
+struct PrimitiveShape {
+    std::uint64_t words;
+    std::uint64_t bits;
+};
+
+constexpr std::array<PrimitiveShape, 6> ramb36_shapes{
+    {{32768, 1}, {16384, 2}, {8192, 4}, {4096, 9}, {2048, 18}, {1024, 36}}};
+constexpr std::array<PrimitiveShape, 5> ramb18_shapes{{{16384, 1}, {8192, 2}, {4096, 4}, {2048, 9}, {1024, 18}}};
+
+constexpr std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
+
+/// Primitives for one bank in the shape that takes fewest.
+template <class Shapes> std::uint64_t fewest(std::uint64_t words, std::uint64_t bits, Shapes const& shapes) {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    for (PrimitiveShape const& shape : shapes) {
+        least = std::min(least, divided_up(words, shape.words) * divided_up(bits, shape.bits));
+    }
+    return least;
+}
+
+double ramb36_of_bank(std::uint64_t words, std::uint64_t bits) {
+    return fewest(words, bits, ramb18_shapes) == 1 ? 0.5 : static_cast<double>(fewest(words, bits, ramb36_shapes));
+}
+
+/// Thesis A.2 (u1), 5.1 (u2); A.3 with SPEC section 2 (u11).
+std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
+    PerMap const& bits = design_of(config.edge_map.algorithm).bits;
+    switch (id) {
+        case BramId::edge_map:
+            return bits.edge_map;
+        case BramId::object_map:
+            return bits.object_map;
+        case BramId::depth_buffer:
+            break;
+    }
+    return 11;
+}
+
+}  // namespace
+
+MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
+    auto const side = static_cast<std::uint64_t>(config.window);
+    MemoryShape memory;
+    memory.bits = bits_of(id, config);
+    memory.words = memory.bits > 0 ? side * side : 0;
+    memory.ports = config.bram(id).ports;
+    return memory;
+}
+
+double ramb36_count(MemoryShape const& memory) {
+    if (memory.words == 0 || memory.bits == 0) {
+        return 0;
+    }
+    std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
+    double const banks = static_cast<double>(copies * memory.partition);
+    return banks * ramb36_of_bank(divided_up(memory.words, memory.partition), memory.bits);
+}
+
+}  // namespace faster

@@ -1,0 +1,35 @@
+#pragma once
+#include "datapath/edge_map/edge_map_policy.hpp"
+#include "datapath/edge_map/edge_maps.hpp"
+
+namespace faster::datapath {
+
+/// Thesis 5.4 and A.2, the default: contour and object in a map each, and a second iteration for every object token of
+/// the window (SPEC section 2, EdgeMapBuilder).
+class DualMap final : public EdgeMapPolicy {
+  public:
+    explicit DualMap(int window) : EdgeMapPolicy(window), maps_(window) {}
+
+    void clear() override { maps_.clear(); }
+
+    std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) override {
+        return take_each(first, rest, count, [this](EdgeToken const& token) { return maps_.mark(token); });
+    }
+
+    bool take_last(EdgeToken const& token, bool flush_last) override {
+        maps_.settle();
+        maps_.take(token);
+        bool const second = flush_last && maps_.needs_second(token);
+        if (second)
+            maps_.take_second(token);
+        return second;
+    }
+
+    std::uint8_t const* edge() const override { return maps_.edge(); }
+    std::uint8_t const* object() const override { return maps_.object(); }
+
+  private:
+    EdgeMaps maps_;
+};
+
+}  // namespace faster::datapath

@@ -1,0 +1,69 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "common/edge_map_config.hpp"
+#include "common/tokens.hpp"
+
+namespace faster::datapath {
+
+/// One way to turn the edge tokens of a sample into its edge map. A policy says what the tokens do to its maps, and how
+/// many iterations of the token loop that takes; how long an iteration takes is not its business.
+///
+/// Per sample: clear(); take() for any tokens but the last; take_last(), unless there are none; finish(). Then edge()
+/// and object() hold, until the next clear(). Tokens outside the window take an iteration and do nothing.
+class EdgeMapPolicy {
+  public:
+    /// `window`: side of the maps [px]
+    explicit EdgeMapPolicy(int window) : side_(static_cast<unsigned>(window)) {}
+    virtual ~EdgeMapPolicy() = default;
+    EdgeMapPolicy(EdgeMapPolicy const&) = delete;
+    EdgeMapPolicy& operator=(EdgeMapPolicy const&) = delete;
+
+    virtual void clear() = 0;
+
+    /// All iterations of `count` tokens, 1 to 32: `first`, then rest[0] to rest[count - 2]. Bit i of the result says
+    /// that the i-th token took a second iteration, one that consumes no token.
+    virtual std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) = 0;
+
+    /// The iterations of the last token. The end token is read while it is consumed, and thesis A.2 leaves the loop
+    /// with it: a second iteration only runs with `flush_last`. True if there was one.
+    virtual bool take_last(EdgeToken const& token, bool flush_last) = 0;
+
+    /// Called once after all tokens, before anybody looks at the maps.
+    virtual void finish() {}
+
+    /// Iterations of the output loop before the one that sends the first bit.
+    virtual std::size_t output_lead() const { return 0; }
+
+    /// W x W bytes, 0 or 1, row by row: the contour, which leaves; and the pixels known to be no contour because the
+    /// object covers them.
+    virtual std::uint8_t const* edge() const = 0;
+    virtual std::uint8_t const* object() const = 0;
+    int side() const { return static_cast<int>(side_); }
+
+  protected:
+    bool covers(EdgeToken const& token) const { return is_inside(token.row) && is_inside(token.col); }
+    bool is_inside(int coordinate) const { return static_cast<unsigned>(coordinate) < side_; }
+    std::size_t pixels() const { return std::size_t{side_} * side_; }
+    std::size_t index(int row, int col) const {
+        return static_cast<std::size_t>(row) * side_ + static_cast<std::size_t>(col);
+    }
+
+    /// take() by a function that takes one token and returns 1 if it needed a second iteration, else 0.
+    template <class TakeOne>
+    static std::uint32_t take_each(EdgeToken const& first, EdgeToken const* rest, unsigned count, TakeOne take_one) {
+        std::uint32_t seconds = take_one(first);
+        for (unsigned i = 1; i < count; ++i)
+            seconds |= take_one(rest[i - 1]) << i;
+        return seconds;
+    }
+
+  private:
+    unsigned side_;
+};
+
+std::unique_ptr<EdgeMapPolicy> make_edge_map_policy(EdgeMapAlgorithm algorithm, int window);
+
+}  // namespace faster::datapath

@@ -1,0 +1,18 @@
+#pragma once
+#include "datapath/edge_map/single_map.hpp"
+
+namespace faster::datapath {
+
+/// Thesis 5.1: tokens are pixels near an edge of a triangle. One triangle's edge is a contour; what a second triangle
+/// sends as well lies between them, and is none.
+class ThresholdMap final : public SingleMap<ThresholdMap> {
+  public:
+    using SingleMap::SingleMap;
+
+    void take_one(EdgeToken const& token) {
+        std::uint8_t& seen = state(token.row, token.col);
+        seen = seen == unknown ? is_edge : no_edge;
+    }
+};
+
+}  // namespace faster::datapath

@@ -1,0 +1,78 @@
+#include "tb/edge_quality_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+#include "common/input_error.hpp"
+#include "common/nearest_name.hpp"
+#include "config/enum_names.hpp"
+#include "io/atomic_folder.hpp"
+#include "io/colour_png.hpp"
+#include "io/text_file.hpp"
+#include "pictures/drawing.hpp"
+#include "pictures/overlay.hpp"
+#include "quality/survey_table.hpp"
+#include "tb/run_command.hpp"
+#include "workload/models/builtin_models.hpp"
+
+namespace faster {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+io::FolderKind const quality_folder{"edge map quality", "quality.csv", {"pictures"}};
+
+/// `given`, or all that are known if none is. Throws InputError if one is not.
+Words chosen(char const* option, Words const& given, Words const& known) {
+    for (std::string const& name : given)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw InputError(fmt::format("{} {}, expected one of {}{}", option, name, fmt::join(known, ", "),
+                                         did_you_mean(name, known)));
+    return given.empty() ? known : given;
+}
+
+/// Found edges red, contour blue where it was missed and purple where it was found, silhouette green.
+Image<Colour> picture_of(quality::Specimen const& specimen) {
+    return pictures::enlarged(pictures::overlay(specimen.edge_map, specimen.silhouette, specimen.contour), 3);
+}
+
+void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> const& rows) {
+    fs::create_directories(folder);
+    for (quality::PoseSurvey const& row : rows) {
+        std::string const name = quality::name_of(row.algorithm) + "_" + row.object;
+        io::write_colour_png(folder / (name + "_best.png"), picture_of(row.best));
+        io::write_colour_png(folder / (name + "_worst.png"), picture_of(row.worst));
+    }
+}
+
+}  // namespace
+
+int edge_quality(EdgeQualityRequest const& request) {
+    Words const objects = chosen("--classes", request.classes, models::names());
+    std::vector<EdgeMapAlgorithm> algorithms;
+    for (std::string const& name : chosen("--algorithms", request.algorithms, names_of_choices<EdgeMapAlgorithm>()))
+        algorithms.push_back(choice_from_name<EdgeMapAlgorithm>(name));
+    std::unique_ptr<io::AtomicFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, quality_folder);
+    std::vector<quality::PoseSurvey> rows;
+    for (std::string const& object : objects) {
+        Mesh const mesh = models::make(object);
+        auto const poses = quality::random_poses(mesh, static_cast<std::size_t>(request.poses),
+                                                 static_cast<std::uint64_t>(request.seed));
+        for (quality::PoseSurvey& row : quality::survey(object, mesh, poses, algorithms))
+            rows.push_back(std::move(row));
+    }
+    if (folder != nullptr) {
+        io::write_file(folder->path() / "quality.csv", quality::survey_csv(rows));
+        write_specimens(folder->path() / "pictures", rows);
+        folder->commit();
+    }
+    fmt::print("{}", quality::survey_markdown(rows));
+    return exit_done;
+}
+
+}  // namespace faster

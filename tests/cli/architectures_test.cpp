@@ -1,0 +1,61 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Preset {
+    std::string file;
+    std::string algorithm;
+    int token_ii;
+    int edge_map_bits;
+    int object_map_bits;
+};
+
+nlohmann::json summary_of(Preset const& preset) {
+    fs::path const source = FASTER_SOURCE_DIR;
+    fs::path const config = source / "configs" / "architectures" / (preset.file + ".yaml");
+    TempFolder const folder;
+    require_done(
+        run_command(FASTER_SIM_BINARY,
+                    {"run", config.string(), "--trace", (source / "traces" / "one_triangle").string(), "--out", "out"},
+                    folder.path()));
+    return nlohmann::json::parse(content_of(folder / "out" / "summary.json"));
+}
+
+/// The row of core 0 whose cell `column` is `name`.
+nlohmann::json row_of(nlohmann::json const& table, std::string const& column, std::string const& name) {
+    for (auto const& row : table)
+        if (row.at("core") == 0 && row.at(column) == name)
+            return row;
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("The presets of the thesis's designs run, with their intervals and memories", "[architectures]") {
+    for (Preset const& preset :
+         {Preset{"threshold", "threshold", 2, 2, 0}, Preset{"transition", "transition", 2, 2, 0},
+          Preset{"bounded", "bounded", 3, 2, 0}, Preset{"faster", "dual_map", 1, 1, 1},
+          Preset{"dual_map_4_1_2", "dual_map_4_1_2", 2, 1, 1}, Preset{"inner_border", "inner_border", 1, 0, 1}}) {
+        CAPTURE(preset.file);
+        nlohmann::json const summary = summary_of(preset);
+        CHECK(summary["configuration"]["accelerator.edge_map.algorithm"]["value"] == preset.algorithm);
+        CHECK(row_of(summary["loops"], "loop", "token")["ii"] == preset.token_ii);
+        auto const edge_map = row_of(summary["brams"], "bram", "edge_map");
+        auto const object_map = row_of(summary["brams"], "bram", "object_map");
+        CHECK(edge_map["bits"] == preset.edge_map_bits);
+        CHECK(edge_map["words"] == (preset.edge_map_bits > 0 ? 32 * 32 : 0));
+        CHECK(edge_map["ramb36"] == (preset.edge_map_bits > 0 ? 0.5 : 0));
+        CHECK(object_map["bits"] == preset.object_map_bits);
+        CHECK(object_map["words"] == (preset.object_map_bits > 0 ? 32 * 32 : 0));
+    }
+}

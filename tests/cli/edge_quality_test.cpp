@@ -1,0 +1,47 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+CommandResult judge(TempFolder const& folder, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "edge-quality");
+    return run_command(FASTER_SIM_BINARY, arguments, folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("edge-quality prints a table, and writes the rows and two pictures of each", "[quality]") {
+    TempFolder const folder;
+    CommandResult const result = judge(
+        folder, {"--poses", "3", "--classes", "mug,banana", "--algorithms", "bounded,transition", "--out", "quality"});
+    require_done(result);
+    CHECK(lines_of(result.out).size() == 4);
+    auto const lines = lines_of(content_of(folder / "quality" / "quality.csv"));
+    REQUIRE(lines.size() == 5);
+    CHECK(lines[1].rfind("bounded,mug,3,", 0) == 0);
+    CHECK(lines[4].rfind("transition,banana,3,", 0) == 0);
+    for (char const* const picture : {"bounded_mug_best.png", "transition_banana_worst.png"}) {
+        cv::Mat const image = cv::imread((folder / "quality" / "pictures" / picture).string());
+        CHECK(image.rows == 600);
+        CHECK(image.cols == 600);
+    }
+}
+
+TEST_CASE("edge-quality refuses what it does not know in one line", "[quality]") {
+    TempFolder const folder;
+    check_bad_input(judge(folder, {"--classes", "mugg", "--out", "quality"}),
+                    {"--classes mugg", "expected one of", "did you mean mug?"});
+    check_bad_input(judge(folder, {"--algorithms", "dualmap"}), {"--algorithms dualmap", "did you mean dual_map?"});
+    check_bad_input(judge(folder, {"--poses", "0"}), {"--poses"});
+    CHECK_FALSE(fs::exists(folder / "quality"));
+}

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 
+#include "common/map_clearing.hpp"
+
 namespace faster {
 
 /// How the edge tokens of a sample become its edge map; key `accelerator.edge_map.algorithm`. The designs of the
@@ -17,7 +19,8 @@ enum class EdgeMapAlgorithm {
 /// How contours are found; keys `accelerator.edge_map.*`.
 struct EdgeMapConfig {
     EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
-    bool flush_last = false;  ///< run a second iteration of the last token even after the end token
+    MapClearing clearing = MapClearing::loop;  ///< of both maps
+    bool flush_last = false;                   ///< run a second iteration of the last token even after the end token
     /// Algorithm `threshold`: how far from zero an edge value w0, w1, w2 may be, >= 0 [px^2]
     std::array<double, 3> thresholds = {12, 12, 12};
 };

@@ -5,6 +5,7 @@
 #include "common/cycles.hpp"
 #include "common/edge_map_config.hpp"
 #include "common/fixed_point.hpp"
+#include "common/inlier_unit_config.hpp"
 #include "config/machine.hpp"
 
 namespace faster {
@@ -39,6 +40,7 @@ struct AcceleratorConfig {
     double clock_mhz = 200.0;
     FractionBits fraction_bits;
     EdgeMapConfig edge_map;
+    InlierUnitConfig inlier_unit;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();
     std::array<LoopConfig, loop_count> loops = default_loops();

@@ -85,6 +85,14 @@ template <class Field> Key threshold_key(std::string const& weight, std::string 
         {0, std::numeric_limits<double>::infinity()}, field);
 }
 
+template <class Field> Key clearing_key(std::string const& module, std::string const& what, Field field) {
+    return choice_key(
+        {"accelerator." + module + ".clearing", "",
+         "How " + what + " become empty for the next sample: by a loop before it, or by the loop that reads them out.",
+         "thesis A.2, A.3; on_read_out: this project"},
+        field);
+}
+
 void add_edge_map_keys(Keys& keys) {
     keys.push_back(choice_key(
         {"accelerator.edge_map.algorithm", "",
@@ -96,12 +104,25 @@ void add_edge_map_keys(Keys& keys) {
          "token, which thesis A.2 does not.",
          "SPEC 2"},
         [](auto& config) -> auto& { return config.accelerator.edge_map.flush_last; }));
+    keys.push_back(clearing_key(
+        "edge_map", "the maps", [](auto& config) -> auto& { return config.accelerator.edge_map.clearing; }));
     keys.push_back(threshold_key(
         "w0", "1 and 2", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[0]; }));
     keys.push_back(threshold_key(
         "w1", "2 and 0", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[1]; }));
     keys.push_back(threshold_key(
         "w2", "0 and 1", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[2]; }));
+}
+
+void add_inlier_unit_keys(Keys& keys) {
+    keys.push_back(choice_key(
+        {"accelerator.inlier_unit.neighbour_access", "",
+         "How the sweep gets at a pixel's neighbours: five reads of the depth buffer, or one and two line buffers.",
+         "thesis A.3; window: this project"},
+        [](auto& config) -> auto& { return config.accelerator.inlier_unit.neighbour_access; }));
+    keys.push_back(clearing_key(
+        "inlier_unit", "the depth buffer's words",
+        [](auto& config) -> auto& { return config.accelerator.inlier_unit.clearing; }));
 }
 
 std::string write_latency_meaning(FifoId id) {
@@ -187,6 +208,7 @@ Keys accelerator_keys() {
     add_machine_keys(keys);
     add_fraction_keys(keys);
     add_edge_map_keys(keys);
+    add_inlier_unit_keys(keys);
     for (std::size_t index = 0; index < fifo_count; ++index) {
         add_fifo_keys(keys, FifoId{index});
     }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "config/edge_map_design.hpp"
+#include "config/sweep_design.hpp"
 
 namespace faster {
 namespace {
@@ -58,6 +59,14 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
     memory.bits = bits_of(id, config);
     memory.words = memory.bits > 0 ? side * side : 0;
     memory.ports = config.bram(id).ports;
+    return memory;
+}
+
+MemoryShape line_buffer_shape(AcceleratorConfig const& config) {
+    bool const exists = sweep_design(config, config.window).has_line_buffers;
+    MemoryShape memory;
+    memory.words = exists ? static_cast<std::uint64_t>(config.window) : 0;
+    memory.bits = exists ? 2 * bits_of(BramId::depth_buffer, config) : 0;
     return memory;
 }
 

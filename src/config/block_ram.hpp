@@ -15,6 +15,9 @@ struct MemoryShape {
 
 MemoryShape memory_shape(BramId id, AcceleratorConfig const& config);
 
+/// The two last rows of the depth buffer, side by side, that `neighbour_access: window` keeps; no words otherwise.
+MemoryShape line_buffer_shape(AcceleratorConfig const& config);
+
 /// How many block RAMs of 36 Kbit a memory takes on an UltraScale+ device; a RAMB18 is half of one.
 ///
 /// Every bank is laid out in one of the primitive's true dual-port shapes, the one that takes fewest; a bank for which

@@ -44,6 +44,17 @@ constexpr EdgeMapDesign const& design_of(EdgeMapAlgorithm algorithm) {
     return edge_map_designs[static_cast<std::size_t>(algorithm)];
 }
 
+/// Accesses per iteration of edge_map_builder.output. Where it clears the maps, it writes a word of each.
+constexpr PerMap output_accesses(EdgeMapConfig const& config) {
+    EdgeMapDesign const& design = design_of(config.algorithm);
+    PerMap accesses = design.output;
+    if (config.clearing == MapClearing::on_read_out) {
+        accesses.edge_map += design.bits.edge_map > 0 ? 1 : 0;
+        accesses.object_map += design.bits.object_map > 0 ? 1 : 0;
+    }
+    return accesses;
+}
+
 /// Contour pixels lie on the object, and so have a depth of their own; otherwise just outside.
 constexpr bool contour_is_on_object(EdgeMapAlgorithm algorithm) { return algorithm == EdgeMapAlgorithm::inner_border; }
 

@@ -28,6 +28,16 @@ template <> struct EnumNames<EdgeMapAlgorithm> {
          {EdgeMapAlgorithm::inner_border, "inner_border"}}};
 };
 
+template <> struct EnumNames<MapClearing> {
+    static constexpr std::array<std::pair<MapClearing, char const*>, 2> all{
+        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}}};
+};
+
+template <> struct EnumNames<NeighbourAccess> {
+    static constexpr std::array<std::pair<NeighbourAccess, char const*>, 2> all{
+        {{NeighbourAccess::direct, "direct"}, {NeighbourAccess::window, "window"}}};
+};
+
 template <> struct EnumNames<Engine> {
     static constexpr std::array<std::pair<Engine, char const*>, 2> all{
         {{Engine::lockstep, "lockstep"}, {Engine::decoupled, "decoupled"}}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/edge_map_design.hpp"
+#include "config/sweep_design.hpp"
 
 namespace faster {
 
@@ -18,20 +19,22 @@ std::vector<Access> to_maps(PerMap const& accesses) {
 }
 
 /// SPEC section 3, "BRAM accesses per iteration": the worst branch, whatever the data.
-std::vector<Access> accesses_of(LoopId id, EdgeMapDesign const& design) {
+std::vector<Access> accesses_of(LoopId id, AcceleratorConfig const& config) {
+    EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
+    SweepDesign const sweep = sweep_design(config, config.window);
     switch (id) {
         case LoopId::edge_clear:
             return to_maps(design.clear);
         case LoopId::token:
             return to_maps(design.token);
         case LoopId::output:
-            return to_maps(design.output);
+            return to_maps(output_accesses(config.edge_map));
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, 1}};
         case LoopId::fragment:
             return {{BramId::depth_buffer, 2}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, design.sweep_reads}};
+            return {{BramId::depth_buffer, sweep.reads + sweep.writes}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -64,7 +67,7 @@ timing::FifoShape fifo_shape(FifoId id, AcceleratorConfig const& config) {
 timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig const& config) {
     EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
     std::vector<timing::BramDemand> demands;
-    for (Access const& access : accesses_of(id, design))
+    for (Access const& access : accesses_of(id, config))
         if (access.per_iteration > 0)
             demands.push_back({name_of(access.bram), access.per_iteration, config.bram(access.bram).ports});
     Cycles const recurrence = id == LoopId::token ? design.token_recurrence : 1;

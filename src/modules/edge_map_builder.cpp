@@ -43,6 +43,8 @@ void EdgeMapBuilder::run() {
 
 void EdgeMapBuilder::clear() {
     maps_->clear();
+    if (core_.config.edge_map.clearing == MapClearing::on_read_out)
+        return;
     clock_.enter_loop(clear_loop_);
     clock_.iterate(0, core_.window_pixels());
     clock_.leave_loop();

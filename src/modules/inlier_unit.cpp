@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
-#include "config/edge_map_design.hpp"
+#include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -62,6 +62,8 @@ void InlierUnit::run() {
 
 void InlierUnit::clear() {
     std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
+    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+        return;
     clock_.enter_loop(clear_loop_);
     clock_.iterate(0, core_.window_pixels());
     clock_.leave_loop();
@@ -130,7 +132,9 @@ void InlierUnit::sweep() {
     auto& observed_depth = channel_of(observed_depth_in);
     auto& observed_edge = channel_of(observed_edge_in);
     std::size_t const pixels = core_.window_pixels();
+    SweepDesign const design = sweep_design(core_.config, core_.stimulus.window);
     clock_.enter_loop(sweep_loop_);
+    clock_.iterate(0, design.lead);
     for (std::size_t done = 0; done < pixels;) {
         std::size_t n = std::min(pixels - done, edge.peek());
         n = std::min(n, observed_depth.peek());
@@ -143,6 +147,7 @@ void InlierUnit::sweep() {
         observed_edge.consume(n);
         done += n;
     }
+    clock_.iterate(0, design.tail);
     clock_.leave_loop();
 }
 

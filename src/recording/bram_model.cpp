@@ -6,7 +6,8 @@ namespace faster::recording {
 
 using Kind = Event::Kind;
 
-BramModel::BramModel(AcceleratorConfig const& config) : algorithm_(config.edge_map.algorithm), side_(config.window) {
+BramModel::BramModel(AcceleratorConfig const& config)
+    : edge_map_(config.edge_map), sweep_(sweep_design(config, config.window)), side_(config.window) {
     for (std::size_t i = 0; i < bram_count; ++i)
         ports_[i] = config.brams[i].ports;
 }
@@ -32,9 +33,9 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
 void BramModel::iterate(LoopId loop, Event const& event) {
     switch (loop) {
         case LoopId::edge_clear:
-            if (design_of(algorithm_).clear.edge_map > 0)
+            if (design_of(edge_map_.algorithm).clear.edge_map > 0)
                 add(BramId::edge_map, true, event.value, event.cycle);
-            if (design_of(algorithm_).clear.object_map > 0)
+            if (design_of(edge_map_.algorithm).clear.object_map > 0)
                 add(BramId::object_map, true, event.value, event.cycle);
             return;
         case LoopId::output:
@@ -60,7 +61,7 @@ void BramModel::token_iteration(Cycles cycle) {
     auto const& [row, col, kind] = token_;
     if (row < 0 || row >= side_ || col < 0 || col >= side_)
         return;
-    switch (algorithm_) {
+    switch (edge_map_.algorithm) {
         case EdgeMapAlgorithm::threshold:
         case EdgeMapAlgorithm::transition:
         case EdgeMapAlgorithm::bounded:
@@ -80,7 +81,7 @@ void BramModel::token_iteration(Cycles cycle) {
 void BramModel::single_map_token(Cycles cycle) {
     auto const& [row, col, kind] = token_;
     bool const is_edge = kind == static_cast<std::int64_t>(EdgeTokenKind::Edge);
-    bool const looks_around = !is_edge && algorithm_ == EdgeMapAlgorithm::bounded;
+    bool const looks_around = !is_edge && edge_map_.algorithm == EdgeMapAlgorithm::bounded;
     if (is_edge)
         add(BramId::edge_map, false, row, col, cycle);
     for (std::int64_t const side : {1, -1})
@@ -94,7 +95,7 @@ void BramModel::single_map_token(Cycles cycle) {
 
 void BramModel::dual_map_token(bool is_first, Cycles cycle) {
     auto const& [row, col, kind] = token_;
-    bool const writes_first = algorithm_ == EdgeMapAlgorithm::dual_map_4_1_2;
+    bool const writes_first = edge_map_.algorithm == EdgeMapAlgorithm::dual_map_4_1_2;
     if (kind == static_cast<std::int64_t>(EdgeTokenKind::Edge)) {
         add(BramId::object_map, false, row, col, cycle);
         add(BramId::edge_map, true, row, col, cycle);
@@ -114,10 +115,18 @@ void BramModel::dual_map_token(bool is_first, Cycles cycle) {
 }
 
 /// Iteration i sends pixel i; where the contour is taken from the object map, it reads a row ahead of what it sends.
+/// What it has read it may clear.
 void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
-    BramId const map = design_of(algorithm_).output.edge_map > 0 ? BramId::edge_map : BramId::object_map;
-    if (iteration < side_ * side_)
-        add(map, false, iteration, cycle);
+    if (iteration >= side_ * side_)
+        return;
+    EdgeMapDesign const& design = design_of(edge_map_.algorithm);
+    add(design.output.edge_map > 0 ? BramId::edge_map : BramId::object_map, false, iteration, cycle);
+    if (edge_map_.clearing != MapClearing::on_read_out)
+        return;
+    if (design.bits.edge_map > 0)
+        add(BramId::edge_map, true, iteration, cycle);
+    if (design.bits.object_map > 0)
+        add(BramId::object_map, true, iteration, cycle);
 }
 
 void BramModel::fragment_iteration(Cycles cycle) {
@@ -125,18 +134,34 @@ void BramModel::fragment_iteration(Cycles cycle) {
     add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
 }
 
-/// The pixel and its four neighbours, or the pixel alone; the border is skipped.
-void BramModel::sweep_iteration(std::int64_t pixel, Cycles cycle) {
+/// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
+/// neighbours, the border skipped; a word is cleared when its last neighbour has been judged.
+void BramModel::sweep_iteration(std::int64_t iteration, Cycles cycle) {
+    if (iteration < side_ * side_)
+        sweep_.reads == 1 ? sweep_word(iteration, cycle) : sweep_neighbours(iteration, cycle);
+    std::int64_t const cleared = iteration - static_cast<std::int64_t>(sweep_.tail);
+    if (sweep_.writes > 0 && cleared >= 0 && cleared < side_ * side_)
+        add(BramId::depth_buffer, true, cleared, cycle);
+}
+
+void BramModel::sweep_word(std::int64_t pixel, Cycles cycle) {
+    if (sweep_.has_line_buffers || is_inner(pixel))
+        add(BramId::depth_buffer, false, pixel, cycle);
+}
+
+void BramModel::sweep_neighbours(std::int64_t pixel, Cycles cycle) {
     std::int64_t const row = pixel / side_;
     std::int64_t const col = pixel % side_;
-    if (row == 0 || col == 0 || row == side_ - 1 || col == side_ - 1)
+    if (!is_inner(pixel))
         return;
-    if (contour_is_on_object(algorithm_)) {
-        add(BramId::depth_buffer, false, row, col, cycle);
-        return;
-    }
     for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
         add(BramId::depth_buffer, false, r, c, cycle);
+}
+
+bool BramModel::is_inner(std::int64_t pixel) const {
+    std::int64_t const row = pixel / side_;
+    std::int64_t const col = pixel % side_;
+    return row > 0 && col > 0 && row < side_ - 1 && col < side_ - 1;
 }
 
 void BramModel::add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle) {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "config/accelerator_config.hpp"
+#include "config/sweep_design.hpp"
 #include "recording/event_merge.hpp"
 
 namespace faster::recording {
@@ -33,11 +34,15 @@ class BramModel {
     void dual_map_token(bool is_first, Cycles cycle);
     void output_iteration(std::int64_t iteration, Cycles cycle);
     void fragment_iteration(Cycles cycle);
-    void sweep_iteration(std::int64_t pixel, Cycles cycle);
+    void sweep_iteration(std::int64_t iteration, Cycles cycle);
+    void sweep_word(std::int64_t pixel, Cycles cycle);
+    void sweep_neighbours(std::int64_t pixel, Cycles cycle);
+    bool is_inner(std::int64_t pixel) const;
     void add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle);
     void add(BramId bram, bool writes, std::int64_t address, Cycles cycle);
 
-    EdgeMapAlgorithm algorithm_;
+    EdgeMapConfig edge_map_;
+    SweepDesign sweep_;
     std::int64_t side_;
     std::array<std::uint64_t, bram_count> ports_{};
     std::array<std::size_t, module_count> loop_{};

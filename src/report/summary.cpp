@@ -35,6 +35,12 @@ Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, 
             {"port_conflict_cycles", conflicts}};
 }
 
+Json line_buffer_row(std::size_t core, MemoryShape const& memory) {
+    return {
+        {"core", core},          {"bram", "line_buffers"},         {"words", memory.words},    {"bits", memory.bits},
+        {"ports", memory.ports}, {"ramb36", ramb36_count(memory)}, {"port_conflict_cycles", 0}};
+}
+
 }  // namespace
 
 double milliseconds(Cycles cycles, AcceleratorConfig const& config) {
@@ -60,6 +66,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
             summary["fifos"].push_back(fifo_row(core, i, statistics.fifos[i]));
         for (std::size_t i = 0; i < bram_count; ++i)
             summary["brams"].push_back(bram_row(core, i, config, statistics));
+        if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
+            summary["brams"].push_back(line_buffer_row(core, memory));
         for (std::size_t i = 0; i < loop_count; ++i)
             summary["loops"].push_back(loop_row(core, i, statistics.loops[i]));
     }

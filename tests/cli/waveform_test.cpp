@@ -278,6 +278,27 @@ TEST_CASE("A waveform shows the memory accesses of each edge map algorithm", "[v
     CHECK(accesses("dual_map", "depth_buffer") == 1024 + 15 * 2 + 5 * 30 * 30);
 }
 
+TEST_CASE("A waveform shows what line buffers and clearing on read-out do to the memories", "[vcd][edge_map]") {
+    auto const accesses = [](Words const& settings, std::string const& bram) {
+        Waves const waves;
+        Words options{"--vcd", "a.vcd", "--vcd-cores", "0"};
+        for (std::string const& setting : settings)
+            options.insert(options.end(), {"--set", setting});
+        require_done(waves.run("one_triangle", options));
+        Vcd const vcd = waves.vcd("a.vcd");
+        return vcd.duration("core_0.bram_" + bram + ".port0_enable", 1) +
+               vcd.duration("core_0.bram_" + bram + ".port1_enable", 1);
+    };
+    std::string const window = "accelerator.inlier_unit.neighbour_access=window";
+    std::string const clears = "accelerator.inlier_unit.clearing=on_read_out";
+    CHECK(accesses({window}, "depth_buffer") == 1024 + 15 * 2 + 1024);
+    CHECK(accesses({clears}, "depth_buffer") == 15 * 2 + 5 * 30 * 30 + 1024);
+    CHECK(accesses({window, clears}, "depth_buffer") == 15 * 2 + 1024 + 1024);
+    std::string const map_clears = "accelerator.edge_map.clearing=on_read_out";
+    CHECK(accesses({map_clears}, "edge_map") == 15 * 3 + 5 * 1 + 2 * 1024);
+    CHECK(accesses({map_clears}, "object_map") == 15 * 3 + 5 * 1 + 1024);
+}
+
 TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nanoseconds", "[vcd]") {
     Waves const waves;
     require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--set", "accelerator.clock_mhz=400"}));

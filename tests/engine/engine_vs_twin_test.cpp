@@ -149,6 +149,19 @@ TEST_CASE("Engines and twin agree: every edge map algorithm", "[engine_vs_twin][
     }
 }
 
+TEST_CASE("Engines and twin agree: any way to clear the maps and to read neighbours", "[engine_vs_twin][edge_map]") {
+    std::uint64_t seed = 7700;
+    for (EdgeMapAlgorithm const algorithm :
+         {EdgeMapAlgorithm::dual_map, EdgeMapAlgorithm::bounded, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        TrialOptions options = small_windows();
+        options.config.algorithm = algorithm;
+        options.config.any_clearing = true;
+        check_seeds(seed, 30, options);
+        seed += 100;
+    }
+}
+
 TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {
     for (int kind = 0; kind < triangle_kind_count; ++kind) {
         CAPTURE(kind);

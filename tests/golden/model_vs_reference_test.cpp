@@ -131,6 +131,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         RandomConfigOptions machine;
         machine.cores = {1, 3};
         machine.algorithm = algorithm;
+        machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map;
         AcceleratorConfig const config = random_config(seed, machine);
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)

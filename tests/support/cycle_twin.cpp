@@ -119,7 +119,24 @@ bool has_one_map(EdgeMapAlgorithm algorithm) {
            algorithm == EdgeMapAlgorithm::bounded;
 }
 
-std::vector<BramUse> bram_uses(LoopId loop, EdgeMapAlgorithm algorithm) {
+std::uint64_t sweep_accesses(AcceleratorConfig const& config) {
+    bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
+                      config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    return (once ? 1U : 5U) + (config.inlier_unit.clearing == MapClearing::on_read_out ? 1U : 0U);
+}
+
+std::vector<BramUse> output_uses(EdgeMapConfig const& edge_map) {
+    bool const clears = edge_map.clearing == MapClearing::on_read_out;
+    if (edge_map.algorithm == EdgeMapAlgorithm::inner_border)
+        return {{BramId::object_map, clears ? 2U : 1U}};
+    std::vector<BramUse> uses{{BramId::edge_map, clears ? 2U : 1U}};
+    if (clears && !has_one_map(edge_map.algorithm))
+        uses.push_back({BramId::object_map, 1});
+    return uses;
+}
+
+std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
+    EdgeMapAlgorithm const algorithm = config.edge_map.algorithm;
     bool const is_inner = algorithm == EdgeMapAlgorithm::inner_border;
     switch (loop) {
         case LoopId::edge_clear:
@@ -131,13 +148,13 @@ std::vector<BramUse> bram_uses(LoopId loop, EdgeMapAlgorithm algorithm) {
         case LoopId::token:
             return token_uses(algorithm);
         case LoopId::output:
-            return {{is_inner ? BramId::object_map : BramId::edge_map, 1}};
+            return output_uses(config.edge_map);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, 1}};
         case LoopId::fragment:
             return {{BramId::depth_buffer, 2}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, is_inner ? 1U : 5U}};
+            return {{BramId::depth_buffer, sweep_accesses(config)}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -158,7 +175,7 @@ LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
     LoopConfig const& loop = config.loop(id);
     Cycles ports_ii = 0;
     std::string tightest;
-    for (BramUse const& use : bram_uses(id, config.edge_map.algorithm)) {
+    for (BramUse const& use : bram_uses(id, config)) {
         Cycles const demanded = ceil_div(use.accesses, config.bram(use.bram).ports);
         if (demanded > ports_ii) {
             ports_ii = demanded;

@@ -363,6 +363,11 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     draw_latency(FifoId::observed_edge, LoopId::read);
     config.fifo(FifoId::area_reciprocal).write_latency = static_cast<Cycles>(dice.between(0, dice.one_in(2) ? 1 : 40));
     config.edge_map.algorithm = options.algorithm;
+    if (options.any_clearing) {
+        config.edge_map.clearing = static_cast<MapClearing>(dice.between(0, 1));
+        config.inlier_unit.clearing = static_cast<MapClearing>(dice.between(0, 1));
+        config.inlier_unit.neighbour_access = static_cast<NeighbourAccess>(dice.between(0, 1));
+    }
     for (double& threshold : config.edge_map.thresholds) {
         threshold = dice.one_in(4) ? 0.0 : dice.between(0, 120) / 8.0;
     }

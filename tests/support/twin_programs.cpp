@@ -95,10 +95,12 @@ TwinProgram area_reciprocal(TwinSampleFunction const& sample) {
     return program;
 }
 
-TwinProgram edge_map_builder(TwinSampleFunction const& sample, std::size_t pixels) {
+TwinProgram edge_map_builder(TwinSampleFunction const& sample, EdgeMapConfig const& config, std::size_t pixels) {
     TwinProgram program;
     pass(program, 1);
-    uniform_loop(program, LoopId::edge_clear, {}, pixels);
+    if (config.clearing == MapClearing::loop) {
+        uniform_loop(program, LoopId::edge_clear, {}, pixels);
+    }
     step(program, {read_of(FifoId::edge_token)});
     if (sample.token_iteration_reads.empty()) {
         pass(program, 1);
@@ -123,10 +125,26 @@ TwinProgram observation_reader(std::size_t pixels) {
     return program;
 }
 
-TwinProgram inlier_unit(TwinSampleFunction const& sample, std::size_t pixels) {
+/// A row and a pixel more: before the first pixel while line buffers fill, or after the last to clear what is left.
+std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std::size_t side) {
+    bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
+    bool const has_neighbours = config.edge_map.algorithm != EdgeMapAlgorithm::inner_border;
+    bool const is_window = config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    std::vector<std::uint8_t> iterations(side * side, 0b111);
+    if (has_neighbours && is_window) {
+        iterations.insert(iterations.begin(), side + 1, 0);
+    } else if (has_neighbours && clears) {
+        iterations.insert(iterations.end(), side + 1, 0);
+    }
+    return iterations;
+}
+
+TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
-    uniform_loop(program, LoopId::depth_clear, {}, pixels);
+    if (config.inlier_unit.clearing == MapClearing::loop) {
+        uniform_loop(program, LoopId::depth_clear, {}, side * side);
+    }
     step(program, {read_of(FifoId::command)});
     for (TwinTriangle const& triangle : sample.triangles) {
         if (!triangle.is_drawn) {
@@ -142,8 +160,9 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, std::size_t pixels) {
         }
     }
     pass(program, 1);
-    uniform_loop(program, LoopId::sweep,
-                 {read_of(FifoId::edge_map), read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)}, pixels);
+    loop(program, LoopId::sweep,
+         {read_of(FifoId::edge_map), read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)},
+         sweep_iterations(config, side));
     step(program, {write_of(FifoId::result)});
     return program;
 }
@@ -170,9 +189,9 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::vertex_transform, vertex_transform(function));
     set(ModuleId::rasterizer, rasterizer(function, config.setup_depth));
     set(ModuleId::area_reciprocal, area_reciprocal(function));
-    set(ModuleId::edge_map_builder, edge_map_builder(function, pixels));
+    set(ModuleId::edge_map_builder, edge_map_builder(function, config.edge_map, pixels));
     set(ModuleId::observation_reader, observation_reader(pixels));
-    set(ModuleId::inlier_unit, inlier_unit(function, pixels));
+    set(ModuleId::inlier_unit, inlier_unit(function, config, side));
     set(ModuleId::result_collector, result_collector());
     return result;
 }

@@ -1,0 +1,82 @@
+#include <catch2/catch.hpp>
+
+#include "config/block_ram.hpp"
+#include "modules/core_shapes.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/small_stimulus.hpp"
+
+namespace faster::testing {
+namespace {
+
+AcceleratorConfig machine(NeighbourAccess access, MapClearing clearing) {
+    AcceleratorConfig config = with_cores(1);
+    config.inlier_unit = {access, clearing};
+    config.edge_map.clearing = clearing;
+    return config;
+}
+
+Cycles sweep_ii(AcceleratorConfig const& config) { return initiation_interval(LoopId::sweep, config).achieved; }
+
+LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.cores.at(0).loops[index_of(id)]; }
+
+}  // namespace
+
+TEST_CASE("Line buffers bring the sweep to II 1, clearing on read-out costs it an access", "[map_clearing]") {
+    CHECK(sweep_ii(machine(NeighbourAccess::direct, MapClearing::loop)) == 3);
+    CHECK(sweep_ii(machine(NeighbourAccess::direct, MapClearing::on_read_out)) == 3);  // 6 accesses on 2 ports
+    CHECK(sweep_ii(machine(NeighbourAccess::window, MapClearing::loop)) == 1);
+    AcceleratorConfig both = machine(NeighbourAccess::window, MapClearing::on_read_out);
+    CHECK(sweep_ii(both) == 1);
+    CHECK(initiation_interval(LoopId::output, both).achieved == 1);
+    both.bram(BramId::depth_buffer).ports = 1;
+    both.bram(BramId::edge_map).ports = 1;
+    CHECK(sweep_ii(both) == 2);
+    CHECK(initiation_interval(LoopId::output, both).achieved == 2);
+}
+
+TEST_CASE("Line buffers hold two rows", "[map_clearing]") {
+    AcceleratorConfig config = machine(NeighbourAccess::window, MapClearing::loop);
+    CHECK(line_buffer_shape(config).words == 200);
+    CHECK(line_buffer_shape(config).bits == 22);
+    CHECK(ramb36_count(line_buffer_shape(config)) == 1);
+    config.edge_map.algorithm = EdgeMapAlgorithm::inner_border;  // needs no neighbours
+    CHECK(line_buffer_shape(config).words == 0);
+    CHECK(line_buffer_shape(machine(NeighbourAccess::direct, MapClearing::loop)).words == 0);
+}
+
+TEST_CASE("Without triangles, line buffers and clearing on read-out take W^2 + W + 16 cycles", "[map_clearing]") {
+    // The end command is read in cycle 4, the sweep is entered at T = 6 and takes its first edge bit W + 1 steps later,
+    // when it has long been there. Its W^2 + W + 1 iterations and 7 more stages end at W^2 + W + 14, in which the
+    // result leaves; it is read a cycle later. The next sample: 1 to begin, 1 to read its end, 1 to turn, the sweep, 1
+    // for the result.
+    Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
+    AcceleratorConfig const config = machine(NeighbourAccess::window, MapClearing::on_read_out);
+    for (int const window : {8, 33, 200}) {
+        auto const side = static_cast<Cycles>(window);
+        Cycles const sweep = side * side + side + 8;
+        for (int const samples : {1, 2, 3}) {
+            CAPTURE(engine, window, samples);
+            RunStatistics const run = run_forked(config, empty_stimulus(window, samples), engine).statistics;
+            CHECK(run.total_cycles == sweep + 8 + static_cast<Cycles>(samples - 1) * (sweep + 4));
+            CHECK(loop_of(run, LoopId::depth_clear).iterations == 0);
+            CHECK(loop_of(run, LoopId::edge_clear).iterations == 0);
+            CHECK(loop_of(run, LoopId::sweep).iterations == static_cast<Cycles>(samples) * (side * side + side + 1));
+        }
+    }
+}
+
+TEST_CASE("How maps are cleared and read changes no result", "[map_clearing]") {
+    RunStatistics const plain =
+        run_forked(machine(NeighbourAccess::direct, MapClearing::loop), one_small_triangle(), Engine::decoupled)
+            .statistics;
+    for (NeighbourAccess const access : {NeighbourAccess::direct, NeighbourAccess::window})
+        for (MapClearing const clearing : {MapClearing::loop, MapClearing::on_read_out}) {
+            RunStatistics const run =
+                run_forked(machine(access, clearing), one_small_triangle(), Engine::decoupled).statistics;
+            CHECK(run.samples.at(0).counters.inlier == plain.samples.at(0).counters.inlier);
+            CHECK(run.samples.at(0).counters.edge_inlier == plain.samples.at(0).counters.edge_inlier);
+            CHECK(run.samples.at(0).counters.valid_edge == plain.samples.at(0).counters.valid_edge);
+        }
+}
+
+}  // namespace faster::testing

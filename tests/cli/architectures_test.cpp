@@ -59,3 +59,21 @@ TEST_CASE("The presets of the thesis's designs run, with their intervals and mem
         CHECK(object_map["words"] == (preset.object_map_bits > 0 ? 32 * 32 : 0));
     }
 }
+
+TEST_CASE("The presets beyond the thesis read and clear the depth buffer as they say", "[architectures]") {
+    struct Beyond {
+        std::string file;
+        int sweep_ii;
+        bool clears_in_a_loop;
+        bool has_line_buffers;
+    };
+    for (Beyond const& preset :
+         {Beyond{"faster", 3, true, false}, Beyond{"line_buffers", 1, true, true},
+          Beyond{"clear_on_read_out", 3, false, false}, Beyond{"line_buffers_clear_on_read_out", 1, false, true}}) {
+        CAPTURE(preset.file);
+        nlohmann::json const summary = summary_of({preset.file, "", 0, 0, 0});
+        CHECK(row_of(summary["loops"], "loop", "sweep")["ii"] == preset.sweep_ii);
+        CHECK((row_of(summary["loops"], "loop", "clear")["entries"] > 0) == preset.clears_in_a_loop);
+        CHECK(row_of(summary["brams"], "bram", "line_buffers").is_null() != preset.has_line_buffers);
+    }
+}

@@ -221,7 +221,7 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:1: raster_cores: unknown key, did you mean accelerator.raster_cores?");
     CHECK(file_error("accelerator:\n  cheese: 3\n") ==
           "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of raster_cores, window, "
-          "clock_mhz, fraction_bits, edge_map, fifos, loops, brams");
+          "clock_mhz, fraction_bits, edge_map, inlier_unit, fifos, loops, brams");
     CHECK(file_error("accelerator.window: 3\n") ==
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
 }
@@ -339,7 +339,7 @@ TEST_CASE("An object of the scene has a class, a place and nothing unknown", "[c
 
 TEST_CASE("A section is a map and a key is not", "[config][errors]") {
     CHECK(file_error("accelerator:\n  edge_map: true\n") ==
-          "test.yaml:2: accelerator.edge_map = true, expected a map with algorithm, flush_last, "
+          "test.yaml:2: accelerator.edge_map = true, expected a map with algorithm, flush_last, clearing, "
           "threshold_w0, threshold_w1, threshold_w2");
     CHECK(file_error("accelerator:\n  window: {size: 3}\n") ==
           "test.yaml:2: accelerator.window = a map, expected an integer from 1 to 4096");

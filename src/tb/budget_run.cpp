@@ -65,7 +65,7 @@ budgets::Measurement measure(budgets::Budget const& budget, std::vector<std::str
         Stimulus const stimulus = load_stimulus(loaded);
         return measurement_of(loaded, simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine));
     } catch (InputError const& error) {
-        return failed(Kind::bad_input, budget.file.string() + ": " + error.what());
+        return failed(Kind::bad_input, error.what());
     } catch (std::exception const& error) {
         return failed(Kind::error, std::string("unexpected error: ") + error.what());
     }

@@ -142,7 +142,9 @@ void compare(Budget const& budget, Measurement const& measurement, CheckRequest 
     if (measurement.kind == Measurement::Kind::figures)
         return judge(budget, measurement, request, result);
     result.status = status_without_figures(measurement.kind);
-    result.message = measurement.message;
+    // Paths in the message are relative to the budget's folder.
+    bool const needs_place = result.status == Status::bad;
+    result.message = needs_place ? result.file + ": " + measurement.message : measurement.message;
 }
 
 CheckResult result_of(Budget const& budget, Outcome const& outcome, CheckRequest const& request) {
@@ -209,7 +211,7 @@ int check_budgets(CheckRequest const& request) {
 std::string seen_from(fs::path const& folder, std::string const& path) {
     if (path.empty() || fs::path(path).is_absolute())
         return path;
-    return fs::weakly_canonical(path).lexically_relative(fs::weakly_canonical(folder)).string();
+    return fs::weakly_canonical(fs::absolute(path)).lexically_relative(fs::weakly_canonical(folder)).string();
 }
 
 Budget new_budget(CheckRequest const& request) {

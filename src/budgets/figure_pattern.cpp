@@ -17,7 +17,7 @@ bool part_matches(std::string const& pattern, std::string const& part) {
 }
 
 /// The names of a run with one core and one sample.
-std::vector<std::string> template_names() {
+std::vector<std::string> make_template_names() {
     RunStatistics run;
     run.samples.resize(1);
     run.cores.resize(1);
@@ -25,6 +25,11 @@ std::vector<std::string> template_names() {
     std::vector<std::string> names;
     for (Figure const& figure : figures.all())
         names.push_back(figure.name);
+    return names;
+}
+
+std::vector<std::string> const& template_names() {
+    static std::vector<std::string> const names = make_template_names();
     return names;
 }
 
@@ -49,6 +54,8 @@ std::string in_the_words_of(std::vector<std::string> const& pattern, std::string
 }  // namespace
 
 bool FigurePattern::matches(std::string const& name) const {
+    if (name.compare(0, literal_beginning_.size(), literal_beginning_) != 0)
+        return false;
     std::vector<std::string> const parts = parts_of(name);
     return parts.size() == parts_.size() && std::equal(parts_.begin(), parts_.end(), parts.begin(), part_matches);
 }

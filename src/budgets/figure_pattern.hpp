@@ -10,12 +10,14 @@ namespace faster::budgets {
 /// letters of one part, never for a point: "fifos.*.max_occupancy", "fifos.fragment_*.full_stall_cycles".
 class FigurePattern {
   public:
-    explicit FigurePattern(std::string const& text) : parts_(parts_of(text)) {}
+    explicit FigurePattern(std::string const& text)
+        : parts_(parts_of(text)), literal_beginning_(text.substr(0, text.find_first_of("*?[\\"))) {}
     bool matches(std::string const& name) const;
     bool has_wildcard() const;
 
   private:
     std::vector<std::string> parts_;
+    std::string literal_beginning_;  // tells most names apart at once
 };
 
 /// The names among those of any run that the pattern may stand for, with 0 for the number of a core or sample.

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t contributors = 10;
 
 std::string since_baseline(CheckResult const& result) {
+    if (result.baseline_date.empty())
+        return "";
     return fmt::format("what moved since the baseline of {} (\"{}\"):\n{}", result.baseline_date,
                        result.baseline_reason, explanation_text(result.explanation, contributors));
 }

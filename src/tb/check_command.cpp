@@ -81,6 +81,7 @@ std::vector<Budget> read_budgets(CheckRequest const& request) {
 std::vector<Outcome> run_all(std::vector<Budget> const& all, CheckRequest const& request,
                              processes::SignalWatch const& watch) {
     std::vector<processes::Task> tasks;
+    tasks.reserve(all.size());
     for (Budget const& budget : all)
         tasks.push_back({[&budget, &request] { return to_text(measure(budget, request.overrides)); },
                          time_limit_of(request, budget)});

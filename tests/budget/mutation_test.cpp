@@ -224,6 +224,7 @@ std::string page_of(std::string const& rows, Tally const& tally) {
 
 TEST_CASE("Every change of a timing parameter that moves a figure breaks the budget, and is named") {
     std::vector<std::vector<std::uint64_t>> before;
+    before.reserve(traces.size());
     for (std::string const& trace : traces)
         before.push_back(simulated(trace, {}));
     Tally tally;

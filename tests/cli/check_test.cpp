@@ -193,7 +193,7 @@ TEST_CASE("What only a run can tell is wrong with a budget ends with code 2 and 
     CHECK_THAT(window.err, Contains("window.yaml: ") && Contains("accelerator.window"));
 }
 
-TEST_CASE("--update needs a reason, keeps it with date and hash, and leaves comments alone") {
+TEST_CASE("An update needs a reason, keeps it with date and hash, and leaves comments alone") {
     TempFolder const folder;
     std::string const text = head() + empty_trace + "\nlimits:  # few\n  samples.*.*: {exact: baseline}\n  # end\n";
     folder.write("b.yaml", text);
@@ -220,7 +220,24 @@ TEST_CASE("--update needs a reason, keeps it with date and hash, and leaves comm
     CHECK(entries_in(folder.path()) == 1);
 }
 
-TEST_CASE("--init starts a commented budget that passes at once, and overwrites nothing") {
+TEST_CASE("Figures of single cores can be limited, all of them together") {
+    TempFolder const folder;
+    std::string const cores = head().replace(head().find("cores: 1"), 8, "cores: 2");
+    folder.write("b.yaml", cores + empty_trace + "limits:\n  cores.*.fifos.*.full_stall_cycles: {exact: baseline}\n" +
+                               "  cores.1.modules.inlier_unit.busy_cycles: {max: 1 ms}\n");
+    require_done(check(folder, {"b.yaml", "--update", "--reason", "two cores"}));
+    CHECK_THAT(content_of(folder / "b.yaml"), Contains("    cores.1.fifos.edge_map: {full_stall_cycles: "));
+    CHECK_THAT(check(folder, {"b.yaml"}).out, Contains(" of 28\n"));
+    CommandResult const slower = check(folder, {"b.yaml", "--set", "accelerator.loops.inlier_unit.sweep.depth=9"});
+    CHECK(slower.exit_code == 1);
+    CHECK_THAT(slower.out,
+               Contains("broken: cores.0.fifos.") && Contains("work     modules.inlier_unit.fill_drain_cycles"));
+    CommandResult const more = check(folder, {"b.yaml", "--set", "accelerator.raster_cores=3"});
+    CHECK(more.exit_code == 2);
+    CHECK_THAT(more.err, Contains("b.yaml:9: limits.cores.*.fifos.*.full_stall_cycles: no cores.2."));
+}
+
+TEST_CASE("A budget started from a run is commented, passes at once, and overwrites nothing") {
     TempFolder const folder;
     fs::create_directory(folder / "sub");
     Words const words{"--init", source + "/configs/faster_zcu102.yaml", "--trace", source + "/traces/edge_heavy",
@@ -270,12 +287,12 @@ TEST_CASE("A simulation that crashes fails its budget only") {
     folder.write("crash.yaml", endless);
     folder.write("good.yaml", budget("  total_cycles: {max: 1 ms}\n"));
     pid_t const tool = start(folder, {"check", "-j1", "crash.yaml", "good.yaml"});
-    kill(wait_for_children(tool, 1).front(), SIGBUS);
+    kill(wait_for_children(tool, 1).front(), SIGKILL);
     int status = 0;
     REQUIRE(waitpid(tool, &status, 0) == tool);
     CHECK(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 1);
-    CHECK_THAT(content_of(folder / "stdout"), Contains("crash.yaml: crashed\n  the simulation was ended by signal 7") &&
+    CHECK_THAT(content_of(folder / "stdout"), Contains("crash.yaml: crashed\n  the simulation was ended by signal 9") &&
                                                   Contains("good.yaml: passed"));
 }
 

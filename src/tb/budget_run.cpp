@@ -1,6 +1,12 @@
 #include "tb/budget_run.hpp"
 
+#include <algorithm>
+#include <cstring>
+#include <ctime>
 #include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <thread>
 
 #include "budgets/configuration_hash.hpp"
 #include "budgets/run_figures.hpp"
@@ -70,5 +76,33 @@ budgets::Measurement measure(budgets::Budget const& budget, std::vector<std::str
         return failed(Kind::error, std::string("unexpected error: ") + error.what());
     }
 }
+
+std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& budgets,
+                                            std::vector<std::string> const& overrides, CheckRequest const& request,
+                                            processes::SignalWatch const& watch) {
+    std::vector<processes::Task> tasks;
+    tasks.reserve(budgets.size());
+    for (budgets::Budget const& budget : budgets)
+        tasks.push_back(
+            {[&budget, &overrides] { return to_text(measure(budget, overrides)); }, time_limit_of(budget, request)});
+    std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
+    return processes::run_all(tasks, request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : host_cores, watch);
+}
+
+double time_limit_of(budgets::Budget const& budget, CheckRequest const& request) {
+    return request.time_limit_s > 0 ? request.time_limit_s : budget.time_limit_s;
+}
+
+std::string why_no_result(processes::Outcome const& outcome, double time_limit_s) {
+    using End = processes::Outcome::Kind;
+    if (outcome.kind == End::timed_out)
+        return fmt::format("no result after {:g} s, the simulation was ended (time_limit_s, --time-limit)",
+                           time_limit_s);
+    if (outcome.kind == End::crashed)
+        return fmt::format("the simulation was ended by signal {} ({})", outcome.signal, strsignal(outcome.signal));
+    return fmt::format("the simulation ended with exit code {} and no result", outcome.exit_code);
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
 }  // namespace faster

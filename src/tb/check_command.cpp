@@ -1,15 +1,10 @@
 #include "tb/check_command.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <ctime>
 #include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <memory>
 #include <set>
-#include <thread>
 
 #include "budgets/baseline_text.hpp"
 #include "budgets/budget_file.hpp"
@@ -17,7 +12,6 @@
 #include "budgets/check_text.hpp"
 #include "budgets/junit_xml.hpp"
 #include "budgets/replace_baseline.hpp"
-#include "budgets/starting_budget.hpp"
 #include "common/input_error.hpp"
 #include "config/plain_text.hpp"
 #include "io/atomic_file.hpp"
@@ -26,6 +20,7 @@
 #include "processes/process_pool.hpp"
 #include "tb/budget_run.hpp"
 #include "tb/run_command.hpp"
+#include "tb/start_budget.hpp"
 
 namespace faster {
 
@@ -37,17 +32,6 @@ using budgets::CheckResult;
 using budgets::Measurement;
 using processes::Outcome;
 using Status = CheckResult::Status;
-
-std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
-
-std::size_t jobs_of(CheckRequest const& request) {
-    return request.jobs > 0 ? static_cast<std::size_t>(request.jobs)
-                            : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-}
-
-double time_limit_of(CheckRequest const& request, Budget const& budget) {
-    return request.time_limit_s > 0 ? request.time_limit_s : budget.time_limit_s;
-}
 
 void require_reason(CheckRequest const& request) {
     if (!request.update && !request.reason.empty())
@@ -76,29 +60,6 @@ std::vector<Budget> read_budgets(CheckRequest const& request) {
         read.push_back(budgets::read_budget(
             file, request.update ? budgets::BaselineNeed::optional : budgets::BaselineNeed::required));
     return read;
-}
-
-std::vector<Outcome> run_all(std::vector<Budget> const& all, CheckRequest const& request,
-                             processes::SignalWatch const& watch) {
-    std::vector<processes::Task> tasks;
-    tasks.reserve(all.size());
-    for (Budget const& budget : all)
-        tasks.push_back({[&budget, &request] { return to_text(measure(budget, request.overrides)); },
-                         time_limit_of(request, budget)});
-    return processes::run_all(tasks, jobs_of(request), watch);
-}
-
-/// Without figures: why the simulation has none.
-void note_failure(Outcome const& outcome, double time_limit_s, CheckResult& result) {
-    result.status = outcome.kind == Outcome::Kind::timed_out ? Status::timed_out : Status::crashed;
-    if (outcome.kind == Outcome::Kind::timed_out)
-        result.message =
-            fmt::format("no result after {:g} s, the simulation was ended (time_limit_s, --time-limit)", time_limit_s);
-    else if (outcome.kind == Outcome::Kind::crashed)
-        result.message = fmt::format("the simulation was ended by signal {} ({})", outcome.signal,
-                                     strsignal(outcome.signal));  // NOLINT(concurrency-mt-unsafe): one thread
-    else
-        result.message = fmt::format("the simulation ended with exit code {} and no result", outcome.exit_code);
 }
 
 Status status_without_figures(Measurement::Kind kind) {
@@ -154,7 +115,8 @@ CheckResult result_of(Budget const& budget, Outcome const& outcome, CheckRequest
     result.file = budget.file.string();
     result.seconds = outcome.seconds;
     if (outcome.kind != Outcome::Kind::done) {
-        note_failure(outcome, time_limit_of(request, budget), result);
+        result.status = outcome.kind == Outcome::Kind::timed_out ? Status::timed_out : Status::crashed;
+        result.message = why_no_result(outcome, time_limit_of(budget, request));
         return result;
     }
     try {
@@ -196,7 +158,7 @@ int check_budgets(CheckRequest const& request) {
     auto const junit = output_file(request.junit);
     auto const json = output_file(request.json);
     processes::SignalWatch const watch;
-    std::vector<Outcome> const outcomes = run_all(all, request, watch);
+    std::vector<Outcome> const outcomes = run_budgets(all, request.overrides, request, watch);
     std::vector<CheckResult> results;
     for (std::size_t i = 0; i < all.size(); ++i)
         results.push_back(result_of(all[i], outcomes[i], request));
@@ -206,51 +168,6 @@ int check_budgets(CheckRequest const& request) {
         json->commit(budgets::check_json(results));
     print(results);
     return exit_code_of(results);
-}
-
-/// How a file in `folder` names a path that the caller gives relative to the current folder.
-std::string seen_from(fs::path const& folder, std::string const& path) {
-    if (path.empty() || fs::path(path).is_absolute())
-        return path;
-    return fs::weakly_canonical(fs::absolute(path)).lexically_relative(fs::weakly_canonical(folder)).string();
-}
-
-Budget new_budget(CheckRequest const& request) {
-    Budget budget;
-    budget.file = request.out.empty() ? fs::path(request.init).stem().string() + ".budget.yaml" : request.out;
-    if (fs::exists(budget.file))
-        throw InputError(budget.file.string() + ": is there already, expected a new file (--out FILE)");
-    fs::path const folder = fs::absolute(budget.file).parent_path();
-    if (!fs::is_directory(folder))
-        throw InputError(fmt::format("{}: its folder does not exist", budget.file.string()));
-    budget.configuration = seen_from(folder, request.init);
-    budget.trace = seen_from(folder, request.trace);
-    budget.overrides = request.overrides;
-    return budget;
-}
-
-int start_budget(CheckRequest const& request) {
-    Budget const budget = new_budget(request);
-    io::OutputFile const file(budget.file);
-    processes::SignalWatch const watch;
-    CheckRequest of_budget = request;
-    of_budget.overrides.clear();  // they are the budget's own now
-    std::vector<Outcome> const outcomes = run_all({budget}, of_budget, watch);
-    CheckResult result;
-    if (outcomes.front().kind != Outcome::Kind::done) {
-        note_failure(outcomes.front(), time_limit_of(request, budget), result);
-        throw InputError(budget.file.string() + ": " + result.message);
-    }
-    Measurement const measurement = budgets::measurement_from_text(outcomes.front().output);
-    if (measurement.kind == Measurement::Kind::deadlock) {
-        fmt::print(stderr, "{}", measurement.message);
-        return exit_deadlock;
-    }
-    if (measurement.kind != Measurement::Kind::figures)
-        throw InputError(measurement.message);
-    file.commit(budgets::starting_budget(budget, measurement, today()));
-    fmt::print("written: {}\nnext: faster-sim check {}\n", budget.file.string(), budget.file.string());
-    return exit_done;
 }
 
 void require_one_purpose(CheckRequest const& request) {

@@ -7,6 +7,7 @@
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
+#include "tb/check_command.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/edge_quality_command.hpp"
 #include "tb/run_command.hpp"
@@ -43,6 +44,34 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
         ->check(CLI::Range(0, 1000000));
     add_overrides(command, request.overrides);
     add_recording_options(command, request.recording);
+}
+
+void add_check_outputs(CLI::App& command, faster::CheckRequest& request) {
+    command.add_option("--junit", request.junit, "Write the results in the JUnit format of CI services")
+        ->type_name("FILE");
+    command.add_option("--json", request.json, "Write the results, and all that moved, as JSON")->type_name("FILE");
+}
+
+void add_check(CLI::App& app, faster::CheckRequest& request) {
+    CLI::App& command = *app.add_subcommand("check", "Check latency budgets: limits on the figures of runs");
+    command.add_option("budgets", request.budgets, "Budget files (docs/budgets.md)")->type_name("BUDGET");
+    add_check_outputs(command, request);
+    command.add_option("-j,--jobs", request.jobs, "Simulations at once (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--time-limit", request.time_limit_s, "Give up a simulation after this time (time_limit_s, 60)")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.001, 86400.0));
+    add_overrides(command, request.overrides);
+    command.add_flag("--update", request.update, "Take today's figures as the baselines (needs --reason)");
+    command.add_option("--reason", request.reason, "Why the figures may move; kept in the file with date and hash")
+        ->type_name("TEXT");
+    command.add_option("--init", request.init, "Start a budget from a run of this configuration")->type_name("CONFIG");
+    command.add_option("--trace", request.trace, "With --init: replay this stimulus trace")->type_name("DIR");
+    command.add_option("--out", request.out, "With --init: where to (CONFIG's name .budget.yaml)")->type_name("FILE");
+    command.footer(
+        "Exit code 0: every limit is kept; 1: a limit is broken, or a run deadlocked, crashed or took too long;\n"
+        "2: a budget is no good. --set shows what a change would cost; its paths are relative to the budget's folder.");
 }
 
 void add_record(CLI::App& app, faster::RecordRequest& request) {
@@ -108,11 +137,11 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "compare", "edge-quality", "show", "keys"};
+    std::vector<std::string> const known{"run", "check", "record", "compare", "edge-quality", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, record, compare, edge-quality, show or keys{}", given,
+    return fmt::format("unknown command {}, expected run, check, record, compare, edge-quality, show or keys{}", given,
                        faster::did_you_mean(given, known));
 }
 
@@ -126,6 +155,8 @@ int run_tool(int argc, char** argv) {
     faster::RecordRequest record_request;
     faster::CompareRequest compare_request;
     add_run(app, run_request);
+    faster::CheckRequest check_request;
+    add_check(app, check_request);
     add_record(app, record_request);
     add_compare(app, compare_request);
     faster::EdgeQualityRequest edge_quality_request;
@@ -150,6 +181,8 @@ int run_tool(int argc, char** argv) {
         return compare(compare_request);
     if (app.got_subcommand("edge-quality"))
         return edge_quality(edge_quality_request);
+    if (app.got_subcommand("check"))
+        return check(check_request);
     if (app.got_subcommand("show"))
         return show(show_request);
     if (run_request.images > 0 && run_request.out.empty() && run_request.report.empty())

@@ -77,7 +77,8 @@ std::uint64_t last_end_cycle(std::string const& samples) {
 
 TEST_CASE("The stored traces are there, and each is explained") {
     Words const names = trace_names();
-    CHECK(names == Words{"edge_heavy", "empty", "full_window", "one_triangle"});
+    CHECK(names == Words{"banana", "cracker_box", "edge_heavy", "empty", "fragment_heavy", "full_window",
+                         "mustard_bottle", "one_triangle", "potted_meat_can", "tomato_soup_can"});
     std::string const readme = content_of(traces / "README.md");
     for (std::string const& name : names)
         CHECK_THAT(readme, Catch::Matchers::Contains("`" + name + "`"));

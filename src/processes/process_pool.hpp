@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "processes/signal_watch.hpp"
+
+namespace faster::processes {
+
+/// Work for a process of its own: what it returns is sent back. Exceptions end the process with exit code 1.
+struct Task {
+    std::function<std::string()> work;
+    double time_limit_s = 60;  ///< from the start of its process on
+};
+
+/// How a task ended.
+struct Outcome {
+    enum class Kind {
+        done,       ///< `output` is what it returned
+        timed_out,  ///< killed at its time limit
+        crashed,    ///< ended by `signal`
+        failed,     ///< ended with exit code `exit_code`, other than 0
+    };
+    Kind kind = Kind::done;
+    std::string output;
+    int signal = 0;
+    int exit_code = 0;
+    double seconds = 0;  ///< of the host
+};
+
+/// Runs every task in a forked process, at most `jobs` at once, and returns the outcomes in the order of the tasks. A
+/// task that hangs or crashes does not disturb the others. No process outlives the call, nor the caller if that is
+/// killed. Throws Interrupted when `watch` sees a signal. Call it while the program has one thread only.
+std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch);
+
+}  // namespace faster::processes

@@ -1,0 +1,108 @@
+#include "tb/budget_run.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <thread>
+
+#include "budgets/configuration_hash.hpp"
+#include "budgets/run_figures.hpp"
+#include "common/input_error.hpp"
+#include "config/load_config.hpp"
+#include "config/resolved_config.hpp"
+#include "report/text_report.hpp"
+#include "simulation/simulate.hpp"
+#include "tb/workload_source.hpp"
+
+namespace faster {
+
+namespace {
+
+using Kind = budgets::Measurement::Kind;
+
+std::vector<std::string> all_overrides(budgets::Budget const& budget, std::vector<std::string> const& more) {
+    std::vector<std::string> overrides = budget.overrides;
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    if (!budget.trace.empty())
+        overrides.push_back("workload.trace=" + budget.trace);
+    return overrides;
+}
+
+/// Relative paths in the configuration then read the same wherever the caller stands, and so does its hash.
+void enter_folder_of(std::filesystem::path const& file) {
+    if (file.has_parent_path())
+        std::filesystem::current_path(file.parent_path());
+}
+
+budgets::Measurement measurement_of(LoadedConfig const& loaded, RunStatistics const& run) {
+    std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
+    budgets::Measurement measurement;
+    measurement.clock_mhz = loaded.config.accelerator.clock_mhz;
+    measurement.configuration = budgets::configuration_hash(keys);
+    measurement.accelerator = budgets::accelerator_settings(keys);
+    if (run.deadlocked()) {
+        measurement.kind = Kind::deadlock;
+        measurement.message = report::deadlock_report(run);
+    } else if (std::string const left = leftover_tokens(run); !left.empty()) {
+        measurement.kind = Kind::error;
+        measurement.message = "tokens are left at the end of the run: " + left;
+    } else {
+        measurement.figures = budgets::run_figures(run, loaded.config.accelerator);
+    }
+    return measurement;
+}
+
+budgets::Measurement failed(Kind kind, std::string const& message) {
+    budgets::Measurement measurement;
+    measurement.kind = kind;
+    measurement.message = message;
+    return measurement;
+}
+
+}  // namespace
+
+budgets::Measurement measure(budgets::Budget const& budget, std::vector<std::string> const& overrides) {
+    try {
+        enter_folder_of(budget.file);
+        LoadedConfig loaded = load_config(budget.configuration, all_overrides(budget, overrides));
+        Stimulus const stimulus = load_stimulus(loaded);
+        return measurement_of(loaded, simulate(loaded.config.accelerator, stimulus, loaded.config.simulation.engine));
+    } catch (InputError const& error) {
+        return failed(Kind::bad_input, error.what());
+    } catch (std::exception const& error) {
+        return failed(Kind::error, std::string("unexpected error: ") + error.what());
+    }
+}
+
+std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& budgets,
+                                            std::vector<std::string> const& overrides, CheckRequest const& request,
+                                            processes::SignalWatch const& watch) {
+    std::vector<processes::Task> tasks;
+    tasks.reserve(budgets.size());
+    for (budgets::Budget const& budget : budgets)
+        tasks.push_back(
+            {[&budget, &overrides] { return to_text(measure(budget, overrides)); }, time_limit_of(budget, request)});
+    std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
+    return processes::run_all(tasks, request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : host_cores, watch);
+}
+
+double time_limit_of(budgets::Budget const& budget, CheckRequest const& request) {
+    return request.time_limit_s > 0 ? request.time_limit_s : budget.time_limit_s;
+}
+
+std::string why_no_result(processes::Outcome const& outcome, double time_limit_s) {
+    using End = processes::Outcome::Kind;
+    if (outcome.kind == End::timed_out)
+        return fmt::format("no result after {:g} s, the simulation was ended (time_limit_s, --time-limit)",
+                           time_limit_s);
+    if (outcome.kind == End::crashed)
+        return fmt::format("the simulation was ended by signal {} ({})", outcome.signal, strsignal(outcome.signal));
+    return fmt::format("the simulation ended with exit code {} and no result", outcome.exit_code);
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
+
+}  // namespace faster

@@ -1,0 +1,44 @@
+# Installs the tool into a fresh folder, configures a project that knows nothing but that folder, and runs its tests.
+#   cmake -D BUILD=build/ci -D CONSUMER=tests/package/consumer -D SCRATCH=folder -P package_test.cmake
+function(run_checked what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${what}: ${result}\n${output}")
+  endif()
+endfunction()
+
+function(expect_in_output text)
+  string(FIND "${output}" "${text}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "expected \"${text}\" in\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+run_checked(install ${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+file(COPY ${CONSUMER} DESTINATION ${SCRATCH})
+set(source ${SCRATCH}/consumer)
+
+# A first budget by --init, a second that is a copy of a shipped one with its own paths.
+set(tool ${SCRATCH}/prefix/bin/faster-sim)
+set(share ${SCRATCH}/prefix/share/faster-sim)
+file(MAKE_DIRECTORY ${source}/budgets)
+run_checked(init ${tool} check --init ${share}/configs/faster_zcu102.yaml --trace ${share}/traces/edge_heavy
+  --out ${source}/budgets/design.yaml)
+file(READ ${share}/configs/budgets/edge_heavy_10_cores.yaml wide)
+string(REPLACE "../faster_zcu102" "${share}/configs/faster_zcu102" wide "${wide}")
+string(REPLACE "../../traces" "${share}/traces" wide "${wide}")
+file(WRITE ${source}/budgets/wide.yaml "${wide}")
+
+run_checked(configure ${CMAKE_COMMAND} -S ${source} -B ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${SCRATCH}/build -L budget --output-on-failure
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(result EQUAL 0)
+  message(FATAL_ERROR "a broken budget passed\n${output}")
+endif()
+expect_in_output("1 tests failed out of 2")
+expect_in_output("modules.rasterizer.setup_cycles")
+if(NOT EXISTS ${SCRATCH}/build/design.xml)
+  message(FATAL_ERROR "no JUnit file")
+endif()
+file(REMOVE_RECURSE ${SCRATCH})

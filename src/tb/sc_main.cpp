@@ -8,6 +8,7 @@
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
 #include "tb/check_command.hpp"
+#include "tb/compare_architectures_command.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/edge_quality_command.hpp"
 #include "tb/run_command.hpp"
@@ -92,6 +93,25 @@ void add_compare(CLI::App& app, faster::CompareRequest& request) {
     command.add_option("--json", request.json, "Write the whole comparison to this file")->type_name("FILE");
 }
 
+void add_compare_architectures(CLI::App& app, faster::CompareArchitecturesRequest& request) {
+    CLI::App& command =
+        *app.add_subcommand("compare-architectures", "Run several architectures on several workloads, side by side");
+    command
+        .add_option("architectures", request.architectures,
+                    "Files that say what an architecture changes, e.g. configs/architectures/*.yaml; the first is 1")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--workloads", request.workloads, "Configurations to run them on, e.g. configs/banana.yaml")
+        ->required()
+        ->type_name("CONFIG");
+    add_overrides(command, request.overrides);
+    command.add_option("-j,--jobs", request.jobs, "Simulations at once (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--csv", request.csv, "Write a row per architecture and workload to this file")
+        ->type_name("FILE");
+}
+
 void add_edge_quality(CLI::App& app, faster::EdgeQualityRequest& request) {
     CLI::App& command = *app.add_subcommand(
         "edge-quality", "Judge the edge maps of the algorithms by the exact contours of many random poses");
@@ -137,12 +157,14 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "check", "record", "compare", "edge-quality", "show", "keys"};
+    std::vector<std::string> const known{"run",          "check", "record", "compare", "compare-architectures",
+                                         "edge-quality", "show",  "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected run, check, record, compare, edge-quality, show or keys{}", given,
-                       faster::did_you_mean(given, known));
+    return fmt::format(
+        "unknown command {}, expected run, check, record, compare, compare-architectures, edge-quality, show or keys{}",
+        given, faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -159,6 +181,8 @@ int run_tool(int argc, char** argv) {
     add_check(app, check_request);
     add_record(app, record_request);
     add_compare(app, compare_request);
+    faster::CompareArchitecturesRequest architectures_request;
+    add_compare_architectures(app, architectures_request);
     faster::EdgeQualityRequest edge_quality_request;
     add_edge_quality(app, edge_quality_request);
     faster::ShowRequest show_request;
@@ -179,6 +203,8 @@ int run_tool(int argc, char** argv) {
         return record(record_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
+    if (app.got_subcommand("compare-architectures"))
+        return compare_architectures(architectures_request);
     if (app.got_subcommand("edge-quality"))
         return edge_quality(edge_quality_request);
     if (app.got_subcommand("check"))

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace faster {
+
+/// `faster-sim compare-architectures`.
+struct CompareArchitecturesRequest {
+    std::vector<std::string> architectures;  ///< configuration files that say what an architecture changes
+    std::vector<std::string> workloads;      ///< configuration files to run them on
+    std::vector<std::string> overrides;      ///< KEY=VALUE, for all
+    std::int64_t jobs = 0;                   ///< simulations at once; 0: the host's cores
+    std::string csv;                         ///< file; empty: print only
+};
+
+/// Runs every architecture on every workload, each in a process of its own, and prints a table. The keys an
+/// architecture's file sets win over the workload's. Throws InputError on bad input. Exit code 1 if a simulation
+/// crashed.
+int compare_architectures(CompareArchitecturesRequest const& request);
+
+}  // namespace faster

@@ -1,0 +1,87 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Words = std::vector<std::string>;
+
+namespace {
+
+class Workspace {
+  public:
+    Workspace() {
+        folder_.write("small.yaml",
+                      "accelerator: {raster_cores: 2, window: 40}\n"
+                      "workload: {object: banana, pose: {translation_m: [0, 0, 0.65]}, samples: {count: 3}}\n");
+        folder_.write("empty.yaml", "accelerator: {raster_cores: 2, window: 20}\nworkload: {samples: {count: 1}}\n");
+        folder_.write("plain.yaml", "accelerator: {}\n");
+        folder_.write("quick.yaml", "accelerator: {inlier_unit: {neighbour_access: window}}\n");
+        folder_.write("stuck.yaml", "accelerator: {fifos: {fragment_depth: {depth: 1}}}\n");
+        folder_.write("wrong.yaml", "workload: {samples: {count: 3}}\n");
+    }
+    CommandResult compare(Words arguments) const {
+        arguments.insert(arguments.begin(), "compare-architectures");
+        return run_command(FASTER_SIM_BINARY, arguments, folder_.path());
+    }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    std::size_t files() const { return entries_in(folder_.path()); }
+    std::uint64_t cycles_of(Words const& settings) const {
+        Words words{"run", "small.yaml", "--out", "out"};
+        for (std::string const& setting : settings)
+            words.insert(words.end(), {"--set", setting});
+        require_done(run_command(FASTER_SIM_BINARY, words, folder_.path()));
+        return nlohmann::json::parse(text("out/summary.json"))["total_cycles"];
+    }
+
+  private:
+    TempFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("compare-architectures finds what single runs find, in a table and a file", "[architectures]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.compare(
+        {"plain.yaml", "quick.yaml", "stuck.yaml", "--workloads", "small.yaml", "empty.yaml", "--csv", "a.csv"});
+    require_done(result);
+    std::vector<std::string> const table = lines_of(result.out);
+    REQUIRE(table.size() >= 5);
+    CHECK(table[0] == "| ms | small | empty | time, first = 1 | port conflict cycles | RAMB36 |");
+    CHECK_THAT(table[2], Contains("| plain | ") && Contains(" | 1.00 | "));
+    CHECK_THAT(table[3], Contains("| quick | "));
+    CHECK_THAT(table[4], Contains("| stuck | deadlock |"));
+    std::vector<std::string> const rows = lines_of(workspace.text("a.csv"));
+    REQUIRE(rows.size() == 7);
+    std::uint64_t const plain = workspace.cycles_of({});
+    std::uint64_t const quick = workspace.cycles_of({"accelerator.inlier_unit.neighbour_access=window"});
+    CHECK(quick < plain);
+    CHECK_THAT(rows[1], Catch::StartsWith("plain,small,finished," + std::to_string(plain) + ","));
+    CHECK_THAT(rows[3], Catch::StartsWith("quick,small,finished," + std::to_string(quick) + ","));
+    CHECK_THAT(rows[5], Catch::StartsWith("stuck,small,deadlock,,,,,,"));
+}
+
+TEST_CASE("compare-architectures does not depend on how many simulate at once", "[architectures]") {
+    Workspace const workspace;
+    Words const arguments{"plain.yaml", "quick.yaml", "--workloads", "small.yaml", "empty.yaml", "-j"};
+    Words one = arguments, four = arguments;
+    one.emplace_back("1");
+    four.emplace_back("4");
+    CHECK(workspace.compare(one).out == workspace.compare(four).out);
+}
+
+TEST_CASE("compare-architectures refuses bad input in one line, and writes nothing", "[architectures]") {
+    Workspace const workspace;
+    std::size_t const before = workspace.files();
+    check_bad_input(workspace.compare({"wrong.yaml", "--workloads", "small.yaml", "--csv", "a.csv"}),
+                    {"wrong.yaml:1: workload.samples.count, expected keys of accelerator only"});
+    check_bad_input(workspace.compare({"none.yaml", "--workloads", "small.yaml"}), {"none.yaml"});
+    check_bad_input(workspace.compare({"plain.yaml", "--workloads", "small.yaml", "--set", "accelerator.cheese=1"}),
+                    {"accelerator.cheese"});
+    CHECK(workspace.files() == before);
+}

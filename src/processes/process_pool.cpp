@@ -161,7 +161,8 @@ void collect(Children& children, std::vector<bool> const& news, std::vector<Outc
 
 }  // namespace
 
-std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch) {
+std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
+                             std::function<void(std::size_t, std::size_t)> const& progress) {
     std::vector<Outcome> outcomes(tasks.size());
     Children children;
     std::size_t next = 0;
@@ -171,6 +172,8 @@ std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, S
             ++next;
         }
         collect(children, wait_for_news(children, watch), outcomes);
+        if (progress)
+            progress(next - children.size(), tasks.size());
     }
     return outcomes;
 }

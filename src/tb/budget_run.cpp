@@ -15,6 +15,7 @@
 #include "config/resolved_config.hpp"
 #include "report/text_report.hpp"
 #include "simulation/simulate.hpp"
+#include "tb/progress_line.hpp"
 #include "tb/workload_source.hpp"
 
 namespace faster {
@@ -86,7 +87,9 @@ std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& 
         tasks.push_back(
             {[&budget, &overrides] { return to_text(measure(budget, overrides)); }, time_limit_of(budget, request)});
     std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
-    return processes::run_all(tasks, request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : host_cores, watch);
+    ProgressLine progress("budgets");
+    return processes::run_all(tasks, request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : host_cores, watch,
+                              [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 double time_limit_of(budgets::Budget const& budget, CheckRequest const& request) {

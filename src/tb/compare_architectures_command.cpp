@@ -13,6 +13,7 @@
 #include "processes/process_pool.hpp"
 #include "report/architecture_table.hpp"
 #include "simulation/simulate.hpp"
+#include "tb/progress_line.hpp"
 #include "tb/run_command.hpp"
 #include "tb/workload_source.hpp"
 
@@ -73,7 +74,9 @@ std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points, s
         tasks.push_back({[&point] { return simulate_point(point); }, time_limit_s});
     std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
     processes::SignalWatch const watch;
-    return processes::run_all(tasks, jobs > 0 ? static_cast<std::size_t>(jobs) : host_cores, watch);
+    ProgressLine progress("simulations");
+    return processes::run_all(tasks, jobs > 0 ? static_cast<std::size_t>(jobs) : host_cores, watch,
+                              [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 report::ArchitectureRow row_of(Point const& point, processes::Outcome const& outcome) {

@@ -1,12 +1,10 @@
 #include "tb/run_command.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <stdexcept>
-#include <unistd.h>
 
 #include "common/input_error.hpp"
 #include "config/load_config.hpp"
@@ -22,6 +20,7 @@
 #include "report_html/html_report.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
+#include "tb/progress_line.hpp"
 #include "tb/sample_pictures.hpp"
 #include "tb/workload_source.hpp"
 
@@ -37,32 +36,6 @@ double seconds_since(HostClock::time_point start) {
 
 io::FolderKind const results_folder{
     "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "sensitivities.csv", "images"}};
-
-/// What is done so far, on the terminal's last line; silent when stdout is no terminal.
-class ProgressLine {
-  public:
-    explicit ProgressLine(char const* what) : what_(what), visible_(isatty(STDOUT_FILENO) != 0) {}
-    ~ProgressLine() {
-        if (shown_)
-            fmt::print("\r\033[K");
-    }
-    void show(std::uint64_t done, std::uint64_t all) {
-        if (!visible_ || seconds_since(last_) < 0.1)
-            return;
-        last_ = HostClock::now();
-        shown_ = true;
-        constexpr std::uint64_t width = 40;
-        std::uint64_t const filled = done * width / all;
-        fmt::print("\r[{:<{}}] {}/{} {}", std::string(filled, '#'), width, done, all, what_);
-        std::fflush(stdout);
-    }
-
-  private:
-    char const* what_;
-    bool visible_;
-    bool shown_ = false;
-    HostClock::time_point last_ = HostClock::now();
-};
 
 void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run,
                    report::HostTime const& host, SamplePictures const& pictures, bool with_pictures) {

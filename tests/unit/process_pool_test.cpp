@@ -1,5 +1,6 @@
 #include "processes/process_pool.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -76,6 +77,18 @@ pid_t start_caller(std::filesystem::path const& file) {
 }
 
 }  // namespace
+
+TEST_CASE("Progress counts up to all tasks, whatever becomes of them", "[processes]") {
+    SignalWatch const watch;
+    std::vector<std::size_t> counts;
+    run_all({quick("a"), {crash, 30}, quick("c")}, 2, watch, [&counts](std::size_t done, std::size_t all) {
+        CHECK(all == 3);
+        counts.push_back(done);
+    });
+    REQUIRE_FALSE(counts.empty());
+    CHECK(counts.back() == 3);
+    CHECK(std::is_sorted(counts.begin(), counts.end()));
+}
 
 TEST_CASE("Outcomes come in the order of the tasks, whoever is first") {
     SignalWatch const watch;

@@ -4,6 +4,7 @@
 
 #include "budgets/check_text.hpp"
 #include "budgets/limit_text.hpp"
+#include "common/markup_text.hpp"
 
 namespace faster::budgets {
 
@@ -82,21 +83,13 @@ std::string suite(CheckResult const& result) {
 
 }  // namespace
 
+/// XML has no control characters but tab and line end, not even escaped.
 std::string xml_text(std::string const& text) {
-    std::string escaped;
-    for (char const letter : text) {
-        if (letter == '&')
-            escaped += "&amp;";
-        else if (letter == '<')
-            escaped += "&lt;";
-        else if (letter == '>')
-            escaped += "&gt;";
-        else if (letter == '"')
-            escaped += "&quot;";
-        else
-            escaped += static_cast<unsigned char>(letter) < 0x20 && letter != '\n' && letter != '\t' ? '?' : letter;
-    }
-    return escaped;
+    std::string printable = text;
+    for (char& letter : printable)
+        if (static_cast<unsigned char>(letter) < 0x20 && letter != '\n' && letter != '\t')
+            letter = '?';
+    return markup_escaped(printable);
 }
 
 std::string junit_xml(std::vector<CheckResult> const& results) {

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "common/markup_text.hpp"
 #include "report_html/html_text.hpp"
 #include "report_html/page.hpp"
 #include "report_html/report_data.hpp"
@@ -17,7 +18,7 @@ static std::string_view take_until(std::string_view& rest, std::string_view mark
 }
 
 std::string html_report(HtmlReportInput const& input) {
-    std::string const title = html_escaped(input.title);
+    std::string const title = markup_escaped(input.title);
     std::string_view rest = report_page;
     std::string html;
     for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline

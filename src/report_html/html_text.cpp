@@ -5,25 +5,6 @@
 
 namespace faster::report {
 
-std::string html_escaped(std::string_view text) {
-    std::string escaped;
-    for (char const letter : text) {
-        if (letter == '&')
-            escaped += "&amp;";
-        else if (letter == '<')
-            escaped += "&lt;";
-        else if (letter == '>')
-            escaped += "&gt;";
-        else if (letter == '"')
-            escaped += "&quot;";
-        else if (letter == '\'')
-            escaped += "&#39;";
-        else
-            escaped += letter;
-    }
-    return escaped;
-}
-
 std::string script_safe(std::string_view json) {
     std::string safe;
     for (char const letter : json) {  // these stand only inside JSON's strings, where an escape means the same

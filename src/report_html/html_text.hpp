@@ -4,9 +4,6 @@
 
 namespace faster::report {
 
-/// Text as the content of an HTML element or a quoted attribute.
-std::string html_escaped(std::string_view text);
-
 /// JSON as the content of a script element: still the same JSON, without anything that could end the element.
 std::string script_safe(std::string_view json);
 

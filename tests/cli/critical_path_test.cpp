@@ -1,45 +1,14 @@
 #include <catch2/catch.hpp>
 
-#include "support/command.hpp"
-#include "support/report_page.hpp"
-#include "support/temp_folder.hpp"
+#include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
-using Words = std::vector<std::string>;
-
-namespace {
-
-class Workspace {
-  public:
-    Workspace() {
-        folder_.write("config.yaml",
-                      "accelerator: {raster_cores: 2, window: 60}\n"
-                      "workload:\n"
-                      "  object: tomato_soup_can\n"
-                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
-                      "  samples: {count: 3}\n");
-    }
-
-    CommandResult run(Words const& arguments) const {
-        Words words{"run", "config.yaml"};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        return run_command(FASTER_SIM_BINARY, words, folder_.path());
-    }
-    Json summary(std::string const& run) const { return Json::parse(text(run + "/summary.json")); }
-    std::string text(std::string const& name) const { return content_of(folder_ / name); }
-    std::size_t files_in(std::string const& run) const { return entries_in(folder_ / run); }
-
-  private:
-    TempFolder folder_;
-};
-
-}  // namespace
 
 TEST_CASE("The critical path says how every cycle came about, the same from both engines") {
-    Workspace const workspace;
+    SmallWorkspace const workspace;
     for (std::string const engine : {"decoupled", "lockstep"}) {
         CommandResult const result =
             workspace.run({"--critical-path", "--out", engine, "--set", "simulation.engine=" + engine});
@@ -55,7 +24,7 @@ TEST_CASE("The critical path says how every cycle came about, the same from both
 }
 
 TEST_CASE("Without --critical-path and --sensitivities nothing of them is written") {
-    Workspace const workspace;
+    SmallWorkspace const workspace;
     require_done(workspace.run({"--out", "plain"}));
     CHECK_FALSE(workspace.summary("plain").contains("critical_path"));
     CHECK_FALSE(workspace.summary("plain").contains("sensitivities"));
@@ -63,7 +32,7 @@ TEST_CASE("Without --critical-path and --sensitivities nothing of them is writte
 }
 
 TEST_CASE("Sensitivities are what runs with the changed keys find") {
-    Workspace const workspace;
+    SmallWorkspace const workspace;
     CommandResult const result = workspace.run({"--sensitivities", "--out", "out"});
     require_done(result);
     CHECK_THAT(result.out, Contains("Sensitivities: change of the "));
@@ -84,7 +53,7 @@ TEST_CASE("Sensitivities are what runs with the changed keys find") {
 }
 
 TEST_CASE("A deadlocked run has neither critical path nor sensitivities") {
-    Workspace const workspace;
+    SmallWorkspace const workspace;
     CommandResult const result = workspace.run(
         {"--critical-path", "--sensitivities", "--out", "stuck", "--set", "accelerator.fifos.fragment_depth.depth=1"});
     CHECK(result.exit_code == 3);

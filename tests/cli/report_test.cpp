@@ -3,6 +3,7 @@
 
 #include "support/command.hpp"
 #include "support/report_page.hpp"
+#include "support/small_workspace.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
@@ -14,29 +15,7 @@ using Words = std::vector<std::string>;
 
 namespace {
 
-/// A folder with config.yaml: three samples on two cores.
-class Workspace {
-  public:
-    Workspace() {
-        folder_.write("config.yaml",
-                      "accelerator: {raster_cores: 2, window: 60}\n"
-                      "workload:\n"
-                      "  object: tomato_soup_can\n"
-                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
-                      "  samples: {count: 3}\n");
-    }
-
-    CommandResult run(Words const& arguments) const {
-        Words words{"run", "config.yaml"};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        return run_command(FASTER_SIM_BINARY, words, folder_.path());
-    }
-    TempFolder const& folder() const { return folder_; }
-    std::string text(std::string const& name) const { return content_of(folder_ / name); }
-
-  private:
-    TempFolder folder_;
-};
+using Workspace = SmallWorkspace;
 
 void check_refused(Workspace const& workspace, Words const& arguments, std::string const& part) {
     std::size_t const before = entries_in(workspace.folder().path());

@@ -3,11 +3,13 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "common/markup_text.hpp"
+
 namespace faster::report {
 
 TEST_CASE("Text in HTML shows as it is", "[html]") {
-    CHECK(html_escaped("plain text, 1 + 1 = 2") == "plain text, 1 + 1 = 2");
-    CHECK(html_escaped(R"(<b title="it's">&</b>)") == "&lt;b title=&quot;it&#39;s&quot;&gt;&amp;&lt;/b&gt;");
+    CHECK(markup_escaped("plain text, 1 + 1 = 2") == "plain text, 1 + 1 = 2");
+    CHECK(markup_escaped(R"(<b title="it's">&</b>)") == "&lt;b title=&quot;it&#39;s&quot;&gt;&amp;&lt;/b&gt;");
 }
 
 TEST_CASE("JSON in a script cannot end it and stays the same JSON", "[html]") {

@@ -67,7 +67,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
         bench_core_ = core.blank_copy();
         if (leaves_trails_)
-            bench_core_->leave_trail();
+            bench_core_->leave_trail(Trail::any_length);
         bench_group_ = std::make_unique<Group>(*bench_core_, lead);
         bench_ = std::make_unique<RelativeState>(*bench_group_);
         bench_counters_ = bench_->counters();
@@ -312,7 +312,6 @@ Automaton::Print Automaton::print_of_phrase() const {
 /// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     ++worked_out_;
-    take_trail();  // of one that came to nothing
     bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
     Before before;
     before.counters = values_of(bench_counters_);
@@ -329,8 +328,10 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
                   });
     account.entered = Phrase::entered(phrase_.codes(), phrase_.size());
     bench_core_->resolve();
-    if (!bench_group_->driver().finished())
+    if (!bench_group_->driver().finished()) {
+        take_trail();  // it came to nothing
         return nullptr;
+    }
     for (unsigned m = 0; m < before.times.size(); ++m) {
         bool const entered = ((account.entered >> m) & 1U) != 0;
         account.iterations[m] = bench_->iterations(m) - (entered ? 0 : account.iterations[m]);

@@ -33,6 +33,7 @@ class Trail {
     using Transition = std::uint32_t;  ///< number of an automaton's
     /// Events, about, from which on it is worth looking for some to forget.
     static constexpr std::size_t usual_length = 1U << 17;
+    static constexpr std::size_t any_length = ~std::size_t{0};  ///< never forget
 
     explicit Trail(std::size_t length = usual_length) : usual_(length), long_(length) {}
 

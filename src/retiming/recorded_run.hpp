@@ -2,16 +2,18 @@
 #include <memory>
 #include <vector>
 
+#include "common/tokens.hpp"
 #include "retiming/operation_tape.hpp"
 #include "timing/core_timing.hpp"
 
 namespace faster::retiming {
 
 /// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, as it
-/// reads and writes its FIFOs blocking, and only so.
+/// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
 struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
-    std::vector<OperationTape> cores;
+    OperationTape tape;
+    std::vector<SampleCounters> counters;  ///< the samples' results
 };
 
 }  // namespace faster::retiming

@@ -60,9 +60,9 @@ class Pool {
     }
 
     void perform(Task const& task) {
-        Retimed const retimed = retime(run_, task.config);
-        task.step->deadlocks = retimed.deadlocked;
-        task.step->total_cycles = retimed.deadlocked ? 0 : retimed.total_cycles;
+        RunStatistics const retimed = retime(run_, task.config);
+        task.step->deadlocks = retimed.deadlocked();
+        task.step->total_cycles = retimed.deadlocked() ? 0 : retimed.total_cycles;
         std::lock_guard<std::mutex> const lock(mutex_);
         ++done_;
         if (progress_)

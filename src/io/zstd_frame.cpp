@@ -28,9 +28,9 @@ std::string zstd_frame(std::string_view content) {
     return frame;
 }
 
-std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t content_bytes) {
-    if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != content_bytes ||
-        ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size())
+std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes) {
+    auto const content_bytes = ZSTD_getFrameContentSize(frame.data(), frame.size());  // huge if it is not known
+    if (content_bytes > most_bytes || ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size())
         return std::nullopt;
     std::string content(content_bytes, '\0');
     std::size_t const size = ZSTD_decompress(content.data(), content.size(), frame.data(), frame.size());

@@ -57,8 +57,8 @@ std::string OperationTape::block(std::size_t sample) const {
 void OperationTape::read(std::size_t sample, timing::CoreTiming const& core, SampleOperations& operations) const {
     std::string const frame = block(sample);
     auto const content = io::content_of_zstd_frame(frame, blocks_[sample].content_bytes);
-    if (!content || io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum ||
-        !decode(*content, core, operations))
+    if (!content || content->size() != blocks_[sample].content_bytes ||
+        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, core, operations))
         throw InputError(name_ + ": the operations of sample " + std::to_string(sample) +
                          " are damaged, expected them as faster-sim run --events wrote them");
 }

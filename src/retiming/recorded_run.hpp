@@ -1,5 +1,7 @@
 #pragma once
+#include <deque>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "common/tokens.hpp"
@@ -12,6 +14,7 @@ namespace faster::retiming {
 /// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
 struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
+    std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
     OperationTape tape;
     std::vector<SampleCounters> counters;  ///< the samples' results
 };

@@ -39,12 +39,21 @@ void Taping::end_sample(std::size_t core, std::size_t process) {
     timing::OperationLog& log = tape.logs[process];
     tape.open[at][process] = retiming::canonical(log.begin(), log.pending());
     log.clear();
+    note_steps(process, tape.open[at][process]);
     ++tape.left[at];
     for (; !tape.left.empty() && tape.left.front() == tape.logs.size(); ++tape.done) {
         run_.tape.put(accelerator_.cores()[core]->share().first + tape.done, tape.open.front());
         tape.open.pop_front();
         tape.left.pop_front();
     }
+}
+
+/// A port that is accessed in loops only has no site of its own worth keeping.
+void Taping::note_steps(std::size_t process, std::vector<timing::Operation> const& operations) {
+    std::uint32_t& ports = step_ports_[process];
+    for (timing::Operation const& operation : operations)
+        if (operation.kind() == timing::Operation::Kind::step)
+            ports |= operation.ports();
 }
 
 /// The blueprint's, from the first core that got there.
@@ -56,7 +65,7 @@ void Taping::note_sites() {
                 if (noted.loop_site(i).line == 0)
                     noted.note_loop_site(i, process.loop_site(i));
             for (unsigned i = 0; i < process.port_count(); ++i)
-                if (noted.port_site(i).line == 0)
+                if (noted.port_site(i).line == 0 && ((step_ports_[process.index()] >> i) & 1U) != 0)
                     noted.note_site(static_cast<std::uint8_t>(1U << i), process.port_site(i));
         }
 }

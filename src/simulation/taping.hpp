@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <deque>
 #include <vector>
 
@@ -28,11 +29,13 @@ class Taping {
     void start(std::size_t core);
     void begin_sample(std::size_t core, std::size_t process);
     void end_sample(std::size_t core, std::size_t process);
+    void note_steps(std::size_t process, std::vector<timing::Operation> const& operations);
     void note_sites();
 
     Accelerator& accelerator_;
     retiming::RecordedRun& run_;
-    std::vector<CoreTape> tapes_;  // by core
+    std::vector<CoreTape> tapes_;                           // by core
+    std::array<std::uint32_t, module_count> step_ports_{};  // by process: bits of ports that are accessed outside loops
 };
 
 }  // namespace faster

@@ -62,10 +62,10 @@ class IterationJoiner {
 };
 
 bool is_simple(Operation const& operation) {
-    if (operation.kind() == Operation::Kind::mixed)
-        return true;
-    std::uint8_t const tail = operation.tail_ports();
-    return operation.kind() == Operation::Kind::iterate && operation.ports() != 0 && operation.gap() <= 1 &&
+    if (operation.kind() != Operation::Kind::iterate)
+        return operation.kind() == Operation::Kind::mixed;
+    std::uint8_t const tail = operation.own_tail_ports();
+    return operation.ports() != 0 && operation.gap() <= 1 &&
            (tail == 0 || (tail == operation.ports() && operation.tail_gap() <= 1));
 }
 
@@ -84,15 +84,21 @@ void add(Operation const& operation, IterationJoiner& joiner) {
 
 std::vector<Operation> canonical(Operation const* first, std::size_t count) {
     std::vector<Operation> operations;
-    operations.reserve(count);
+    operations.reserve(count + 1);
     IterationJoiner joiner(operations);
-    for (Operation const* operation = first; operation != first + count; ++operation) {
-        if (is_simple(*operation)) {
+    Operation const* const end = first + count;
+    bool is_open = false;
+    for (Operation const* operation = first; operation != end; ++operation) {
+        bool const joins = is_simple(*operation) && (is_open || operation->own_tail_ports() != 0 ||
+                                                     (operation + 1 != end && is_simple(operation[1])));
+        if (joins) {
             add(*operation, joiner);
         } else {
-            joiner.flush();
+            if (is_open)
+                joiner.flush();
             operations.push_back(*operation);
         }
+        is_open = joins;
     }
     joiner.flush();
     return operations;

@@ -18,13 +18,8 @@ struct Shape {
 
     bool has_count() const { return kind != Kind::leave && kind != Kind::stamp; }
     bool has_gap() const { return kind == Kind::wait || kind == Kind::iterate; }
-    friend bool operator==(Shape const& a, Shape const& b) {
-        return a.kind == b.kind && a.ports == b.ports && a.tail_ports == b.tail_ports;
-    }
 };
 constexpr std::size_t most_shapes = 256;
-
-Shape shape_of(Operation const& operation) { return {operation.kind(), operation.ports(), operation.tail_ports()}; }
 
 void put_number(std::string& bytes, std::uint64_t value) {
     for (; value >= 0x80; value >>= 7)
@@ -32,69 +27,112 @@ void put_number(std::string& bytes, std::uint64_t value) {
     bytes.push_back(static_cast<char>(value));
 }
 
-/// One process's operations, column by column: which shape; then what operations of that shape have, in their order.
-struct Columns {
-    std::string shapes;
-    std::string counts;
-    std::string gaps;
-    std::string tail_gaps;
-    std::string mixes;
-    std::array<std::string*, 5> all() { return {&shapes, &counts, &gaps, &tail_gaps, &mixes}; }
-};
-
-void put_operation(Operation const& operation, Shape const& shape, Columns& columns) {
-    if (shape.kind == Kind::mixed) {
-        put_number(columns.counts, operation.length());
-        for (unsigned at = 0; at < 32; at += 8)
-            columns.mixes.push_back(static_cast<char>(operation.gaps() >> at));
-        return;
+/// One column of a process's table. Operations come by the million: bytes are put without looking whether there is
+/// room.
+class Column {
+  public:
+    void clear(std::size_t most_bytes) {
+        if (bytes_.size() < most_bytes)
+            bytes_.resize(most_bytes);
+        end_ = bytes_.data();
     }
-    if (shape.has_count())
-        put_number(columns.counts, operation.count());
-    if (shape.has_gap())
-        put_number(columns.gaps, operation.gap());
-    if (shape.tail_ports != 0)
-        put_number(columns.tail_gaps, operation.tail_gap());
-}
+    void put(std::uint32_t value) {
+        for (; value >= 0x80; value >>= 7)
+            *end_++ = static_cast<char>(0x80U | (value & 0x7FU));
+        *end_++ = static_cast<char>(value);
+    }
+    void put_four_bytes(std::uint32_t value) {
+        for (unsigned at = 0; at < 32; at += 8)
+            *end_++ = static_cast<char>(value >> at);
+    }
+    std::string_view bytes() const { return {bytes_.data(), static_cast<std::size_t>(end_ - bytes_.data())}; }
+
+  private:
+    std::vector<char> bytes_;
+    char* end_ = nullptr;
+};
 
 /// Numbers shapes in the order in which they occur.
 class ShapeTable {
   public:
-    std::size_t number_of(Shape const& shape) {
-        if (last_ < shapes_.size() && shapes_[last_] == shape)
-            return last_;
-        last_ = static_cast<std::size_t>(std::find(shapes_.begin(), shapes_.end(), shape) - shapes_.begin());
-        if (last_ == shapes_.size())
-            shapes_.push_back(shape);
-        return last_;
+    std::uint32_t number_of(Operation const& operation) {
+        std::uint32_t const key = key_of(operation);
+        std::uint32_t& known = last_numbers_[key % last_numbers_.size()];
+        if (known < keys_.size() && keys_[known] == key)
+            return known;
+        known = static_cast<std::uint32_t>(std::find(keys_.begin(), keys_.end(), key) - keys_.begin());
+        if (known == keys_.size()) {
+            keys_.push_back(key);
+            shapes_.push_back({operation.kind(), operation.ports(), operation.tail_ports()});
+        }
+        return known;
     }
+    Shape const& operator[](std::uint32_t number) const { return shapes_[number]; }
     std::vector<Shape> const& shapes() const { return shapes_; }
 
   private:
+    static std::uint32_t key_of(Operation const& operation) {
+        auto const kind = static_cast<std::uint32_t>(operation.kind());
+        return (((kind << 8) | operation.ports()) << 8) | operation.tail_ports();
+    }
+
+    std::vector<std::uint32_t> keys_;
     std::vector<Shape> shapes_;
-    std::size_t last_ = 0;
+    std::array<std::uint32_t, 61> last_numbers_{};
 };
 
-void put_process(std::vector<Operation> const& operations, std::string& bytes) {
-    ShapeTable table;
-    Columns columns;
-    columns.shapes.reserve(operations.size());
-    for (Operation const& operation : operations) {
-        Shape const shape = shape_of(operation);
-        put_number(columns.shapes, table.number_of(shape));
-        put_operation(operation, shape, columns);
+/// The operations of one process after the other as columns: which shape; then what operations of that shape have, in
+/// their order.
+class ProcessEncoder {
+  public:
+    void put(std::vector<Operation> const& operations, std::string& bytes) {
+        clear(operations.size());
+        ShapeTable table;
+        for (Operation const& operation : operations) {
+            std::uint32_t const number = table.number_of(operation);
+            shapes_.put(number);
+            put(operation, table[number]);
+        }
+        put_number(bytes, operations.size());
+        put_number(bytes, table.shapes().size());
+        for (Shape const& shape : table.shapes())
+            for (unsigned const byte :
+                 {static_cast<unsigned>(shape.kind), unsigned{shape.ports}, unsigned{shape.tail_ports}})
+                bytes.push_back(static_cast<char>(byte));
+        for (Column const* column : {&shapes_, &counts_, &gaps_, &tail_gaps_, &mixes_}) {
+            put_number(bytes, column->bytes().size());
+            bytes += column->bytes();
+        }
     }
-    put_number(bytes, operations.size());
-    put_number(bytes, table.shapes().size());
-    for (Shape const& shape : table.shapes())
-        for (unsigned const byte :
-             {static_cast<unsigned>(shape.kind), unsigned{shape.ports}, unsigned{shape.tail_ports}})
-            bytes.push_back(static_cast<char>(byte));
-    for (std::string const* column : columns.all()) {
-        put_number(bytes, column->size());
-        bytes += *column;
+
+  private:
+    static constexpr std::size_t most_bytes_of_number = 4;  // a count: 25 bits; all others have fewer
+
+    void clear(std::size_t operations) {
+        for (Column* column : {&shapes_, &counts_, &gaps_, &tail_gaps_, &mixes_})
+            column->clear(most_bytes_of_number * operations);
     }
-}
+
+    void put(Operation const& operation, Shape const& shape) {
+        if (shape.kind == Kind::mixed) {
+            counts_.put(operation.length());
+            mixes_.put_four_bytes(operation.gaps());
+            return;
+        }
+        if (shape.has_count())
+            counts_.put(operation.count());
+        if (shape.has_gap())
+            gaps_.put(operation.gap());
+        if (shape.tail_ports != 0)
+            tail_gaps_.put(operation.tail_gap());
+    }
+
+    Column shapes_;
+    Column counts_;
+    Column gaps_;
+    Column tail_gaps_;
+    Column mixes_;
+};
 
 /// Takes numbers from bytes; remembers if there were too few.
 class Reader {
@@ -248,8 +286,9 @@ class ProcessDecoder {
 
 std::string encode(SampleOperations const& operations) {
     std::string bytes;
+    ProcessEncoder encoder;
     for (std::vector<Operation> const& process : operations)
-        put_process(process, bytes);
+        encoder.put(process, bytes);
     return bytes;
 }
 

@@ -1,11 +1,11 @@
 #include "simulation/taping.hpp"
 
-#include "retiming/canonical_operations.hpp"
+#include <utility>
 
 namespace faster {
 
 Taping::Taping(Accelerator& accelerator, retiming::RecordedRun& run)
-    : accelerator_(accelerator), run_(run), tapes_(accelerator.cores().size()) {
+    : accelerator_(accelerator), run_(run), tapes_(accelerator.cores().size()), writer_(run.tape, module_count) {
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(
@@ -37,26 +37,18 @@ void Taping::end_sample(std::size_t core, std::size_t process) {
         tape.left.push_back(0);
     }
     timing::OperationLog& log = tape.logs[process];
-    tape.open[at][process] = retiming::canonical(log.begin(), log.pending());
+    tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
     log.clear();
-    note_steps(process, tape.open[at][process]);
     ++tape.left[at];
     for (; !tape.left.empty() && tape.left.front() == tape.logs.size(); ++tape.done) {
-        run_.tape.put(accelerator_.cores()[core]->share().first + tape.done, tape.open.front());
+        writer_.put(accelerator_.cores()[core]->share().first + tape.done, std::move(tape.open.front()));
         tape.open.pop_front();
         tape.left.pop_front();
     }
 }
 
-/// A port that is accessed in loops only has no site of its own worth keeping.
-void Taping::note_steps(std::size_t process, std::vector<timing::Operation> const& operations) {
-    std::uint32_t& ports = step_ports_[process];
-    for (timing::Operation const& operation : operations)
-        if (operation.kind() == timing::Operation::Kind::step)
-            ports |= operation.ports();
-}
-
-/// The blueprint's, from the first core that got there.
+/// The blueprint's, from the first core that got there. A port that is accessed in loops only has none of its own worth
+/// keeping.
 void Taping::note_sites() {
     for (auto const& core : accelerator_.cores())
         for (timing::ProcessTiming const& process : core->timing().processes()) {
@@ -65,7 +57,7 @@ void Taping::note_sites() {
                 if (noted.loop_site(i).line == 0)
                     noted.note_loop_site(i, process.loop_site(i));
             for (unsigned i = 0; i < process.port_count(); ++i)
-                if (noted.port_site(i).line == 0 && ((step_ports_[process.index()] >> i) & 1U) != 0)
+                if (noted.port_site(i).line == 0 && ((writer_.step_ports(process.index()) >> i) & 1U) != 0)
                     noted.note_site(static_cast<std::uint8_t>(1U << i), process.port_site(i));
         }
 }
@@ -78,8 +70,8 @@ void Taping::finish() {
         std::vector<SampleCounters> const& results = accelerator_.cores()[core]->result_collector.results();
         run_.counters.insert(run_.counters.end(), results.begin(), results.end());
     }
+    writer_.finish();
     note_sites();
-    run_.tape.finish();
 }
 
 }  // namespace faster

@@ -1,10 +1,10 @@
 #pragma once
-#include <array>
 #include <deque>
 #include <vector>
 
 #include "modules/accelerator.hpp"
 #include "retiming/recorded_run.hpp"
+#include "retiming/tape_writer.hpp"
 
 namespace faster {
 
@@ -29,13 +29,12 @@ class Taping {
     void start(std::size_t core);
     void begin_sample(std::size_t core, std::size_t process);
     void end_sample(std::size_t core, std::size_t process);
-    void note_steps(std::size_t process, std::vector<timing::Operation> const& operations);
     void note_sites();
 
     Accelerator& accelerator_;
     retiming::RecordedRun& run_;
-    std::vector<CoreTape> tapes_;                           // by core
-    std::array<std::uint32_t, module_count> step_ports_{};  // by process: bits of ports that are accessed outside loops
+    std::vector<CoreTape> tapes_;  // by core
+    retiming::TapeWriter writer_;
 };
 
 }  // namespace faster

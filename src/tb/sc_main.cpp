@@ -9,6 +9,7 @@
 #include "config/keys_as_markdown.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/run_command.hpp"
+#include "tb/sensitivities_command.hpp"
 #include "tb/show_command.hpp"
 #include "tb/whatif_command.hpp"
 
@@ -102,6 +103,16 @@ void add_whatif(CLI::App& app, faster::WhatifRequest& request) {
         ->check(CLI::Range(0, 1000000));
 }
 
+void add_sensitivities(CLI::App& app, faster::SensitivitiesRequest& request) {
+    CLI::App& command = *app.add_subcommand(
+        "sensitivities", "Say what one step of each timing key changes for a recorded run, and which have slack");
+    command.add_option("events", request.events, "Event file of faster-sim run --events")
+        ->required()
+        ->type_name("EVENTS");
+    command.add_option("--csv", request.csv, "Write a row per key and direction to this file")->type_name("FILE");
+    command.add_option("--json", request.json, "Write the same as JSON to this file")->type_name("FILE");
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -111,12 +122,12 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run", "record", "whatif", "compare", "show", "keys"};
+    std::vector<std::string> const known{"run", "record", "whatif", "sensitivities", "compare", "show", "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected one of run, record, whatif, compare, show, keys{}", given,
-                       faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected one of run, record, whatif, sensitivities, compare, show, keys{}",
+                       given, faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -133,6 +144,8 @@ int run_tool(int argc, char** argv) {
     add_compare(app, compare_request);
     faster::WhatifRequest whatif_request;
     add_whatif(app, whatif_request);
+    faster::SensitivitiesRequest sensitivities_request;
+    add_sensitivities(app, sensitivities_request);
     faster::ShowRequest show_request;
     add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
@@ -151,6 +164,8 @@ int run_tool(int argc, char** argv) {
         return record(record_request);
     if (app.got_subcommand("whatif"))
         return whatif(whatif_request);
+    if (app.got_subcommand("sensitivities"))
+        return print_sensitivities(sensitivities_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
     if (app.got_subcommand("show"))

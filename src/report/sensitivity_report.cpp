@@ -37,14 +37,14 @@ std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack con
 
 std::string slack_text(RunStatistics const& run) {
     std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
-    text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", "key", "value", "down to", "up to");
+    text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", "key", "value", "down to", "up to");
     std::size_t tight = 0;
     for (Sensitivity const& row : run.sensitivities) {
         if (row.down.slack->change == 0 && row.up.slack->change == 0) {
             ++tight;
             continue;
         }
-        text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", row.key, row.value, slack_cell(row, -1, *row.down.slack),
+        text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", row.key, row.value, slack_cell(row, -1, *row.down.slack),
                             slack_cell(row, 1, *row.up.slack));
     }
     text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");

@@ -116,7 +116,7 @@ CoreStatistics core_statistics(FinishedCore const& core, AcceleratorConfig const
 void add_samples(FinishedCore const& core, std::uint64_t index, std::vector<SampleStatistics>& rows) {
     auto const& starts = stamps_of(ModuleId::rasterizer, core.timing);
     auto const& ends = stamps_of(ModuleId::result_collector, core.timing);
-    for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
         rows.push_back({core.share.first + i, index, starts[i], ends[i], core.counters[i]});
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace faster::retiming {
 
@@ -264,7 +265,7 @@ class ProcessDecoder {
             case Kind::flanked:
                 return in_loop_ && operation.count() > 1 && operation.ports() != 0 && operation.tail_ports() != 0;
             case Kind::stamp:
-                return operation.ports() == 0;
+                return operation.ports() == 0 && !std::exchange(is_stamped_, true);
             case Kind::mixed:
                 break;
         }
@@ -280,6 +281,7 @@ class ProcessDecoder {
     Reader tail_gaps_{{}};
     Reader mixes_{{}};
     bool in_loop_ = false;
+    bool is_stamped_ = false;  // once per sample at most
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ struct Slack {
 struct SensitivityStep {
     bool valid = false;  ///< the configuration allows it
     bool deadlocks = false;
-    Cycles total_cycles = 0;     ///< if valid and not deadlocked
-    std::optional<Slack> slack;  ///< in this direction, if asked for
+    Cycles total_cycles = 0;       ///< if valid and not deadlocked
+    std::optional<Slack> slack{};  ///< in this direction, if asked for
 };
 
 /// One timing key, a step down and a step up.

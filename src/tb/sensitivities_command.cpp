@@ -1,5 +1,6 @@
 #include "tb/sensitivities_command.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 

@@ -1,5 +1,6 @@
 #include "tb/whatif_command.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
@@ -28,6 +29,7 @@ namespace {
 
 std::vector<runs::SampleRecord> sample_records(std::vector<SampleStatistics> const& samples) {
     std::vector<runs::SampleRecord> records;
+    records.reserve(samples.size());
     for (SampleStatistics const& sample : samples)
         records.push_back({sample.core, sample.start_cycle, sample.end_cycle, sample.counters});
     return records;
@@ -56,6 +58,9 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
             folder->write_deadlock(changed.config, run);
         return exit_deadlock;
     }
+    if (run.samples.size() != recorded.samples.size() || !leftover_tokens(run).empty())
+        throw InputError(request.events +
+                         ": what its processes write is not what they read, expected the file of a run");
     if (folder)
         folder->write(changed.config, run, host);
     fmt::print("{}", report::text_report(changed.config.accelerator, run, host));

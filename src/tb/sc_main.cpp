@@ -126,7 +126,7 @@ std::string unknown_subcommand(int argc, char** argv) {
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format("unknown command {}, expected one of run, record, whatif, sensitivities, compare, show, keys{}",
+    return fmt::format("unknown command {}, expected run, record, whatif, sensitivities, compare, show or keys{}",
                        given, faster::did_you_mean(given, known));
 }
 

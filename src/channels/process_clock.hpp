@@ -123,7 +123,7 @@ class ProcessClock {
             tape(entry);
         follow();
     }
-    template <class Entry> [[gnu::noinline, gnu::cold]] void tape(Entry entry) {
+    template <class Entry> [[gnu::noinline]] void tape(Entry entry) {
         for (OperationLog* log : timing_.tapes())
             entry(*log);
     }

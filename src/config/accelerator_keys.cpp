@@ -40,20 +40,6 @@ constexpr std::array<char const*, loop_count> loop_tasks{
 constexpr std::array<char const*, bram_count> bram_contents{"edge bits of the window", "object bits of the window",
                                                             "depth buffer of the window"};
 
-void add_machine_keys(Keys& keys) {
-    keys.push_back(integer_key(
-        {"accelerator.raster_cores", "cores", "Raster cores that share the samples.", "thesis 4.2.1"}, {1, 1024},
-        [](auto& config) -> auto& { return config.accelerator.raster_cores; }));
-    keys.push_back(integer_key(
-        {"accelerator.window", "px", "Side of the square window around a sample's centre, the thesis's bounding box.",
-         "thesis 3.2"},
-        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.window; }));
-    keys.push_back(number_key(
-        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", "thesis 4.2.3"},
-        {0, std::numeric_limits<double>::infinity(), true},
-        [](auto& config) -> auto& { return config.accelerator.clock_mhz; }));
-}
-
 template <class Field> Key fraction_key(std::string const& name, std::string const& what, int max, Field field) {
     return integer_key({"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "SPEC 2"},
                        {0, max}, field);
@@ -187,10 +173,7 @@ void add_loops_keys(Keys& keys) {
     }
 }
 
-}  // namespace
-
-Keys timing_keys() {
-    Keys keys;
+void add_timing_keys(Keys& keys) {
     for (std::size_t index = 0; index < fifo_count; ++index) {
         add_fifo_keys(keys, FifoId{index});
     }
@@ -198,6 +181,43 @@ Keys timing_keys() {
     for (std::size_t index = 0; index < bram_count; ++index) {
         add_bram_keys(keys, BramId{index});
     }
+}
+
+void add_cores_key(Keys& keys) {
+    keys.push_back(integer_key(
+        {"accelerator.raster_cores", "cores", "Raster cores that share the samples.", "thesis 4.2.1"}, {1, 1024},
+        [](auto& config) -> auto& { return config.accelerator.raster_cores; }));
+}
+
+void add_clock_key(Keys& keys) {
+    keys.push_back(number_key(
+        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", "thesis 4.2.3"},
+        {0, std::numeric_limits<double>::infinity(), true},
+        [](auto& config) -> auto& { return config.accelerator.clock_mhz; }));
+}
+
+void add_machine_keys(Keys& keys) {
+    add_cores_key(keys);
+    keys.push_back(integer_key(
+        {"accelerator.window", "px", "Side of the square window around a sample's centre, the thesis's bounding box.",
+         "thesis 3.2"},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.window; }));
+    add_clock_key(keys);
+}
+
+}  // namespace
+
+Keys retiming_keys() {
+    Keys keys;
+    add_cores_key(keys);
+    add_clock_key(keys);
+    add_timing_keys(keys);
+    return keys;
+}
+
+Keys timing_keys() {
+    Keys keys;
+    add_timing_keys(keys);
     keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return key.kind != KeyKind::integer; }),
                keys.end());
     return keys;
@@ -209,13 +229,7 @@ Keys accelerator_keys() {
     add_fraction_keys(keys);
     add_edge_map_keys(keys);
     add_inlier_unit_keys(keys);
-    for (std::size_t index = 0; index < fifo_count; ++index) {
-        add_fifo_keys(keys, FifoId{index});
-    }
-    add_loops_keys(keys);
-    for (std::size_t index = 0; index < bram_count; ++index) {
-        add_bram_keys(keys, BramId{index});
-    }
+    add_timing_keys(keys);
     return keys;
 }
 

@@ -1,5 +1,6 @@
 #include "io/output_file.hpp"
 
+#include <fstream>
 #include <string>
 #include <system_error>
 
@@ -47,6 +48,21 @@ OutputFile::OutputFile(fs::path const& target) : target_(target) {
         } catch (InputError const&) {
             fail(target_, "cannot be written in " + folder.string());
         }
+    } catch (fs::filesystem_error const& error) {
+        fail(target_, error);
+    }
+}
+
+void OutputFile::commit(std::function<void(std::ostream&)> const& write) const {
+    try {
+        fs::create_directories(destination_.parent_path());
+        PartialFile const partial(destination_);
+        std::ofstream stream(partial.path(), std::ios::binary | std::ios::trunc);
+        write(stream);
+        stream.close();
+        if (!stream)
+            fail(target_, "cannot be written");
+        fs::rename(partial.path(), destination_);
     } catch (fs::filesystem_error const& error) {
         fail(target_, error);
     }

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string_view>
 
 namespace faster::io {
@@ -13,6 +15,8 @@ class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path const& target);
     void commit(std::string_view content) const;
+    /// The same for content that is too long to be held: `write` puts it, bit by bit.
+    void commit(std::function<void(std::ostream&)> const& write) const;
 
   private:
     std::filesystem::path target_;       // as given

@@ -1,6 +1,5 @@
 #include "modules/accelerator.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "modules/core_shapes.hpp"
@@ -25,9 +24,7 @@ Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig 
 }
 
 CoreShare Accelerator::share_of(std::size_t core, std::size_t cores, std::size_t samples) {
-    std::size_t const each = (samples + cores - 1) / cores;
-    std::size_t const first = std::min(samples, core * each);
-    return {first, std::min(each, samples - first)};
+    return faster::share_of(core, cores, samples);
 }
 
 }  // namespace faster

@@ -16,7 +16,8 @@ void AreaReciprocal::end_of_elaboration() {
 }
 
 void AreaReciprocal::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i)
+    for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::area_reciprocal);
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
             clock_.here();
             std::int64_t const area = area_in.read();
@@ -26,6 +27,7 @@ void AreaReciprocal::run() {
             }
             clock_.advance(1);
         }
+    }
 }
 
 }  // namespace faster

@@ -35,10 +35,16 @@ struct CoreContext {
     std::function<void()> progress;  ///< called after every sample; may be empty
     /// Called by the rasterizer before it begins the i-th sample of the core.
     std::vector<std::function<void(std::size_t i)>> sample_begins;
+    /// Called by every process before it begins its next sample.
+    std::vector<std::function<void(ModuleId)>> process_begins;
     /// Cores need not take turns: they share nothing. One after the other keeps the host's caches warm (decoupled).
     sc_core::sc_event const* turn = nullptr;  ///< waited for before the first sample; may be null
     sc_core::sc_event* done = nullptr;        ///< notified after the last
 
+    void begin_sample(ModuleId process) const {
+        for (auto const& call : process_begins)
+            call(process);
+    }
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
     /// Top-left pixel of a sample's window (SPEC section 2, sample header).
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }

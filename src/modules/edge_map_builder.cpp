@@ -30,6 +30,7 @@ void EdgeMapBuilder::end_of_elaboration() {
 
 void EdgeMapBuilder::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::edge_map_builder);
         clock_.advance(1);
         clear();
         build();

@@ -46,6 +46,7 @@ void InlierUnit::end_of_elaboration() {
 
 void InlierUnit::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::inlier_unit);
         counters_ = SampleCounters{};
         clock_.advance(1);
         clear();

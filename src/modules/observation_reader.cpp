@@ -22,6 +22,7 @@ void ObservationReader::end_of_elaboration() {
 
 void ObservationReader::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::observation_reader);
         clock_.here();
         SampleHeader const header = sample_observation_in.read();
         clock_.advance(1);

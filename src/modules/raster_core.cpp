@@ -7,7 +7,7 @@ namespace faster {
 RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                        CoreShare share, TimeBase const& time_base)
     : sc_module(name),
-      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}, {}, nullptr, &done_},
+      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}, {}, {}, nullptr, &done_},
       sample_dispatcher("sample_dispatcher", context_),
       vertex_transform("vertex_transform", context_),
       rasterizer("rasterizer", context_),

@@ -1,6 +1,7 @@
 #pragma once
 #include <systemc>
 
+#include "config/core_share.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
 #include "modules/inlier_unit.hpp"
@@ -12,12 +13,6 @@
 
 namespace faster {
 
-/// The samples a raster core scores: [first, first + count).
-struct CoreShare {
-    std::size_t first = 0;
-    std::size_t count = 0;
-};
-
 /// One raster core: the dataflow region of SPEC section 1. Wiring only.
 class RasterCore : public sc_core::sc_module {
   public:
@@ -28,6 +23,8 @@ class RasterCore : public sc_core::sc_module {
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
     void on_sample_begins(std::function<void(std::size_t)> call) { context_.sample_begins.push_back(std::move(call)); }
+    /// Calls back whenever a process begins its next sample.
+    void on_process_begins(std::function<void(ModuleId)> call) { context_.process_begins.push_back(std::move(call)); }
     /// Calls back when the core is wired up and nothing has happened yet.
     void on_start(std::function<void()> call) { starts_.push_back(std::move(call)); }
     /// In the order of FifoId.

@@ -44,6 +44,7 @@ void Rasterizer::end_of_elaboration() {
 
 void Rasterizer::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::rasterizer);
         for (auto const& call : core_.sample_begins)
             call(i);
         start_sample();

@@ -13,6 +13,7 @@ void ResultCollector::end_of_elaboration() { clock_.connect_reads(channel_of(res
 
 void ResultCollector::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::result_collector);
         clock_.here();
         results_.push_back(result_in.read());
         clock_.stamp();

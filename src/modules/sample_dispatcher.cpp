@@ -19,6 +19,7 @@ void SampleDispatcher::run() {
     if (core_.turn != nullptr)
         wait(*core_.turn);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::sample_dispatcher);
         SampleInput const& sample = core_.sample(i);
         SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row,
                                   sample.centre_col, sample.triangle_count};

@@ -23,6 +23,7 @@ void VertexTransform::end_of_elaboration() {
 
 void VertexTransform::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::vertex_transform);
         clock_.here();
         SampleHeader const header = sample_vertex_in.read();
         clock_.advance(1);

@@ -21,6 +21,36 @@ bool changes(SensitivityStep const& step, RunStatistics const& run) {
     return step.valid && (step.deadlocks || change_of(step, run) != 0);
 }
 
+bool has_slack(RunStatistics const& run) {
+    return !run.sensitivities.empty() && run.sensitivities.front().up.slack.has_value();
+}
+
+char const* name_of(SlackEnd end) {
+    return end == SlackEnd::costs ? "costs" : end == SlackEnd::invalid ? "invalid" : "limit";
+}
+
+std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack const& slack) {
+    if (slack.change == 0)
+        return "-";
+    return fmt::format("{}{}", row.value + direction * slack.change, slack.end == SlackEnd::limit ? ", or beyond" : "");
+}
+
+std::string slack_text(RunStatistics const& run) {
+    std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
+    text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", "key", "value", "down to", "up to");
+    std::size_t tight = 0;
+    for (Sensitivity const& row : run.sensitivities) {
+        if (row.down.slack->change == 0 && row.up.slack->change == 0) {
+            ++tight;
+            continue;
+        }
+        text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", row.key, row.value, slack_cell(row, -1, *row.down.slack),
+                            slack_cell(row, 1, *row.up.slack));
+    }
+    text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");
+    return text;
+}
+
 std::int64_t best_of(Sensitivity const& row, RunStatistics const& run) {
     std::int64_t best = std::numeric_limits<std::int64_t>::max();
     for (SensitivityStep const* step : {&row.down, &row.up})
@@ -47,9 +77,12 @@ void add_csv_row(std::string& text, Sensitivity const& row, int by, SensitivityS
                  RunStatistics const& run) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{},", row.key, row.value, row.value + by, outcome(step));
     if (finishes(step))
-        fmt::format_to(std::back_inserter(text), "{},{}\n", step.total_cycles, change_of(step, run));
+        fmt::format_to(std::back_inserter(text), "{},{}", step.total_cycles, change_of(step, run));
     else
-        text += ",\n";
+        text += ',';
+    if (step.slack)
+        fmt::format_to(std::back_inserter(text), ",{},{}", step.slack->change, name_of(step.slack->end));
+    text += '\n';
 }
 
 Json step_json(SensitivityStep const& step, RunStatistics const& run) {
@@ -58,6 +91,8 @@ Json step_json(SensitivityStep const& step, RunStatistics const& run) {
         object["total_cycles"] = step.total_cycles;
         object["change_cycles"] = change_of(step, run);
     }
+    if (step.slack)
+        object["slack"] = {{"change", step.slack->change}, {"end", name_of(step.slack->end)}};
     return object;
 }
 
@@ -79,14 +114,17 @@ std::string sensitivities_text(RunStatistics const& run) {
         text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", rows[i].key, rows[i].value, cell(rows[i].down, run),
                             cell(rows[i].up, run));
     if (rows.size() > most_lines)
-        text += fmt::format("  ({} more in sensitivities.csv)\n", rows.size() - most_lines);
+        text += fmt::format("  ({} more in the csv)\n", rows.size() - most_lines);
     std::size_t const idle = run.sensitivities.size() - rows.size();
     text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
+    if (has_slack(run))
+        text += slack_text(run);
     return text;
 }
 
 std::string sensitivities_csv(RunStatistics const& run) {
-    std::string text = "key,value,changed_value,outcome,total_cycles,change_cycles\n";
+    std::string text = "key,value,changed_value,outcome,total_cycles,change_cycles";
+    text += has_slack(run) ? ",slack,slack_end\n" : "\n";
     for (Sensitivity const& row : run.sensitivities) {
         add_csv_row(text, row, -1, row.down, run);
         add_csv_row(text, row, 1, row.up, run);
@@ -102,6 +140,15 @@ Json sensitivities_json(RunStatistics const& run) {
                         {"down", step_json(row.down, run)},
                         {"up", step_json(row.up, run)}});
     return rows;
+}
+
+std::string sensitivities_file_json(RunStatistics const& run) {
+    Json file;
+    file["format"] = "faster-sensitivities";
+    file["version"] = 1;
+    file["total_cycles"] = run.total_cycles;
+    file["sensitivities"] = sensitivities_json(run);
+    return file.dump(2) + "\n";
 }
 
 }  // namespace faster::report

@@ -14,6 +14,14 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
     return shape;
 }
 
+/// What deadlock reports name.
+void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& variant) {
+    for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+        variant.note_loop_site(loop, process.loop_site(loop));
+    for (unsigned port = 0; port < process.port_count(); ++port)
+        variant.note_site(static_cast<std::uint8_t>(1U << port), process.port_site(port));
+}
+
 }  // namespace
 
 std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& blueprint, AcceleratorConfig const& config) {
@@ -28,6 +36,7 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
         }
         for (timing::LoopShape const& loop : process.loops())
             variant.add_loop(variant_of(loop, variant, config));
+        copy_sites(process, variant);
         variant.set_setup_cycles(config.setup_depth);
     }
     return core;

@@ -2,58 +2,65 @@
 
 #include <cerrno>
 #include <cstring>
-#include <string>
 #include <unistd.h>
 
 #include "common/input_error.hpp"
+#include "io/zstd_frame.hpp"
+#include "retiming/operation_codec.hpp"
 
 namespace faster::retiming {
 
-namespace {
-[[noreturn]] void fail(char const* what) {
-    throw InputError(std::string("temporary file of operations: cannot ") + what + ": " + std::strerror(errno) +
+OperationTape::OperationTape(std::filesystem::path const& file, std::vector<Block> blocks)
+    : file_(std::fopen(file.c_str(), "rb")), name_(file.string()), blocks_(std::move(blocks)) {
+    if (file_ == nullptr)
+        throw InputError(name_ + ": cannot be read: " + std::strerror(errno) + ", expected a readable file");
+}
+
+void OperationTape::fail(char const* what) const {
+    throw InputError(name_ + ": cannot " + what + ": " + std::strerror(errno) +
                      ", expected room in the system's folder for temporary files");
 }
-}  // namespace
 
-void OperationTape::put(std::size_t process, timing::OperationLog const& log) {
-    std::size_t const count = log.pending();
-    if (count == 0)
-        return;
+void OperationTape::put(std::size_t sample, SampleOperations const& operations) {
+    std::string const content = encode(operations);
+    std::string const frame = io::zstd_frame(content);
     if (file_ == nullptr)
         file_.reset(std::tmpfile());
     if (file_ == nullptr)
         fail("create it");
-    if (std::fwrite(log.begin(), sizeof(timing::Operation), count, file_.get()) != count)
+    if (std::fwrite(frame.data(), 1, frame.size(), file_.get()) != frame.size())
         fail("write it");
-    parts_.push_back({process, written_, count});
-    written_ += count;
-}
-
-void OperationTape::end_round() {
-    if (parts_.size() > (round_ends_.empty() ? 0 : round_ends_.back()))
-        round_ends_.push_back(parts_.size());
+    if (sample >= blocks_.size())
+        blocks_.resize(sample + 1);
+    blocks_[sample] = {written_, frame.size(), content.size(), io::checksum_of_zstd_frame(frame)};
+    written_ += frame.size();
 }
 
 void OperationTape::finish() {
-    end_round();
     if (file_ != nullptr && std::fflush(file_.get()) != 0)
         fail("write it");
 }
 
-void OperationTape::read(Part const& part, std::vector<timing::Operation>& operations) const {
-    operations.resize(part.count);
-    auto* to = reinterpret_cast<char*>(operations.data());
-    std::size_t left = part.count * sizeof(timing::Operation);
-    auto at = static_cast<off_t>(part.first * sizeof(timing::Operation));
-    while (left > 0) {
-        ssize_t const count = pread(fileno(file_.get()), to, left, at);
+std::string OperationTape::block(std::size_t sample) const {
+    std::string bytes(blocks_[sample].bytes, '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        ssize_t const count = pread(fileno(file_.get()), bytes.data() + done, bytes.size() - done,
+                                    static_cast<off_t>(blocks_[sample].at + done));
         if (count <= 0)
-            fail("read it");
-        to += count;
-        at += count;
-        left -= static_cast<std::size_t>(count);
+            throw InputError(name_ + ": cannot be read as far as it should go, expected all that was written");
+        done += static_cast<std::size_t>(count);
     }
+    return bytes;
+}
+
+void OperationTape::read(std::size_t sample, timing::CoreTiming const& core, SampleOperations& operations) const {
+    std::string const frame = block(sample);
+    auto const content = io::content_of_zstd_frame(frame, blocks_[sample].content_bytes);
+    if (!content || content->size() != blocks_[sample].content_bytes ||
+        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, core, operations))
+        throw InputError(name_ + ": the operations of sample " + std::to_string(sample) +
+                         " are damaged, expected them as faster-sim run --events wrote them");
 }
 
 }  // namespace faster::retiming

@@ -1,50 +1,55 @@
 #pragma once
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "timing/operation.hpp"
+#include "retiming/sample_operations.hpp"
+#include "timing/core_timing.hpp"
 
 namespace faster::retiming {
 
-/// What the processes of one core do, operation by operation, in rounds: a round holds what each of them has said since
-/// the last. Says nothing about time, so that any timing can be put to it. Kept in a temporary file; may be read by
-/// several threads at once. Errors: InputError if there is no room for it.
+/// What the processes do, a compressed block per sample. Says nothing about time, so that any timing can be put to it,
+/// and any core can score any sample. Kept in a temporary file, or in an event file; may be read by several threads at
+/// once.
 class OperationTape {
   public:
-    /// Appends the operations of a log to the round at hand.
-    void put(std::size_t process, timing::OperationLog const& log);
-    void end_round();
-    /// Nothing is put any more.
+    /// Where the block of a sample lies in the file.
+    struct Block {
+        std::uint64_t at = 0;
+        std::uint64_t bytes = 0;
+        std::uint64_t content_bytes = 0;
+        std::uint32_t checksum = 0;  ///< of the content
+    };
+
+    /// An empty tape, in a temporary file once something is put. InputError if there is no room for it.
+    OperationTape() = default;
+    /// The blocks of a file that is there.
+    OperationTape(std::filesystem::path const& file, std::vector<Block> blocks);
+
+    /// Samples in any order, each once; nothing is read before finish().
+    void put(std::size_t sample, SampleOperations const& operations);
     void finish();
 
-    std::size_t rounds() const { return round_ends_.size(); }
-    /// Calls `visit(process, operations)` for each part of a round.
-    template <class Visit> void read_round(std::size_t round, Visit visit) const {
-        std::vector<timing::Operation> operations;
-        for (std::size_t i = round == 0 ? 0 : round_ends_[round - 1]; i < round_ends_[round]; ++i) {
-            read(parts_[i], operations);
-            visit(parts_[i].process, operations);
-        }
-    }
+    std::size_t samples() const { return blocks_.size(); }
+    std::vector<Block> const& blocks() const { return blocks_; }
+    /// The operations of a sample, as processes of `core` can do them. InputError if the block is damaged.
+    void read(std::size_t sample, timing::CoreTiming const& core, SampleOperations& operations) const;
+    /// The compressed block of a sample.
+    std::string block(std::size_t sample) const;
 
   private:
-    struct Part {
-        std::size_t process;
-        std::uint64_t first;  ///< operation in the file
-        std::uint64_t count;
-    };
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-
-    void read(Part const& part, std::vector<timing::Operation>& operations) const;
+    [[noreturn]] void fail(char const* what) const;
 
     std::unique_ptr<std::FILE, Closer> file_;
+    std::string name_ = "temporary file of operations";
     std::uint64_t written_ = 0;
-    std::vector<Part> parts_;
-    std::vector<std::size_t> round_ends_;  // numbers of parts
+    std::vector<Block> blocks_;  // by sample
 };
 
 }  // namespace faster::retiming

@@ -1,16 +1,12 @@
 #pragma once
 #include "config/accelerator_config.hpp"
 #include "retiming/recorded_run.hpp"
+#include "stats/run_statistics.hpp"
 
 namespace faster::retiming {
 
-struct Retimed {
-    bool deadlocked = false;
-    Cycles total_cycles = 0;  ///< as of a run; unless it deadlocked
-};
-
-/// How long a recorded run takes with other timing keys: equal to running it. `config` must have as many cores as the
-/// run, and differ from its configuration in timing_keys() only.
-Retimed retime(RecordedRun const& run, AcceleratorConfig const& config);
+/// The figures of a run with other retiming_keys(), equal to running it, without running it. A deadlock is a result, as
+/// it is of a run. `config` must not differ from the recorded run's in other keys.
+RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
 
 }  // namespace faster::retiming

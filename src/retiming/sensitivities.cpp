@@ -1,82 +1,28 @@
 #include "retiming/sensitivities.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
-
 #include "config/config_sources.hpp"
 #include "config/keys.hpp"
-#include "retiming/retime.hpp"
+#include "retiming/retime_many.hpp"
 
 namespace faster::retiming {
 
 namespace {
 
-/// One retiming to do, and where its result goes.
-struct Task {
-    AcceleratorConfig config;
-    SensitivityStep* step;
+/// The retimings to do, and where their results go.
+struct Tasks {
+    std::vector<AcceleratorConfig> configs;
+    std::vector<SensitivityStep*> steps;
 };
 
-void add_step(LoadedConfig const& loaded, Key const& key, std::int64_t value, SensitivityStep& step,
-              std::vector<Task>& tasks) {
+void add_step(LoadedConfig const& loaded, Key const& key, std::int64_t value, SensitivityStep& step, Tasks& tasks) {
     LoadedConfig changed = loaded;
     key.write(changed.config, KeyValue{value});
     step.valid = accepts(key.integers, value) && cross_check(changed).empty();
-    if (step.valid)
-        tasks.push_back({changed.config.accelerator, &step});
+    if (!step.valid)
+        return;
+    tasks.configs.push_back(changed.config.accelerator);
+    tasks.steps.push_back(&step);
 }
-
-/// Lets threads take one task after the other.
-class Pool {
-  public:
-    Pool(RecordedRun const& run, std::vector<Task> const& tasks,
-         std::function<void(std::size_t, std::size_t)> const& progress)
-        : run_(run), tasks_(tasks), progress_(progress) {}
-
-    void work() {
-        std::vector<std::thread> others;
-        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-            others.emplace_back([this] { take_tasks(); });
-        take_tasks();
-        for (std::thread& other : others)
-            other.join();
-        if (error_)
-            std::rethrow_exception(error_);
-    }
-
-  private:
-    void take_tasks() {
-        try {
-            for (std::size_t i = next_++; i < tasks_.size(); i = next_++)
-                perform(tasks_[i]);
-        } catch (...) {
-            next_ = tasks_.size();
-            std::lock_guard<std::mutex> const lock(mutex_);
-            error_ = std::current_exception();
-        }
-    }
-
-    void perform(Task const& task) {
-        Retimed const retimed = retime(run_, task.config);
-        task.step->deadlocks = retimed.deadlocked;
-        task.step->total_cycles = retimed.deadlocked ? 0 : retimed.total_cycles;
-        std::lock_guard<std::mutex> const lock(mutex_);
-        ++done_;
-        if (progress_)
-            progress_(done_, tasks_.size());
-    }
-
-    RecordedRun const& run_;
-    std::vector<Task> const& tasks_;
-    std::function<void(std::size_t, std::size_t)> const& progress_;
-    std::atomic<std::size_t> next_{0};
-    std::size_t done_ = 0;
-    std::exception_ptr error_;
-    std::mutex mutex_;
-};
 
 }  // namespace
 
@@ -84,14 +30,20 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
                                        std::function<void(std::size_t, std::size_t)> const& progress) {
     Keys const keys = timing_keys();
     std::vector<Sensitivity> rows(keys.size());
-    std::vector<Task> tasks;
+    Tasks tasks;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         rows[i].key = keys[i].name();
         rows[i].value = std::get<std::int64_t>(keys[i].read(loaded.config));
         add_step(loaded, keys[i], rows[i].value - 1, rows[i].down, tasks);
         add_step(loaded, keys[i], rows[i].value + 1, rows[i].up, tasks);
     }
-    Pool(run, tasks, progress).work();
+    std::size_t done = 0;
+    retime_many(run, tasks.configs, [&](std::size_t i, RunStatistics const& retimed) {
+        tasks.steps[i]->deadlocks = retimed.deadlocked();
+        tasks.steps[i]->total_cycles = retimed.deadlocked() ? 0 : retimed.total_cycles;
+        if (progress)
+            progress(++done, tasks.configs.size());
+    });
     return rows;
 }
 

@@ -1,5 +1,7 @@
 #include "runs/read_run.hpp"
 
+#include <utility>
+
 #include "common/input_error.hpp"
 #include "runs/json_section.hpp"
 #include "runs/summary_file.hpp"
@@ -19,6 +21,14 @@ RunRecord read_run(std::filesystem::path const& folder) {
     run.samples = read_samples(folder / "samples.csv", run, summary.integer("samples"));
     check_fifos(folder / "fifos.csv", run);
     check_loops(folder / "loops.csv", run);
+    return run;
+}
+
+RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleRecord> samples) {
+    Json const document = Json::parse(summary);
+    RunRecord run = read_summary(JsonSection(name, "", document));
+    run.folder = name;
+    run.samples = std::move(samples);
     return run;
 }
 

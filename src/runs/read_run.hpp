@@ -10,4 +10,7 @@ namespace faster::runs {
 /// is missing, cut off, of another format or version, or contradicts another.
 RunRecord read_run(std::filesystem::path const& folder);
 
+/// A run whose summary.json and samples are at hand. `name` stands for its folder.
+RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleRecord> samples);
+
 }  // namespace faster::runs

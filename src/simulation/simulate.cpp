@@ -3,12 +3,21 @@
 #include <systemc>
 
 #include "modules/accelerator.hpp"
-#include "simulation/collect.hpp"
+#include "retiming/collect.hpp"
 #include "simulation/recordings.hpp"
 #include "simulation/taping.hpp"
 #include "simulation/trace_path.hpp"
 
 namespace faster {
+
+namespace {
+std::vector<retiming::FinishedCore> finished_cores(Accelerator const& accelerator) {
+    std::vector<retiming::FinishedCore> cores;
+    for (auto const& core : accelerator.cores())
+        cores.push_back({core->share(), core->timing(), core->result_collector.results().data()});
+    return cores;
+}
+}  // namespace
 
 RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                        SimulationOptions const& options) {
@@ -27,9 +36,9 @@ RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus
     sc_core::sc_start();
     for (auto const& core : accelerator.cores())
         core->timing().resolve();
-    if (taping)
+    RunStatistics run = retiming::collect(finished_cores(accelerator), config);
+    if (taping && !run.deadlocked())
         taping->finish();
-    RunStatistics run = collect(accelerator, config, stimulus);
     if (options.critical_path && !run.deadlocked())
         run.critical_path = trace_path(accelerator);
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);

@@ -9,18 +9,16 @@
 #include "common/input_error.hpp"
 #include "config/load_config.hpp"
 #include "config/resolved_config.hpp"
-#include "io/atomic_folder.hpp"
+#include "events/event_file.hpp"
 #include "io/output_file.hpp"
-#include "io/text_file.hpp"
 #include "io/trace.hpp"
-#include "report/csv.hpp"
-#include "report/sensitivity_report.hpp"
 #include "report/summary.hpp"
 #include "report/text_report.hpp"
 #include "report_html/html_report.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/progress_line.hpp"
+#include "tb/results_folder.hpp"
 #include "tb/sample_pictures.hpp"
 #include "tb/workload_source.hpp"
 
@@ -34,33 +32,20 @@ double seconds_since(HostClock::time_point start) {
     return std::chrono::duration<double>(HostClock::now() - start).count();
 }
 
-io::FolderKind const results_folder{
-    "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "sensitivities.csv", "images"}};
-
-void write_results(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run,
-                   report::HostTime const& host, SamplePictures const& pictures, bool with_pictures) {
-    io::write_file(folder.path() / "summary.json",
-                   report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, host));
-    io::write_file(folder.path() / "samples.csv", report::samples_csv(run));
-    io::write_file(folder.path() / "fifos.csv", report::fifos_csv(run));
-    io::write_file(folder.path() / "loops.csv", report::loops_csv(run));
-    if (!run.sensitivities.empty())
-        io::write_file(folder.path() / "sensitivities.csv", report::sensitivities_csv(run));
-    if (with_pictures)
-        pictures.write(folder.path() / "images", run.samples);
-    folder.commit();
-}
-
-/// Only who waits for whom: nobody should take the rest for results.
-void write_deadlock(io::AtomicFolder& folder, LoadedConfig const& loaded, RunStatistics const& run) {
-    io::write_file(folder.path() / "summary.json", report::deadlock_summary_json(resolved_keys(loaded.config), run));
-    folder.commit();
-}
-
 std::vector<Sensitivity> work_out_sensitivities(retiming::RecordedRun const& recorded, LoadedConfig const& loaded) {
     ProgressLine progress("retimings");
     return retiming::sensitivities(recorded, loaded,
                                    [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+}
+
+/// Without what was asked for besides: an event file says what the run did and how long it took.
+void write_events(io::OutputFile const& file, LoadedConfig const& loaded, retiming::RecordedRun const& recorded,
+                  RunStatistics run) {
+    run.sensitivities.clear();
+    run.critical_path.reset();
+    events::write_event_file(
+        file, loaded.config, recorded, run,
+        report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, report::HostTime{}));
 }
 
 void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
@@ -79,10 +64,12 @@ int run(RunRequest const& request) {
         overrides.push_back("workload.trace=" + request.trace);
     LoadedConfig loaded = load_config(request.config, overrides);
     // Before the work whose results would be lost.
-    std::unique_ptr<io::AtomicFolder> const folder =
-        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, results_folder);
+    std::unique_ptr<ResultsFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
     std::unique_ptr<io::OutputFile> const report_file =
         request.report.empty() ? nullptr : std::make_unique<io::OutputFile>(request.report);
+    std::unique_ptr<io::OutputFile> const events_file =
+        request.events.empty() ? nullptr : std::make_unique<io::OutputFile>(request.events);
 
     report::HostTime host;
     auto start = HostClock::now();
@@ -99,7 +86,7 @@ int run(RunRequest const& request) {
         SimulationOptions options;
         options.probe = request.images > 0 ? &pictures : nullptr;
         options.critical_path = request.critical_path || report_file;
-        options.recorded = request.sensitivities ? &recorded : nullptr;
+        options.recorded = request.sensitivities || events_file ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, loaded.config.accelerator, stimulus.samples.size());
         if (report_file)
             options.recordings.push_back(
@@ -112,15 +99,20 @@ int run(RunRequest const& request) {
     if (statistics.deadlocked()) {
         fmt::print(stderr, "{}", report::deadlock_report(statistics));
         if (folder)
-            write_deadlock(*folder, loaded, statistics);
+            folder->write_deadlock(loaded.config, statistics);
         return exit_deadlock;
     }
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
     if (request.sensitivities)
         statistics.sensitivities = work_out_sensitivities(recorded, loaded);
-    if (folder)
-        write_results(*folder, loaded, statistics, host, pictures, request.images > 0);
+    if (events_file)
+        write_events(*events_file, loaded, recorded, statistics);
+    if (folder && request.images > 0)
+        folder->write(loaded.config, statistics, host,
+                      [&](std::filesystem::path const& images) { pictures.write(images, statistics.samples); });
+    else if (folder)
+        folder->write(loaded.config, statistics, host);
     if (report_file)  // may lie in the folder
         write_report(*report_file, request, loaded, statistics, timelines, pictures);
     fmt::print("{}", report::text_report(loaded.config.accelerator, statistics, host));
@@ -128,6 +120,8 @@ int run(RunRequest const& request) {
         fmt::print("\nwritten: {}\n", request.out);
     if (report_file)
         fmt::print("\nwritten: {}\n", request.report);
+    if (events_file)
+        fmt::print("\nwritten: {}\n", request.events);
     return exit_done;
 }
 

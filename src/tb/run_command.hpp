@@ -17,6 +17,7 @@ struct RunRequest {
     std::string trace;                   ///< folder; empty: as configured
     std::string out;                     ///< folder; empty: print only
     std::string report;                  ///< HTML file; empty: none
+    std::string events;                  ///< event file; empty: none
     bool critical_path = false;          ///< trace it
     bool sensitivities = false;          ///< work them out
     std::int64_t images = 0;             ///< samples to write pictures of

@@ -12,7 +12,9 @@
 #include "tb/compare_command.hpp"
 #include "tb/edge_quality_command.hpp"
 #include "tb/run_command.hpp"
+#include "tb/sensitivities_command.hpp"
 #include "tb/show_command.hpp"
+#include "tb/whatif_command.hpp"
 
 namespace {
 
@@ -34,6 +36,8 @@ void add_run(CLI::App& app, faster::RunRequest& request) {
     command.add_option("--trace", request.trace, "Replay a stimulus trace instead of the configured workload")
         ->type_name("DIR");
     command.add_option("--report", request.report, "Write the run as one HTML page")->type_name("FILE.html");
+    command.add_option("--events", request.events, "Write what the run did, for whatif and sensitivities")
+        ->type_name("FILE");
     command.add_flag("--critical-path", request.critical_path, "Trace along which operations the total comes about");
     command.add_flag("--sensitivities", request.sensitivities,
                      "Work out what one step of each timing key changes (retimes the run about 100 times)");
@@ -148,6 +152,39 @@ void add_show(CLI::App& app, faster::ShowRequest& request) {
         ->check(CLI::Range(10, 1000));
 }
 
+void add_whatif(CLI::App& app, faster::WhatifRequest& request) {
+    CLI::App& command =
+        *app.add_subcommand("whatif", "Say how long a recorded run would take with other timing, without running it");
+    command.add_option("events", request.events, "Event file of faster-sim run --events")
+        ->required()
+        ->type_name("EVENTS");
+    add_overrides(command, request.overrides);
+    CLI::Option* const out = command.add_option("--out", request.out, "Write the files of faster-sim run --out");
+    out->type_name("DIR");
+    command
+        .add_option("--matrix", request.matrix,
+                    "A row for each configuration of this file: a YAML list of maps from keys to values")
+        ->type_name("FILE")
+        ->excludes(out);
+    command.add_option("--csv", request.csv, "Write the rows of --matrix to this file")
+        ->type_name("FILE")
+        ->needs("--matrix");
+    command.add_option("--top", request.top, "Rows of each list of the comparison; the others are counted")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1000000));
+}
+
+void add_sensitivities(CLI::App& app, faster::SensitivitiesRequest& request) {
+    CLI::App& command = *app.add_subcommand(
+        "sensitivities", "Say what one step of each timing key changes for a recorded run, and which have slack");
+    command.add_option("events", request.events, "Event file of faster-sim run --events")
+        ->required()
+        ->type_name("EVENTS");
+    command.add_option("--csv", request.csv, "Write a row per key and direction to this file")->type_name("FILE");
+    command.add_option("--json", request.json, "Write the same as JSON to this file")->type_name("FILE");
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -157,14 +194,14 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run",          "check", "record", "compare", "compare-architectures",
-                                         "edge-quality", "show",  "keys"};
+    std::vector<std::string> const known{
+        "run",          "check", "record", "whatif", "sensitivities", "compare", "compare-architectures",
+        "edge-quality", "show",  "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
-    return fmt::format(
-        "unknown command {}, expected run, check, record, compare, compare-architectures, edge-quality, show or keys{}",
-        given, faster::did_you_mean(given, known));
+    return fmt::format("unknown command {}, expected one of {}{}", given, fmt::join(known, ", "),
+                       faster::did_you_mean(given, known));
 }
 
 int run_tool(int argc, char** argv) {
@@ -185,6 +222,10 @@ int run_tool(int argc, char** argv) {
     add_compare_architectures(app, architectures_request);
     faster::EdgeQualityRequest edge_quality_request;
     add_edge_quality(app, edge_quality_request);
+    faster::WhatifRequest whatif_request;
+    add_whatif(app, whatif_request);
+    faster::SensitivitiesRequest sensitivities_request;
+    add_sensitivities(app, sensitivities_request);
     faster::ShowRequest show_request;
     add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
@@ -201,6 +242,10 @@ int run_tool(int argc, char** argv) {
     }
     if (app.got_subcommand("record"))
         return record(record_request);
+    if (app.got_subcommand("whatif"))
+        return whatif(whatif_request);
+    if (app.got_subcommand("sensitivities"))
+        return print_sensitivities(sensitivities_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
     if (app.got_subcommand("compare-architectures"))

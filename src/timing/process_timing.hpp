@@ -135,6 +135,8 @@ class ProcessTiming {
     void note_site(std::uint8_t port, SourceSite const& site) {
         port_sites_[static_cast<unsigned>(__builtin_ctz(port))] = site;
     }
+    SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
+    SourceSite const& port_site(unsigned port) const { return port_sites_[port]; }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const { return in_loop_ ? loop_sites_[current_loop_] : port_sites_[port]; }
 

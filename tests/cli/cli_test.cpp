@@ -399,9 +399,10 @@ TEST_CASE("A folder that cannot be written is refused in one line") {
 TEST_CASE("Wrong usage is refused in one line") {
     Workspace const workspace;
     check_refused(workspace, {}, {"subcommand"});
-    check_refused(
-        workspace, {"fly"},
-        {"unknown command fly", "run, check, record, compare, compare-architectures, edge-quality, show or keys"});
+    check_refused(workspace, {"fly"},
+                  {"unknown command fly",
+                   "run, check, record, whatif, sensitivities, compare, compare-architectures, "
+                   "edge-quality, show, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});

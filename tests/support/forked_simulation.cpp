@@ -9,7 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "config/resolved_config.hpp"
 #include "datapath/edge_map/edge_map_policy.hpp"
+#include "events/event_file.hpp"
+#include "report/summary.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "support/byte_stream.hpp"
@@ -160,6 +163,13 @@ LoadedConfig loaded_from(AcceleratorConfig const& config) {
     return loaded;
 }
 
+void write_events(std::filesystem::path const& file, AcceleratorConfig const& config,
+                  retiming::RecordedRun const& recorded, RunStatistics const& run) {
+    RunConfig const whole = loaded_from(config).config;
+    events::write_event_file(io::OutputFile(file), whole, recorded, run,
+                             report::summary_json(resolved_keys(whole), config, run, {}));
+}
+
 std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                             ForkOptions const& wanted) {
     try {
@@ -169,10 +179,12 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         options.critical_path = wanted.critical_path;
         options.trail_length = wanted.trail_length;
         retiming::RecordedRun recorded;
-        options.recorded = wanted.sensitivities ? &recorded : nullptr;
+        options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
         RunStatistics run = simulate(config, stimulus, engine, options);
         if (wanted.sensitivities)
             run.sensitivities = retiming::sensitivities(recorded, loaded_from(config));
+        if (!wanted.events.empty() && !run.deadlocked())
+            write_events(wanted.events, config, recorded, run);
         return to_bytes(run, collector.maps());
     } catch (std::exception const& error) {
         ByteWriter writer;

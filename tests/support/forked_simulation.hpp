@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <vector>
 
 #include "common/stimulus.hpp"
@@ -17,6 +18,7 @@ struct ForkOptions {
     bool with_maps = false;
     bool critical_path = false;
     bool sensitivities = false;
+    std::filesystem::path events{};  ///< event file to be written, unless the run deadlocks; empty: none
     std::size_t trail_length = timing::Trail::usual_length;
 };
 

@@ -1,10 +1,10 @@
-#include "simulation/collect.hpp"
+#include "retiming/collect.hpp"
 
 #include <algorithm>
 
 #include "modules/core_shapes.hpp"
 
-namespace faster {
+namespace faster::retiming {
 
 namespace {
 
@@ -97,50 +97,53 @@ Cycles setup_cycles(std::size_t process, timing::CoreTiming const& core, Acceler
     return sets_up ? core.fifos()[index_of(FifoId::area)].writes() * config.setup_depth : 0;
 }
 
-CoreStatistics core_statistics(RasterCore const& core, AcceleratorConfig const& config) {
+std::vector<Cycles> const& stamps_of(ModuleId module, timing::CoreTiming const& core) {
+    return core.processes()[index_of(module)].stamps();
+}
+
+CoreStatistics core_statistics(FinishedCore const& core, AcceleratorConfig const& config) {
     CoreStatistics statistics;
-    statistics.samples = core.share().count;
+    statistics.samples = core.share.count;
     for (std::size_t i = 0; i < fifo_count; ++i)
-        statistics.fifos[i] = fifo_statistics(static_cast<FifoId>(i), core.timing().fifos()[i], config);
+        statistics.fifos[i] = fifo_statistics(static_cast<FifoId>(i), core.timing.fifos()[i], config);
     for (std::size_t i = 0; i < loop_count; ++i)
-        statistics.loops[i] = loop_statistics(static_cast<LoopId>(i), core.timing(), config);
-    auto const& ends = core.result_collector.clock().timing().stamps();
+        statistics.loops[i] = loop_statistics(static_cast<LoopId>(i), core.timing, config);
+    auto const& ends = stamps_of(ModuleId::result_collector, core.timing);
     statistics.end_cycle = ends.empty() ? 0 : ends.back() + 1;
     return statistics;
 }
 
-void add_samples(RasterCore const& core, std::uint64_t index, std::vector<SampleStatistics>& rows) {
-    auto const& starts = core.rasterizer.clock().timing().stamps();
-    auto const& ends = core.result_collector.clock().timing().stamps();
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        rows.push_back({core.share().first + i, index, starts[i], ends[i], core.result_collector.results()[i]});
+void add_samples(FinishedCore const& core, std::uint64_t index, std::vector<SampleStatistics>& rows) {
+    auto const& starts = stamps_of(ModuleId::rasterizer, core.timing);
+    auto const& ends = stamps_of(ModuleId::result_collector, core.timing);
+    for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
+        rows.push_back({core.share.first + i, index, starts[i], ends[i], core.counters[i]});
 }
 
-void add_stuck(RasterCore& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
-    for (timing::Wait const& wait : core.timing().waits())
+void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
+    for (timing::Wait const& wait : core.waits())
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
                          wait.since, wait.other, std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
 }
 
 }  // namespace
 
-RunStatistics collect(Accelerator const& accelerator, AcceleratorConfig const& config, Stimulus const& stimulus) {
+RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config) {
     RunStatistics run;
-    run.samples.reserve(stimulus.samples.size());
-    for (auto const& core : accelerator.cores()) {
+    for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
-        add_stuck(*core, index, run.stuck);
-        add_samples(*core, index, run.samples);
-        run.cores.push_back(core_statistics(*core, config));
+        add_stuck(core.timing, index, run.stuck);
+        add_samples(core, index, run.samples);
+        run.cores.push_back(core_statistics(core, config));
         run.total_cycles = std::max(run.total_cycles, run.cores.back().end_cycle);
     }
-    for (std::size_t k = 0; k < run.cores.size(); ++k) {
-        timing::CoreTiming const& core = accelerator.cores()[k]->timing();
-        for (std::size_t i = 0; i < module_count; ++i)
+    for (std::size_t k = 0; k < run.cores.size(); ++k)
+        for (std::size_t i = 0; i < module_count; ++i) {
+            timing::CoreTiming const& core = cores[k].timing;
             run.cores[k].processes[i] =
                 process_statistics(core.processes()[i], setup_cycles(i, core, config), run.total_cycles);
-    }
+        }
     return run;
 }
 
-}  // namespace faster
+}  // namespace faster::retiming

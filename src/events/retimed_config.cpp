@@ -1,0 +1,53 @@
+#include "events/retimed_config.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "common/input_error.hpp"
+#include "config/config_sources.hpp"
+#include "config/key_faults.hpp"
+#include "config/keys.hpp"
+
+namespace faster::events {
+
+namespace {
+
+bool starts_with(std::string const& text, std::string_view start) { return text.compare(0, start.size(), start) == 0; }
+
+std::string why_not(std::string const& key) {
+    if (starts_with(key, "workload."))
+        return "is part of the workload, which was recorded";
+    if (starts_with(key, "simulation."))
+        return "decides how a run is simulated, and nothing is";
+    return "decides what is computed, not when";
+}
+
+void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed) {
+    Keys const retimable = retiming_keys();
+    for (Key const& key : all_keys()) {
+        auto const is_same = [&key](Key const& other) { return key.name() == other.name(); };
+        if (std::any_of(retimable.begin(), retimable.end(), is_same) ||
+            json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
+            continue;
+        throw InputError(
+            fmt::format("{}: {} {}, expected a key that decides about time only; use faster-sim run for it",
+                        changed.origins.of(key.name()).place, key.name(), why_not(key.name())));
+    }
+}
+
+}  // namespace
+
+LoadedConfig retimed_config(LoadedConfig const& recorded, std::vector<std::string> const& overrides) {
+    LoadedConfig changed = recorded;
+    std::vector<std::string> complaints;
+    for (std::string const& setting : overrides) {
+        std::vector<std::string> const more = apply_override(setting, changed);
+        complaints.insert(complaints.end(), more.begin(), more.end());
+    }
+    throw_first(complaints);
+    require_retimable(recorded, changed);
+    throw_first(cross_check(changed));
+    return changed;
+}
+
+}  // namespace faster::events

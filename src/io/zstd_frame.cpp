@@ -1,0 +1,51 @@
+#include "io/zstd_frame.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <zstd.h>
+
+namespace faster::io {
+
+namespace {
+
+constexpr int level = 3;  // higher ones take longer than the run itself
+
+struct ContextDeleter {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+};
+
+}  // namespace
+
+std::string zstd_frame(std::string_view content) {
+    std::unique_ptr<ZSTD_CCtx, ContextDeleter> const context(ZSTD_createCCtx());
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+    std::string frame(ZSTD_compressBound(content.size()) + sizeof(std::uint32_t), '\0');
+    std::size_t const size = ZSTD_compress2(context.get(), frame.data(), frame.size(), content.data(), content.size());
+    if (ZSTD_isError(size) != 0)
+        throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
+    frame.resize(size);
+    return frame;
+}
+
+std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes) {
+    auto const content_bytes = ZSTD_getFrameContentSize(frame.data(), frame.size());  // huge if it is not known
+    if (content_bytes > most_bytes || ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size())
+        return std::nullopt;
+    std::string content(content_bytes, '\0');
+    std::size_t const size = ZSTD_decompress(content.data(), content.size(), frame.data(), frame.size());
+    if (ZSTD_isError(size) != 0 || size != content_bytes)
+        return std::nullopt;
+    return content;
+}
+
+std::uint32_t checksum_of_zstd_frame(std::string_view frame) {
+    std::uint32_t checksum = 0;
+    if (frame.size() < sizeof checksum)
+        return 0;
+    for (std::size_t i = 0; i < sizeof checksum; ++i)
+        checksum |= std::uint32_t{static_cast<unsigned char>(frame[frame.size() - sizeof checksum + i])} << (8 * i);
+    return checksum;
+}
+
+}  // namespace faster::io

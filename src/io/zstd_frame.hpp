@@ -1,0 +1,19 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace faster::io {
+
+/// One zstd frame (RFC 8878) with a checksum of its content at its end. Equal contents give equal frames.
+std::string zstd_frame(std::string_view content);
+
+/// The content of a frame, which must not be longer than `most_bytes`; nothing if the frame is damaged.
+std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes);
+
+/// The checksum that ends a frame: of its content, 32 bits of XXH64. 0 of what is too short for a frame.
+std::uint32_t checksum_of_zstd_frame(std::string_view frame);
+
+}  // namespace faster::io

@@ -1,0 +1,107 @@
+#include "retiming/canonical_operations.hpp"
+
+#include <algorithm>
+
+namespace faster::retiming {
+
+namespace {
+
+using timing::Operation;
+
+/// Takes iterations of the same ports as runs of equal ones, and gives them back as few operations.
+class IterationJoiner {
+  public:
+    explicit IterationJoiner(std::vector<Operation>& operations) : operations_(operations) {}
+
+    void add(std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+        if (ports != ports_)
+            flush();
+        ports_ = ports;
+        if (count_ > 0 && gap != gap_)
+            end_run();
+        gap_ = gap;
+        count_ += count;
+    }
+
+    void flush() {
+        end_run();
+        end_mix();
+    }
+
+  private:
+    /// Long runs stand for themselves, short ones fill mixes.
+    void end_run() {
+        if (count_ > Operation::longest_mix)
+            end_mix();
+        for (; count_ > Operation::longest_mix; count_ -= std::min<std::uint64_t>(count_, Operation::longest_count))
+            operations_.emplace_back(
+                Operation::Kind::iterate, ports_, gap_,
+                static_cast<std::uint32_t>(std::min<std::uint64_t>(count_, Operation::longest_count)));
+        for (; count_ > 0; --count_) {
+            gaps_ |= gap_ << length_;
+            if (++length_ == Operation::longest_mix)
+                end_mix();
+        }
+    }
+
+    void end_mix() {
+        bool const is_run = gaps_ == 0 || gaps_ == Operation::gap_bits(1, length_);
+        if (length_ > 0)
+            operations_.push_back(is_run ? Operation(Operation::Kind::iterate, ports_, gaps_ & 1U, length_)
+                                         : Operation::mix(ports_, length_, gaps_));
+        gaps_ = 0;
+        length_ = 0;
+    }
+
+    std::vector<Operation>& operations_;
+    std::uint8_t ports_ = 0;
+    std::uint32_t gap_ = 0;
+    std::uint64_t count_ = 0;
+    std::uint32_t gaps_ = 0;
+    unsigned length_ = 0;
+};
+
+bool is_simple(Operation const& operation) {
+    if (operation.kind() != Operation::Kind::iterate)
+        return operation.kind() == Operation::Kind::mixed;
+    std::uint8_t const tail = operation.own_tail_ports();
+    return operation.ports() != 0 && operation.gap() <= 1 &&
+           (tail == 0 || (tail == operation.ports() && operation.tail_gap() <= 1));
+}
+
+void add(Operation const& operation, IterationJoiner& joiner) {
+    if (operation.kind() == Operation::Kind::mixed) {
+        for (unsigned i = 0; i < operation.length(); ++i)
+            joiner.add(operation.ports(), (operation.gaps() >> i) & 1U, 1);
+        return;
+    }
+    joiner.add(operation.ports(), operation.gap(), operation.count());
+    if (operation.tail_ports() != 0)
+        joiner.add(operation.ports(), operation.tail_gap(), 1);
+}
+
+}  // namespace
+
+std::vector<Operation> canonical(Operation const* first, std::size_t count) {
+    std::vector<Operation> operations;
+    operations.reserve(count + 1);
+    IterationJoiner joiner(operations);
+    Operation const* const end = first + count;
+    bool is_open = false;
+    for (Operation const* operation = first; operation != end; ++operation) {
+        bool const joins = is_simple(*operation) && (is_open || operation->own_tail_ports() != 0 ||
+                                                     (operation + 1 != end && is_simple(operation[1])));
+        if (joins) {
+            add(*operation, joiner);
+        } else {
+            if (is_open)
+                joiner.flush();
+            operations.push_back(*operation);
+        }
+        is_open = joins;
+    }
+    joiner.flush();
+    return operations;
+}
+
+}  // namespace faster::retiming

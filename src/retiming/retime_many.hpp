@@ -1,0 +1,15 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "retiming/retime.hpp"
+
+namespace faster::retiming {
+
+/// retime() for each of the configurations, on all host cores. `done` gets the number of a configuration and its
+/// figures, in any order, from any thread, but one at a time.
+void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs,
+                 std::function<void(std::size_t i, RunStatistics const& retimed)> const& done);
+
+}  // namespace faster::retiming

@@ -1,0 +1,69 @@
+#include "retiming/tape_writer.hpp"
+
+#include "retiming/canonical_operations.hpp"
+
+namespace faster::retiming {
+
+namespace {
+constexpr std::size_t most_waiting = 16;  // samples: some megabytes
+}  // namespace
+
+TapeWriter::TapeWriter(OperationTape& tape, std::size_t processes)
+    : tape_(tape), step_ports_(processes, 0), thread_([this] { work(); }) {}
+
+TapeWriter::~TapeWriter() { stop(); }
+
+void TapeWriter::put(std::size_t sample, SampleOperations operations) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
+    waiting_.emplace_back(sample, std::move(operations));
+    changed_.notify_all();
+}
+
+void TapeWriter::finish() {
+    stop();
+    if (error_)
+        std::rethrow_exception(error_);
+    tape_.finish();
+}
+
+void TapeWriter::stop() {
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        stops_ = true;
+        changed_.notify_all();
+    }
+    if (thread_.joinable())
+        thread_.join();
+}
+
+void TapeWriter::work() {
+    for (;;) {
+        std::unique_lock<std::mutex> lock(mutex_);
+        changed_.wait(lock, [this] { return stops_ || !waiting_.empty(); });
+        if (waiting_.empty())
+            return;
+        auto [sample, operations] = std::move(waiting_.front());
+        waiting_.pop_front();
+        changed_.notify_all();
+        lock.unlock();
+        if (!error_)
+            write(sample, std::move(operations));
+    }
+}
+
+void TapeWriter::write(std::size_t sample, SampleOperations operations) {
+    try {
+        for (std::size_t i = 0; i < operations.size(); ++i) {
+            operations[i] = canonical(operations[i].data(), operations[i].size());
+            for (timing::Operation const& operation : operations[i])
+                if (operation.kind() == timing::Operation::Kind::step)
+                    step_ports_[i] |= operation.ports();
+        }
+        tape_.put(sample, operations);
+    } catch (...) {
+        error_ = std::current_exception();
+    }
+}
+
+}  // namespace faster::retiming

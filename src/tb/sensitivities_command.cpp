@@ -1,0 +1,53 @@
+#include "tb/sensitivities_command.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+#include "events/event_file.hpp"
+#include "io/output_file.hpp"
+#include "report/sensitivity_report.hpp"
+#include "retiming/sensitivities.hpp"
+#include "retiming/slack.hpp"
+#include "tb/progress_line.hpp"
+#include "tb/run_command.hpp"
+
+namespace faster {
+
+namespace {
+
+std::unique_ptr<io::OutputFile> output(std::string const& file) {
+    return file.empty() ? nullptr : std::make_unique<io::OutputFile>(file);
+}
+
+RunStatistics with_sensitivities(events::EventFile const& recorded) {
+    RunStatistics run;
+    run.samples = recorded.samples;
+    for (SampleStatistics const& sample : run.samples)
+        run.total_cycles = std::max(run.total_cycles, sample.end_cycle + 1);
+    ProgressLine line("retimings");
+    auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
+    run.sensitivities = retiming::sensitivities(recorded.run, recorded.loaded, progress);
+    retiming::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
+    return run;
+}
+
+}  // namespace
+
+int print_sensitivities(SensitivitiesRequest const& request) {
+    events::EventFile const recorded = events::read_event_file(request.events);
+    auto const csv = output(request.csv);
+    auto const json = output(request.json);
+    RunStatistics const run = with_sensitivities(recorded);
+    if (csv)
+        csv->commit(report::sensitivities_csv(run));
+    if (json)
+        json->commit(report::sensitivities_file_json(run));
+    fmt::print("{}", report::sensitivities_text(run).substr(1));
+    for (std::string const& file : {request.csv, request.json})
+        if (!file.empty())
+            fmt::print("\nwritten: {}\n", file);
+    return exit_done;
+}
+
+}  // namespace faster

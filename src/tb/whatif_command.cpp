@@ -1,0 +1,125 @@
+#include "tb/whatif_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+
+#include "common/input_error.hpp"
+#include "config/resolved_config.hpp"
+#include "config/settings_list.hpp"
+#include "events/event_file.hpp"
+#include "events/retimed_config.hpp"
+#include "io/output_file.hpp"
+#include "report/summary.hpp"
+#include "report/text_report.hpp"
+#include "report/whatif_table.hpp"
+#include "retiming/retime.hpp"
+#include "retiming/retime_many.hpp"
+#include "runs/compare.hpp"
+#include "runs/comparison_text.hpp"
+#include "runs/read_run.hpp"
+#include "tb/progress_line.hpp"
+#include "tb/results_folder.hpp"
+#include "tb/run_command.hpp"
+
+namespace faster {
+
+namespace {
+
+std::vector<runs::SampleRecord> sample_records(std::vector<SampleStatistics> const& samples) {
+    std::vector<runs::SampleRecord> records;
+    records.reserve(samples.size());
+    for (SampleStatistics const& sample : samples)
+        records.push_back({sample.core, sample.start_cycle, sample.end_cycle, sample.counters});
+    return records;
+}
+
+runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
+                               RunStatistics const& run) {
+    std::vector<ResolvedKey> keys = resolved_keys(changed.config);
+    auto const is_engine = [](ResolvedKey const& key) { return key.key == "simulation.engine"; };
+    keys.erase(std::remove_if(keys.begin(), keys.end(), is_engine), keys.end());  // an event file does not know it
+    std::string const summary = report::summary_json(keys, changed.config.accelerator, run, {});
+    return runs::compare(runs::run_record(name, recorded.summary, sample_records(recorded.samples)),
+                         runs::run_record("whatif", summary, sample_records(run.samples)));
+}
+
+int retime_one(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& changed,
+               report::HostTime host) {
+    std::unique_ptr<ResultsFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
+    auto const start = std::chrono::steady_clock::now();
+    RunStatistics const run = retiming::retime(recorded.run, changed.config.accelerator);
+    host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (run.deadlocked()) {
+        fmt::print(stderr, "{}", report::deadlock_report(run));
+        if (folder)
+            folder->write_deadlock(changed.config, run);
+        return exit_deadlock;
+    }
+    if (run.samples.size() != recorded.samples.size() || !leftover_tokens(run).empty())
+        throw InputError(request.events +
+                         ": what its processes write is not what they read, expected the file of a run");
+    if (folder)
+        folder->write(changed.config, run, host);
+    fmt::print("{}", report::text_report(changed.config.accelerator, run, host));
+    fmt::print("\nCompared with the recorded run\n\n{}",
+               runs::comparison_text(with_recorded(request.events, recorded, changed, run),
+                                     static_cast<std::size_t>(request.top)));
+    if (folder)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+/// The configuration of a matrix's row. Complaints name the row instead of --set.
+LoadedConfig config_of_row(std::string const& matrix, Settings const& row, LoadedConfig const& base) {
+    try {
+        return events::retimed_config(base, row.overrides);
+    } catch (InputError const& error) {
+        std::string what = error.what();
+        if (what.rfind("--set ", 0) == 0)
+            what.erase(0, 6);
+        throw InputError(fmt::format("{}:{}: {}", matrix, row.line, what));
+    }
+}
+
+int retime_matrix(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& base) {
+    std::unique_ptr<io::OutputFile> const csv =
+        request.csv.empty() ? nullptr : std::make_unique<io::OutputFile>(request.csv);
+    std::vector<Settings> const list = read_settings_list(request.matrix);
+    std::vector<AcceleratorConfig> configs;
+    report::WhatifTable table(recorded.loaded.config.accelerator, recorded.samples);
+    for (Settings const& row : list) {
+        configs.push_back(config_of_row(request.matrix, row, base).config.accelerator);
+        table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), configs.back());
+    }
+    {
+        ProgressLine progress("configurations");
+        std::size_t done = 0;
+        retiming::retime_many(recorded.run, configs, [&](std::size_t i, RunStatistics const& run) {
+            table.set_result(i, run);
+            progress.show(++done, configs.size());
+        });
+    }
+    if (csv)
+        csv->commit(table.csv());
+    fmt::print("{}", table.text());
+    if (csv)
+        fmt::print("\nwritten: {}\n", request.csv);
+    return exit_done;
+}
+
+}  // namespace
+
+int whatif(WhatifRequest const& request) {
+    auto const start = std::chrono::steady_clock::now();
+    events::EventFile const recorded = events::read_event_file(request.events);
+    report::HostTime host;
+    host.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
+    return request.matrix.empty() ? retime_one(request, recorded, changed, host)
+                                  : retime_matrix(request, recorded, changed);
+}
+
+}  // namespace faster

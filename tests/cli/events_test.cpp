@@ -1,0 +1,181 @@
+#include <catch2/catch.hpp>
+
+#include "support/command.hpp"
+#include "support/report_page.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// A configuration, and the event file of its run.
+class Workspace {
+  public:
+    Workspace() {
+        folder_.write("config.yaml",
+                      "accelerator: {raster_cores: 2, window: 60}\n"
+                      "workload:\n"
+                      "  object: tomato_soup_can\n"
+                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
+                      "  samples: {count: 3}\n");
+        require_done(tool({"run", "config.yaml", "--events", "events"}));
+    }
+
+    CommandResult tool(Words const& words) const { return run_command(FASTER_SIM_BINARY, words, folder_.path()); }
+    CommandResult whatif(Words words) const {
+        words.insert(words.begin(), {"whatif", "events"});
+        return tool(words);
+    }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    Json summary(std::string const& run) const {
+        Json json = Json::parse(text(run + "/summary.json"));
+        json.erase("host");
+        return json;
+    }
+    bool has(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
+    TempFolder const& folder() const { return folder_; }
+
+  private:
+    TempFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("whatif writes what a run with the same keys writes") {
+    Workspace const workspace;
+    Words const settings{"--set", "accelerator.fifos.edge_token.depth=16",
+                         "--set", "accelerator.fifos.command.kind=memory",
+                         "--set", "accelerator.brams.depth_buffer.ports=3",
+                         "--set", "accelerator.raster_cores=3",
+                         "--set", "accelerator.clock_mhz=150"};
+    Words run{"run", "config.yaml", "--out", "run"};
+    Words whatif{"--out", "whatif"};
+    for (Words* words : {&run, &whatif})
+        words->insert(words->end(), settings.begin(), settings.end());
+    require_done(workspace.tool(run));
+    CommandResult const result = workspace.whatif(whatif);
+    require_done(result);
+    CHECK_THAT(result.out, Contains("Compared with the recorded run"));
+    CHECK_THAT(result.out, Contains("accelerator.raster_cores: 2 -> 3"));
+    for (std::string const file : {"/samples.csv", "/fifos.csv", "/loops.csv"})
+        CHECK(workspace.text("run" + file) == workspace.text("whatif" + file));
+    CHECK(workspace.summary("run") == workspace.summary("whatif"));
+}
+
+TEST_CASE("whatif without changes finds the recorded run") {
+    Workspace const workspace;
+    CommandResult const result = workspace.whatif({});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("identical: configuration, results and cycles of events and whatif"));
+}
+
+TEST_CASE("whatif refuses keys that decide about more than time, by name") {
+    Workspace const workspace;
+    auto const check = [&](std::string const& setting, std::string const& why) {
+        check_bad_input(workspace.whatif({"--set", setting, "--out", "out"}),
+                        {"--set " + setting, why, "use faster-sim run"});
+        CHECK_FALSE(workspace.has("out"));
+    };
+    check("accelerator.window=50", "accelerator.window decides what is computed");
+    check("accelerator.fraction_bits.vertex_z=13", "accelerator.fraction_bits.vertex_z decides what is computed");
+    check("accelerator.edge_map.flush_last=true", "accelerator.edge_map.flush_last decides what is computed");
+    check("workload.samples.count=4", "workload.samples.count is part of the workload");
+    check("simulation.engine=lockstep", "simulation.engine decides how a run is simulated");
+    check_bad_input(workspace.whatif({"--set", "accelerator.fifos.edge_tokn.depth=3"}), {"edge_token"});
+    check_bad_input(workspace.whatif({"--set", "accelerator.loops.rasterizer.scan.depth=4"}), {"write_latency"});
+}
+
+TEST_CASE("whatif reports a deadlock as a run does") {
+    Workspace const workspace;
+    Words const setting{"--set", "accelerator.fifos.fragment_depth.depth=1"};
+    CommandResult const run = workspace.tool({"run", "config.yaml", "--out", "run", setting[0], setting[1]});
+    CommandResult const whatif = workspace.whatif({"--out", "whatif", setting[0], setting[1]});
+    CHECK(whatif.exit_code == 3);
+    CHECK(whatif.err == run.err);
+    CHECK(workspace.summary("whatif") == workspace.summary("run"));
+}
+
+TEST_CASE("A run that deadlocks writes no event file") {
+    Workspace const workspace;
+    CommandResult const result = workspace.tool(
+        {"run", "config.yaml", "--events", "stuck", "--set", "accelerator.fifos.fragment_depth.depth=1"});
+    CHECK(result.exit_code == 3);
+    CHECK_FALSE(workspace.has("stuck"));
+}
+
+TEST_CASE("whatif takes a matrix of configurations") {
+    Workspace const workspace;
+    workspace.folder().write("matrix.yaml",
+                             "- {accelerator.raster_cores: 3}\n"
+                             "- accelerator.fifos.fragment_depth.depth: 1\n"
+                             "- accelerator.brams.depth_buffer.ports: 3\n"
+                             "  accelerator.clock_mhz: 100\n"
+                             "- {}\n");
+    CommandResult const result = workspace.whatif({"--matrix", "matrix.yaml", "--csv", "rows.csv"});
+    require_done(result);
+    std::vector<std::string> const rows = lines_of(workspace.text("rows.csv"));
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[0] == "row,configuration,outcome,total_cycles,milliseconds,change_cycles");
+    CHECK(rows[2] == "1,accelerator.fifos.fragment_depth.depth=1,deadlock,,,");
+    CHECK_THAT(rows[3], Contains("accelerator.brams.depth_buffer.ports=3 accelerator.clock_mhz=100,finished,"));
+    CHECK(rows[4].substr(rows[4].rfind(',')) == ",0");
+    require_done(workspace.tool({"run", "config.yaml", "--out", "run", "--set", "accelerator.raster_cores=3"}));
+    std::string const cycles = std::to_string(workspace.summary("run")["total_cycles"].get<std::uint64_t>());
+    CHECK_THAT(rows[1], Contains("finished," + cycles + ","));
+    CHECK_THAT(result.out, Contains(cycles));
+}
+
+TEST_CASE("A bad matrix is refused with its line") {
+    Workspace const workspace;
+    auto const check = [&](std::string const& text, std::vector<std::string> const& parts) {
+        workspace.folder().write("matrix.yaml", text);
+        check_bad_input(workspace.whatif({"--matrix", "matrix.yaml", "--csv", "rows.csv"}), parts);
+        CHECK_FALSE(workspace.has("rows.csv"));
+    };
+    check("accelerator.raster_cores: 3\n", {"matrix.yaml:1", "expected a list"});
+    check("- {accelerator.raster_cores: 3}\n- 5\n", {"matrix.yaml:2", "expected a map"});
+    check("- {}\n- {accelerator.window: 3}\n", {"matrix.yaml:2", "accelerator.window"});
+    check("- {}\n- {accelerator.raster_cores: many}\n", {"matrix.yaml:2", "expected an integer"});
+    check("- {accelerator.raster_cores: [3]}\n", {"matrix.yaml:1", "expected one value"});
+}
+
+TEST_CASE("What is no event file is refused with one line") {
+    Workspace const workspace;
+    std::string const bytes = workspace.text("events");
+    auto const check = [&](std::string const& content, std::string const& what) {
+        workspace.folder().write("bad", content);
+        check_bad_input(workspace.tool({"whatif", "bad"}), {"bad: ", what});
+        check_bad_input(workspace.tool({"sensitivities", "bad"}), {"bad: ", what});
+    };
+    check("accelerator: {}\n", "is no event file");
+    check("", "is no event file");
+    check(bytes.substr(0, bytes.size() / 2), "is cut off");
+    check(bytes.substr(0, 8) + '\2' + bytes.substr(9), "of version 2, expected version 1");
+    std::string damaged = bytes;
+    damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 4);
+    check(damaged, "damaged");
+    check_bad_input(workspace.tool({"whatif", "none"}), {"none: no such file"});
+    check_bad_input(workspace.tool({"run", "config.yaml", "--events", "none/."}), {"none"});
+}
+
+TEST_CASE("sensitivities of an event file are those of the run, with slack") {
+    Workspace const workspace;
+    require_done(workspace.tool({"run", "config.yaml", "--sensitivities", "--out", "run"}));
+    CommandResult const result = workspace.tool({"sensitivities", "events", "--csv", "s.csv", "--json", "s.json"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("Slack: how far one key alone may go"));
+    std::vector<std::string> const rows = lines_of(workspace.text("s.csv"));
+    std::vector<std::string> const of_run = lines_of(workspace.text("run/sensitivities.csv"));
+    REQUIRE(rows.size() == of_run.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        CHECK(rows[i].rfind(of_run[i] + ",", 0) == 0);
+    CHECK(rows[0] == of_run[0] + ",slack,slack_end");
+    Json const json = Json::parse(workspace.text("s.json"));
+    CHECK(json["total_cycles"] == workspace.summary("run")["total_cycles"]);
+    CHECK(2 * json["sensitivities"].size() + 1 == rows.size());
+    CHECK(json["sensitivities"][0]["up"].contains("slack"));
+}

@@ -1,0 +1,260 @@
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdint>
+
+#include "common/input_error.hpp"
+#include "config/keys.hpp"
+#include "events/event_file.hpp"
+#include "retiming/canonical_operations.hpp"
+#include "retiming/operation_codec.hpp"
+#include "retiming/retime.hpp"
+#include "retiming/sensitivities.hpp"
+#include "retiming/slack.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/run_cells.hpp"
+#include "support/temp_folder.hpp"
+
+namespace faster::testing {
+namespace {
+
+using timing::Operation;
+using timing::OperationLog;
+
+/// Workloads of different kinds, small enough for many runs.
+constexpr std::array<std::optional<TriangleKind>, 10> workload_kinds{std::nullopt,           TriangleKind::Tiny,
+                                                                     TriangleKind::Small,    TriangleKind::Huge,
+                                                                     TriangleKind::Sliver,   TriangleKind::BackFacing,
+                                                                     TriangleKind::Border,   TriangleKind::WholePixels,
+                                                                     TriangleKind::Rejected, std::nullopt};
+
+Stimulus workload(std::size_t number) {
+    RandomStimulusOptions options;
+    options.width = {24, 48};
+    options.height = {24, 48};
+    options.window = {4, 16};
+    options.samples = {1, 9};
+    options.triangles = {0, 12};
+    options.kind = workload_kinds[number];
+    options.random_fraction_bits = number == 9;
+    return random_stimulus(9000 + number, options);
+}
+
+/// With the function of a recorded run. Every third one may deadlock.
+AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& recorded) {
+    RandomConfigOptions options;
+    options.fifo_depth = {1, 24};
+    options.is_deadlock_free = seed % 3 != 0;
+    AcceleratorConfig config = random_config(seed, options);
+    config.edge_map = recorded.edge_map;
+    config.inlier_unit = recorded.inlier_unit;
+    return config;
+}
+
+RunStatistics record(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                     std::filesystem::path const& file) {
+    ForkOptions options;
+    options.events = file;
+    return run_forked(config, stimulus, engine, options).statistics;
+}
+
+/// A configuration that certainly finishes, on as many cores as a random one.
+AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number) {
+    AcceleratorConfig config;
+    if (number % 2 == 1)
+        config = random_config(seed);
+    config.raster_cores = 1 + seed % 5;
+    config.edge_map.algorithm = static_cast<EdgeMapAlgorithm>(number % 6);
+    config.edge_map.clearing = number % 3 == 0 ? MapClearing::on_read_out : MapClearing::loop;
+    config.inlier_unit.clearing = number % 4 == 0 ? MapClearing::on_read_out : MapClearing::loop;
+    config.inlier_unit.neighbour_access = number % 4 < 2 ? NeighbourAccess::window : NeighbourAccess::direct;
+    return config;
+}
+
+/// Equal in every figure; a deadlock in who waits for whom, where and since when.
+void check_equal(RunStatistics const& retimed, RunStatistics const& run) {
+    REQUIRE(retimed.deadlocked() == run.deadlocked());
+    if (run.deadlocked()) {
+        CHECK(first_difference(stuck_cells(retimed), stuck_cells(run)).empty());
+        CHECK(first_difference(position_cells(retimed), position_cells(run)).empty());
+        CHECK(retimed.deadlock_cycle() == run.deadlock_cycle());
+        return;
+    }
+    CHECK(first_difference(all_cells(retimed), all_cells(run)) == "");
+}
+
+/// A small run's event file.
+std::filesystem::path small_file(test::TempFolder const& folder) {
+    std::filesystem::path const file = folder / "events";
+    record(AcceleratorConfig(), workload(0), Engine::decoupled, file);
+    return file;
+}
+
+/// All operations of a file, read back; InputError if anything is wrong with it.
+std::string content_of_events(std::filesystem::path const& path) {
+    events::EventFile const file = events::read_event_file(path);
+    std::string content = file.summary;
+    retiming::SampleOperations operations;
+    for (std::size_t i = 0; i < file.run.tape.samples(); ++i) {
+        file.run.tape.read(i, *file.run.blueprint, operations);
+        content += retiming::encode(operations);
+    }
+    return content;
+}
+
+std::vector<Operation> canonical_of(OperationLog const& log) { return retiming::canonical(log.begin(), log.pending()); }
+
+std::vector<Operation::Code> codes_of(std::vector<Operation> const& operations) {
+    std::vector<Operation::Code> codes;
+    for (Operation const& operation : operations)
+        codes.push_back(operation.code());
+    return codes;
+}
+
+}  // namespace
+
+TEST_CASE("What a recorded run would take is what a run takes, in every figure", "[events]") {
+    test::TempFolder const folder;
+    std::size_t deadlocks = 0;
+    for (std::size_t number = 0; number < workload_kinds.size(); ++number) {
+        Stimulus const stimulus = workload(number);
+        AcceleratorConfig const recorded = recorded_configuration(9100 + number, number);
+        Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
+        record(recorded, stimulus, engine, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        for (std::uint64_t i = 0; i < 50; ++i) {
+            std::uint64_t const seed = 10000 + 100 * number + i;
+            CAPTURE(number, seed);
+            AcceleratorConfig const config = configuration(seed, recorded);
+            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            check_equal(retiming::retime(file.run, config), run);
+            deadlocks += run.deadlocked() ? 1U : 0U;
+        }
+    }
+    CHECK(deadlocks > 20);
+    CHECK(deadlocks < 250);
+}
+
+TEST_CASE("Both engines write the same event file", "[events]") {
+    test::TempFolder const folder;
+    for (std::size_t number = 0; number < workload_kinds.size(); ++number) {
+        CAPTURE(number);
+        AcceleratorConfig const config = recorded_configuration(9200 + number, number);
+        record(config, workload(number), Engine::decoupled, folder / "a");
+        record(config, workload(number), Engine::lockstep, folder / "b");
+        CHECK(test::content_of(folder / "a") == test::content_of(folder / "b"));
+    }
+}
+
+TEST_CASE("An event file knows its run", "[events]") {
+    test::TempFolder const folder;
+    AcceleratorConfig const config = random_config(9300);
+    RunStatistics const run = record(config, workload(0), Engine::lockstep, folder / "events");
+    events::EventFile const file = events::read_event_file(folder / "events");
+    check_equal(retiming::retime(file.run, file.loaded.config.accelerator), run);
+    REQUIRE(file.samples.size() == run.samples.size());
+    for (std::size_t i = 0; i < run.samples.size(); ++i) {
+        CHECK(file.samples[i].end_cycle == run.samples[i].end_cycle);
+        CHECK(file.samples[i].counters == run.samples[i].counters);
+    }
+}
+
+TEST_CASE("A run that deadlocks leaves no event file", "[events]") {
+    test::TempFolder const folder;
+    AcceleratorConfig config;
+    config.fifo(FifoId::fragment_depth).depth = 1;
+    CHECK(record(config, workload(0), Engine::decoupled, folder / "events").deadlocked());
+    CHECK(test::entries_in(folder.path()) == 0);
+}
+
+TEST_CASE("An event file that is cut off anywhere is refused", "[events]") {
+    test::TempFolder const folder;
+    std::string const bytes = test::content_of(small_file(folder));
+    for (std::size_t part = 0; part < 200; ++part) {
+        CAPTURE(part);
+        auto const cut = folder.write("cut", bytes.substr(0, part * bytes.size() / 200));
+        CHECK_THROWS_AS(content_of_events(cut), InputError);
+    }
+}
+
+TEST_CASE("An event file with a wrong byte is refused, or still says the same", "[events]") {
+    test::TempFolder const folder;
+    auto const original = small_file(folder);
+    std::string const bytes = test::content_of(original);
+    std::string const content = content_of_events(original);
+    std::size_t refused = 0;
+    for (std::size_t part = 0; part < 400; ++part) {
+        std::string changed = bytes;
+        std::size_t const at = part * bytes.size() / 400;
+        changed[at] = static_cast<char>(changed[at] ^ (1 << (part % 8)));
+        auto const path = folder.write("changed", changed);
+        bool is_same = false;
+        try {
+            is_same = content_of_events(path) == content;  // zstd ignores a bit of each frame
+        } catch (InputError const&) {
+            ++refused;
+            continue;
+        }
+        CHECK(is_same);
+    }
+    CHECK(refused > 390);
+}
+
+TEST_CASE("How many iterations a process tells at once does not matter to what is recorded", "[events]") {
+    for (unsigned pattern = 1; pattern < 200; ++pattern) {
+        CAPTURE(pattern);
+        OperationLog whole;
+        OperationLog single;
+        for (OperationLog* log : {&whole, &single}) {
+            log->wait(1);
+            log->enter(0);
+        }
+        for (unsigned i = 0; i < 5; ++i) {
+            std::uint32_t const gaps = pattern * 2654435761U * (i + 1);
+            unsigned const length = 1 + (pattern + 7 * i) % 32;
+            std::uint32_t const used = gaps & Operation::gap_bits(1, length);
+            whole.iterate_mixed(1, length, used);
+            for (unsigned bit = 0; bit < length; ++bit)
+                single.iterate_mixed(1, 1, (used >> bit) & 1U);
+            whole.iterate(1, pattern & 1U, 10 * pattern);
+            for (unsigned left = 10 * pattern; left > 0; --left)
+                single.iterate(1, pattern & 1U, 1);
+        }
+        whole.leave();
+        single.leave();
+        CHECK(codes_of(canonical_of(whole)) == codes_of(canonical_of(single)));
+    }
+}
+
+TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") {
+    test::TempFolder const folder;
+    Stimulus const stimulus = workload(0);
+    RunStatistics const recorded = record(AcceleratorConfig(), stimulus, Engine::decoupled, folder / "events");
+    events::EventFile const file = events::read_event_file(folder / "events");
+    std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
+    retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
+    Keys const keys = timing_keys();
+    auto const costs = [&](std::size_t i, std::int64_t value) {
+        RunConfig config = file.loaded.config;
+        keys[i].write(config, KeyValue{value});
+        RunStatistics const run = retiming::retime(file.run, config.accelerator);
+        return run.deadlocked() || run.total_cycles > recorded.total_cycles;
+    };
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (auto const& [direction, step] : {std::make_pair(-1, rows[i].down), std::make_pair(1, rows[i].up)}) {
+            CAPTURE(rows[i].key, direction);
+            REQUIRE(step.slack);
+            std::int64_t const change = step.slack->change;
+            CHECK(change <= retiming::most_slack);
+            CHECK_FALSE(costs(i, rows[i].value + direction * change));
+            if (step.slack->end == SlackEnd::costs)
+                CHECK(costs(i, rows[i].value + direction * (change + 1)));
+            if (step.slack->end == SlackEnd::limit)
+                CHECK(change == retiming::most_slack);
+            found += change > 0 && step.slack->end == SlackEnd::costs ? 1U : 0U;
+        }
+    CHECK(found > 0);
+}
+
+}  // namespace faster::testing

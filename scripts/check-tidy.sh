@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with the checks of .clang-tidy on the C++ files of src, tests and bench, on all cores; any finding is an error.
 #   scripts/check-tidy.sh [build folder [folder]]    the build folder's compile_commands.json says how each file is compiled
-#                                                    (build/ci); a folder checks only what is in it
+#                                                    (build/ci); a folder, or a pattern of grep, checks only what is in it
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

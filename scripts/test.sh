@@ -50,5 +50,6 @@ if [[ "$tidy" == true ]]; then
         echo "test: clang-tidy is missing" >&2
         exit 1
     fi
-    bash scripts/check-tidy.sh "build/$preset" src/ # all, tests included, takes 8 minutes on 2 cores: by hand
+    # The model itself; all of src and tests takes a quarter of an hour on 2 cores: scripts/check-tidy.sh, by hand.
+    bash scripts/check-tidy.sh "build/$preset" 'src/\(channels\|datapath\|modules\|retiming\|simulation\|stats\|timing\)/'
 fi

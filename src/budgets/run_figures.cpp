@@ -42,12 +42,9 @@ void add_fifo(Figures& figures, std::string const& core, std::size_t i, FifoStat
 
 void add_bram(Figures& figures, std::string const& core, std::size_t i, AcceleratorConfig const& config,
               CoreStatistics const& statistics) {
-    Cycles conflicts = 0;
-    for (LoopStatistics const& loop : statistics.loops)
-        conflicts += loop.limited_by == bram_names[i] ? loop.port_conflict_cycles : 0;
     Section section(figures, core + "brams." + bram_names[i] + ".");
     section.set("ports", config.brams[i].ports);
-    section.set("port_conflict_cycles", conflicts);
+    section.set("port_conflict_cycles", port_conflict_cycles(statistics, static_cast<BramId>(i)));
 }
 
 void add_loop(Figures& figures, std::string const& core, std::size_t i, LoopStatistics const& loop) {

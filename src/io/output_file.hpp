@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
+#include <string>
 #include <string_view>
 
 namespace faster::io {
@@ -22,5 +24,10 @@ class OutputFile {
     std::filesystem::path target_;       // as given
     std::filesystem::path destination_;  // absolute, symbolic links resolved
 };
+
+/// For an option that need not be given: null if it is empty.
+inline std::unique_ptr<OutputFile> optional_output_file(std::string const& target) {
+    return target.empty() ? nullptr : std::make_unique<OutputFile>(target);
+}
 
 }  // namespace faster::io

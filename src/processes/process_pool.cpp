@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace faster::processes {
@@ -163,11 +164,12 @@ void collect(Children& children, std::vector<bool> const& news, std::vector<Outc
 
 std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
                              std::function<void(std::size_t, std::size_t)> const& progress) {
+    std::size_t const at_once = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
     std::vector<Outcome> outcomes(tasks.size());
     Children children;
     std::size_t next = 0;
     while (next < tasks.size() || !children.empty()) {
-        while (next < tasks.size() && children.size() < std::max<std::size_t>(1, jobs)) {
+        while (next < tasks.size() && children.size() < at_once) {
             children.push_back(std::make_unique<Child>(next, tasks[next], watch));
             ++next;
         }

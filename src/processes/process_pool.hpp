@@ -29,10 +29,10 @@ struct Outcome {
     double seconds = 0;  ///< of the host
 };
 
-/// Runs every task in a forked process, at most `jobs` at once, and returns the outcomes in the order of the tasks. A
-/// task that hangs or crashes does not disturb the others. No process outlives the call, nor the caller if that is
-/// killed. Throws Interrupted when `watch` sees a signal. `progress` is told now and then how many are done. Call it
-/// while the program has one thread only.
+/// Runs every task in a forked process, at most `jobs` at once (0: as many as the host has cores), and returns the
+/// outcomes in the order of the tasks. A task that hangs or crashes does not disturb the others. No process outlives
+/// the call, nor the caller if that is killed. Throws Interrupted when `watch` sees a signal. `progress` is told now
+/// and then how many are done. Call it while the program has one thread only.
 std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
                              std::function<void(std::size_t done, std::size_t all)> const& progress = {});
 

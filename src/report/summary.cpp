@@ -21,10 +21,6 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
 
 Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, CoreStatistics const& statistics) {
     auto const id = static_cast<BramId>(i);
-    Cycles conflicts = 0;
-    for (LoopStatistics const& loop : statistics.loops)
-        if (loop.limited_by == name_of(id))
-            conflicts += loop.port_conflict_cycles;
     MemoryShape const memory = memory_shape(id, config);
     return {{"core", core},
             {"bram", name_of(id)},
@@ -32,7 +28,7 @@ Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, 
             {"bits", memory.bits},
             {"ports", memory.ports},
             {"ramb36", ramb36_count(memory)},
-            {"port_conflict_cycles", conflicts}};
+            {"port_conflict_cycles", port_conflict_cycles(statistics, id)}};
 }
 
 Json line_buffer_row(std::size_t core, MemoryShape const& memory) {

@@ -104,6 +104,9 @@ struct RunStatistics {
 /// FIFOs that were not read empty, for people: a finished run has none, or the model is wrong.
 std::string leftover_tokens(RunStatistics const& run);
 
+/// Of the loops that a block RAM limits, in one core.
+Cycles port_conflict_cycles(CoreStatistics const& core, BramId id);
+
 /// One module of all cores together.
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <thread>
 
 #include "budgets/configuration_hash.hpp"
 #include "budgets/run_figures.hpp"
@@ -86,9 +85,8 @@ std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& 
     for (budgets::Budget const& budget : budgets)
         tasks.push_back(
             {[&budget, &overrides] { return to_text(measure(budget, overrides)); }, time_limit_of(budget, request)});
-    std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
     ProgressLine progress("budgets");
-    return processes::run_all(tasks, request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : host_cores, watch,
+    return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch,
                               [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 

@@ -147,16 +147,11 @@ int exit_code_of(std::vector<CheckResult> const& results) {
     return any([](CheckResult const& result) { return result.is_failure(); }) ? exit_failed_check : exit_done;
 }
 
-/// Checked before the work whose output would be lost.
-std::unique_ptr<io::OutputFile> output_file(std::string const& path) {
-    return path.empty() ? nullptr : std::make_unique<io::OutputFile>(path);
-}
-
 int check_budgets(CheckRequest const& request) {
     require_reason(request);
     std::vector<Budget> const all = read_budgets(request);
-    auto const junit = output_file(request.junit);
-    auto const json = output_file(request.json);
+    auto const junit = io::optional_output_file(request.junit);
+    auto const json = io::optional_output_file(request.json);
     processes::SignalWatch const watch;
     std::vector<Outcome> const outcomes = run_budgets(all, request.overrides, request, watch);
     std::vector<CheckResult> results;

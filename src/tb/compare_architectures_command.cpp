@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <thread>
 
 #include "common/input_error.hpp"
 #include "config/keys.hpp"
@@ -72,10 +71,9 @@ std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points, s
     tasks.reserve(points.size());
     for (Point const& point : points)
         tasks.push_back({[&point] { return simulate_point(point); }, time_limit_s});
-    std::size_t const host_cores = std::max(1U, std::thread::hardware_concurrency());
     processes::SignalWatch const watch;
     ProgressLine progress("simulations");
-    return processes::run_all(tasks, jobs > 0 ? static_cast<std::size_t>(jobs) : host_cores, watch,
+    return processes::run_all(tasks, static_cast<std::size_t>(jobs), watch,
                               [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
@@ -89,8 +87,7 @@ report::ArchitectureRow row_of(Point const& point, processes::Outcome const& out
 }  // namespace
 
 int compare_architectures(CompareArchitecturesRequest const& request) {
-    std::unique_ptr<io::OutputFile> const csv =
-        request.csv.empty() ? nullptr : std::make_unique<io::OutputFile>(request.csv);
+    auto const csv = io::optional_output_file(request.csv);
     std::vector<Point> const points = points_of(request);
     std::vector<processes::Outcome> const outcomes = simulate_all(points, request.jobs);
     std::vector<report::ArchitectureRow> rows;

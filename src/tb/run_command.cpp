@@ -66,10 +66,8 @@ int run(RunRequest const& request) {
     // Before the work whose results would be lost.
     std::unique_ptr<ResultsFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
-    std::unique_ptr<io::OutputFile> const report_file =
-        request.report.empty() ? nullptr : std::make_unique<io::OutputFile>(request.report);
-    std::unique_ptr<io::OutputFile> const events_file =
-        request.events.empty() ? nullptr : std::make_unique<io::OutputFile>(request.events);
+    auto const report_file = io::optional_output_file(request.report);
+    auto const events_file = io::optional_output_file(request.events);
 
     report::HostTime host;
     auto start = HostClock::now();

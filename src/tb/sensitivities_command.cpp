@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <memory>
 
 #include "events/event_file.hpp"
 #include "io/output_file.hpp"
@@ -15,10 +14,6 @@
 namespace faster {
 
 namespace {
-
-std::unique_ptr<io::OutputFile> output(std::string const& file) {
-    return file.empty() ? nullptr : std::make_unique<io::OutputFile>(file);
-}
 
 RunStatistics with_sensitivities(events::EventFile const& recorded) {
     RunStatistics run;
@@ -36,8 +31,8 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
 
 int print_sensitivities(SensitivitiesRequest const& request) {
     events::EventFile const recorded = events::read_event_file(request.events);
-    auto const csv = output(request.csv);
-    auto const json = output(request.json);
+    auto const csv = io::optional_output_file(request.csv);
+    auto const json = io::optional_output_file(request.json);
     RunStatistics const run = with_sensitivities(recorded);
     if (csv)
         csv->commit(report::sensitivities_csv(run));

@@ -85,8 +85,7 @@ LoadedConfig config_of_row(std::string const& matrix, Settings const& row, Loade
 }
 
 int retime_matrix(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& base) {
-    std::unique_ptr<io::OutputFile> const csv =
-        request.csv.empty() ? nullptr : std::make_unique<io::OutputFile>(request.csv);
+    auto const csv = io::optional_output_file(request.csv);
     std::vector<Settings> const list = read_settings_list(request.matrix);
     std::vector<AcceleratorConfig> configs;
     report::WhatifTable table(recorded.loaded.config.accelerator, recorded.samples);

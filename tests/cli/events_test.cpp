@@ -2,7 +2,7 @@
 
 #include "support/command.hpp"
 #include "support/report_page.hpp"
-#include "support/temp_folder.hpp"
+#include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
 using namespace faster::test;
@@ -15,32 +15,24 @@ namespace {
 /// A configuration, and the event file of its run.
 class Workspace {
   public:
-    Workspace() {
-        folder_.write("config.yaml",
-                      "accelerator: {raster_cores: 2, window: 60}\n"
-                      "workload:\n"
-                      "  object: tomato_soup_can\n"
-                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
-                      "  samples: {count: 3}\n");
-        require_done(tool({"run", "config.yaml", "--events", "events"}));
-    }
+    Workspace() { require_done(tool({"run", "config.yaml", "--events", "events"})); }
 
-    CommandResult tool(Words const& words) const { return run_command(FASTER_SIM_BINARY, words, folder_.path()); }
+    CommandResult tool(Words const& words) const { return run_command(FASTER_SIM_BINARY, words, folder().path()); }
     CommandResult whatif(Words words) const {
         words.insert(words.begin(), {"whatif", "events"});
         return tool(words);
     }
-    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    std::string text(std::string const& name) const { return small_.text(name); }
     Json summary(std::string const& run) const {
-        Json json = Json::parse(text(run + "/summary.json"));
+        Json json = small_.summary(run);
         json.erase("host");
         return json;
     }
-    bool has(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
-    TempFolder const& folder() const { return folder_; }
+    bool has(std::string const& name) const { return std::filesystem::exists(folder() / name); }
+    TempFolder const& folder() const { return small_.folder(); }
 
   private:
-    TempFolder folder_;
+    SmallWorkspace small_;
 };
 
 }  // namespace

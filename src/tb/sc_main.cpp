@@ -14,6 +14,8 @@
 #include "tb/run_command.hpp"
 #include "tb/sensitivities_command.hpp"
 #include "tb/show_command.hpp"
+#include "tb/sweep_command.hpp"
+#include "tb/sweep_merge_command.hpp"
 #include "tb/whatif_command.hpp"
 
 namespace {
@@ -185,6 +187,30 @@ void add_sensitivities(CLI::App& app, faster::SensitivitiesRequest& request) {
     command.add_option("--json", request.json, "Write the same as JSON to this file")->type_name("FILE");
 }
 
+void add_sweep_merge(CLI::App& sweep, faster::SweepMergeRequest& request) {
+    CLI::App& command = *sweep.add_subcommand("merge", "Join the folders of a sweep's shards");
+    command.add_option("folders", request.folders, "Output folders of the shards")->required()->type_name("DIR");
+    command.add_option("--out", request.out, "Folder of the whole sweep")->required()->type_name("DIR");
+}
+
+void add_sweep(CLI::App& app, faster::SweepRequest& request, faster::SweepMergeRequest& merge) {
+    CLI::App& command =
+        *app.add_subcommand("sweep", "Run a configuration in many variants; goes on where it was (docs/sweeps.md)");
+    command.add_option("sweep", request.sweep, "Sweep file (YAML)")->type_name("SWEEP");
+    command.add_option("--out", request.out, "Folder of the results")->type_name("DIR");
+    command.add_option("-j,--jobs", request.jobs, "Processes at once (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--shard", request.shard, "Only part I of N parts of the same size; join them with sweep merge")
+        ->type_name("I/N");
+    command.add_option("--time-limit", request.time_limit_s, "Give up a point after this time (86400)")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.001, 1e9));
+    command.add_flag("--retry-failed", request.retry_failed, "Do points that failed before again");
+    command.add_flag("--keep-events", request.keep_events, "Keep the event files, in case points are added later");
+    add_sweep_merge(command, merge);
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -195,8 +221,8 @@ int one_line_error(std::string text) {
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
     std::vector<std::string> const known{
-        "run",          "check", "record", "whatif", "sensitivities", "compare", "compare-architectures",
-        "edge-quality", "show",  "keys"};
+        "run",   "check",        "record", "whatif", "sensitivities", "compare", "compare-architectures",
+        "sweep", "edge-quality", "show",   "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
@@ -226,6 +252,9 @@ int run_tool(int argc, char** argv) {
     add_whatif(app, whatif_request);
     faster::SensitivitiesRequest sensitivities_request;
     add_sensitivities(app, sensitivities_request);
+    faster::SweepRequest sweep_request;
+    faster::SweepMergeRequest sweep_merge_request;
+    add_sweep(app, sweep_request, sweep_merge_request);
     faster::ShowRequest show_request;
     add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
@@ -246,6 +275,12 @@ int run_tool(int argc, char** argv) {
         return whatif(whatif_request);
     if (app.got_subcommand("sensitivities"))
         return print_sensitivities(sensitivities_request);
+    if (app.got_subcommand("sweep") && app.get_subcommand("sweep")->got_subcommand("merge"))
+        return merge_sweeps(sweep_merge_request);
+    if (app.got_subcommand("sweep") && (sweep_request.sweep.empty() || sweep_request.out.empty()))
+        return one_line_error("sweep: expected a sweep file and --out DIR (see faster-sim sweep --help)");
+    if (app.got_subcommand("sweep"))
+        return sweep(sweep_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
     if (app.got_subcommand("compare-architectures"))

@@ -32,7 +32,11 @@ bool sync(std::filesystem::path const& path, int flags) {
 
 void write_file_durably(std::filesystem::path const& path, std::string_view content) {
     PartialFile const partial(path);
-    write_file(partial.path(), content);
+    try {
+        write_file(partial.path(), content);
+    } catch (InputError const&) {  // names the partial file, which means nothing to anybody
+        fail(path, "no room for it, or not allowed");
+    }
     if (!sync(partial.path(), O_RDONLY))
         fail(path, std::strerror(errno));
     std::error_code error;

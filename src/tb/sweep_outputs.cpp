@@ -41,9 +41,12 @@ int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest cons
     io::write_file_durably(folder.table(), sweeps::results_csv(manifest, results));
     io::write_file_durably(folder.page(), sweeps::sweep_page(manifest, results));
     std::size_t const failed = count_of(Status::failed, manifest, results);
-    fmt::print("{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n", manifest.points.size(),
-               count_of(Status::done, manifest, results), count_of(Status::deadlock, manifest, results), failed,
-               folder.table().string(), folder.page().string());
+    std::size_t const done = count_of(Status::done, manifest, results);
+    std::size_t const deadlocked = count_of(Status::deadlock, manifest, results);
+    std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
+    fmt::print("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
+               there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
+               folder.page().string());
     if (failed == 0)
         return exit_done;
     name_first_failed(manifest, results, failed);

@@ -121,6 +121,7 @@ TEST_CASE("Merging says what is missing, and keeps what is there", "[sweeps]") {
     require_done(workspace.sweep("b", {"--shard", "2/2"}));
     CommandResult const half = workspace.tool({"sweep", "merge", "a", "--out", "merged"});
     CHECK(half.exit_code == 1);
+    CHECK_THAT(half.out, Contains("12 of 24 points: 8 done, 4 deadlocked, 0 failed"));
     CHECK_THAT(half.err, Contains("12 of 24 points are missing: point 12 (design=quick.yaml workload.samples.count=1"));
     CHECK(lines_of(workspace.text("merged/results.csv")).size() == 13);
     require_done(workspace.tool({"sweep", "merge", "b", "--out", "merged"}));

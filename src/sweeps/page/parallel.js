@@ -37,6 +37,10 @@ class ParallelCoordinates {
     this.is_marked = is_marked;
     this.changed = changed;
     this.axes = [...key_axes(), ...metric_axes()].map(with_extent);
+    if (this.axes.length === 0) {
+      leave_out("parallel");
+      return;
+    }
     this.canvas = element("canvas", { role: "img", "aria-label": "A line for each point across the axes of keys and figures; the table below has the same" });
     by_id("parallel-box").append(this.canvas);
     by_id("parallel-legend").append(legend([["accent", "on the Pareto front"], ["idle_after", "others"], ["port_conflict", "deadlock, without figures"]]));
@@ -68,6 +72,7 @@ class ParallelCoordinates {
   }
 
   draw() {
+    if (!this.canvas) return;
     this.width = Math.max(by_id("parallel-box").clientWidth, 2 * margin.side + axis_distance * (this.axes.length - 1));
     const ratio = devicePixelRatio || 1;
     this.canvas.width = this.width * ratio;
@@ -140,7 +145,7 @@ class ParallelCoordinates {
     const i = this.axes.findIndex((axis, k) => Math.abs(this.x_of(k) - x) < 20);
     if (i < 0) return;
     this.dragged = { axis: this.axes[i], from: y };
-    this.canvas.setPointerCapture(event.pointerId);
+    if (event.isTrusted) this.canvas.setPointerCapture(event.pointerId);
   }
   move(event) {
     if (!this.dragged) return;

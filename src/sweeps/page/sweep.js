@@ -58,20 +58,40 @@ function draw_page() {
   return { pareto, parallel };
 }
 
-/// For the tests, with #self-check in the address: what the page found out about itself.
+/// For the tests, with #self-check in the address: uses the page as a reader would, and leaves what came of it in the page
+/// as JSON.
 function leave_self_check({ pareto, parallel }) {
   const is_painted = (canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((byte) => byte !== 0);
-  const check = {
-    errors,
-    front: pareto.front.map((point) => point.point),
-    axes: parallel.axes.map((axis) => axis.title),
-    rows: document.querySelectorAll("#point-table tbody tr").length,
-    painted: [...document.querySelectorAll("canvas")].map(is_painted),
-    wider_than_screen: document.documentElement.scrollWidth > innerWidth,
-  };
+  const lines = () => [...document.querySelectorAll("#point-table tbody tr")].map((line) => line.cells[0].textContent);
+  const canvases = [...document.querySelectorAll("canvas")];
+  const check = { front: pareto.front.map((point) => point.point), axes: parallel.axes.map((axis) => axis.title),
+    charts: canvases.length, painted: canvases.filter(is_painted).length, rows: lines().length,
+    page_width: document.documentElement.scrollWidth, window_width: innerWidth };
+  by_id("only-front").click();
+  check.rows_on_front = lines().length;
+  by_id("only-front").click();
+  if (parallel.axes.length > 1) {
+    drag(parallel, 1, -0.2, 0.5);
+    check.rows_in_range = lines();
+    drag(parallel, 1, 0.5, 0.5);
+  }
+  const select = document.querySelectorAll("#pareto-controls select")[1];
+  select.selectedIndex = 0;
+  select.dispatchEvent(new Event("change"));
+  check.front_of_same_figure = pareto.front.map((point) => point.point);
   const text = element("script", { type: "application/json", id: "self-check" });
-  text.textContent = JSON.stringify(check).replaceAll("<", "\\u003c");
+  text.textContent = JSON.stringify({ ...check, errors }).replaceAll("<", "\\u003c");
   document.body.append(text);
+}
+
+/// Along an axis, from share to share of it, as a pointer would.
+function drag(parallel, i, from, to) {
+  const box = parallel.canvas.getBoundingClientRect();
+  const length = parallel_height - margin.top - margin.bottom;
+  const at = (share) => ({ clientX: box.left + parallel.x_of(i), clientY: box.top + parallel_height - margin.bottom - share * length });
+  parallel.canvas.dispatchEvent(new PointerEvent("pointerdown", at(from)));
+  parallel.canvas.dispatchEvent(new PointerEvent("pointermove", at(to)));
+  parallel.canvas.dispatchEvent(new PointerEvent("pointerup", at(to)));
 }
 
 const drawn = draw_page();

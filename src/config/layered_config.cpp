@@ -22,21 +22,19 @@ std::vector<std::string> apply_all(Files const& files, std::vector<std::string> 
     return complaints;
 }
 
-/// A preset lies below files and command line, and any may name it: it is known only when all have been read.
-LoadedConfig with_preset(Files const& files, std::vector<std::string> const& overrides) {
-    LoadedConfig named;
-    apply_all(files, overrides, named);
-    LoadedConfig loaded;
-    if (named.origins.is_explicit("accelerator.architecture"))
-        throw_first(apply_preset(named.config.accelerator.architecture, loaded));
-    return loaded;
-}
-
 }  // namespace
 
 LoadedConfig layered_config(Files const& files, std::vector<std::string> const& overrides) {
-    LoadedConfig loaded = with_preset(files, overrides);
-    throw_first(apply_all(files, overrides, loaded));
+    LoadedConfig loaded;
+    std::vector<std::string> complaints = apply_all(files, overrides, loaded);
+    if (loaded.origins.is_explicit("accelerator.architecture")) {
+        // A preset lies below files and command line, and any may name it: it is known only when all have been read.
+        std::string const architecture = loaded.config.accelerator.architecture;
+        loaded = {};
+        throw_first(apply_preset(architecture, loaded));
+        complaints = apply_all(files, overrides, loaded);
+    }
+    throw_first(complaints);
     throw_first(cross_check(loaded));
     return loaded;
 }

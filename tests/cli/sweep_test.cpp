@@ -157,7 +157,8 @@ TEST_CASE("A sweep in the folder of another is refused by name", "[sweeps]") {
     workspace.folder().write("other.yaml", sweep);
     check_bad_input(workspace.tool({"sweep", "other.yaml", "--out", "out"}),
                     {"out: holds the sweep sweep.yaml: 8 of its 24 points are not in other.yaml, the first is point 4 "
-                     "(design=plain.yaml workload.samples.count=1 accelerator.fifos.fragment_depth.depth=8"});
+                     "(design=plain.yaml workload.samples.count=1 accelerator.architecture=faster "
+                     "accelerator.fifos.fragment_depth.depth=8"});
     CHECK(workspace.text("out/results.csv") == before);
     require_done(workspace.tool({"sweep", "other.yaml", "--out", "other"}));
     check_bad_input(workspace.tool({"sweep", "merge", "out", "other", "--out", "merged"}),

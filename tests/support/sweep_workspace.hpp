@@ -21,11 +21,13 @@ class SweepWorkspace {
                        "  scene: {downscale: 4}\n");
         folder().write("plain.yaml", "accelerator: {}\n");
         folder().write("quick.yaml", "accelerator: {inlier_unit: {neighbour_access: window}}\n");
-        folder().write("sweep.yaml", head() +
-                                         "  - {overlay: design, files: [plain.yaml, quick.yaml]}\n"
-                                         "  - {key: workload.samples.count, values: [1, 3]}\n"
-                                         "  - {key: accelerator.fifos.fragment_depth.depth, values: [1, 2, 8]}\n"
-                                         "  - {key: accelerator.raster_cores, values: [1, 2]}\n");
+        folder().write(
+            "sweep.yaml",
+            head() +
+                "  - {overlay: design, files: [plain.yaml, quick.yaml]}\n"
+                "  - {zip: {workload.samples.count: [1, 3], accelerator.architecture: [faster, inner_border]}}\n"
+                "  - {key: accelerator.fifos.fragment_depth.depth, values: [1, 2, 8]}\n"
+                "  - {key: accelerator.raster_cores, values: [1, 2]}\n");
     }
     static std::string head() {
         return "format: faster-sweep\nversion: 1\nbase: config.yaml\nset: {accelerator.window: 40}\ndimensions:\n";

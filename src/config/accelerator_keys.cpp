@@ -160,8 +160,27 @@ void add_loop_keys(Keys& keys, LoopId id) {
 void add_bram_keys(Keys& keys, BramId id) {
     keys.push_back(integer_key(
         {bram_key_name(id, "ports"), "accesses per cycle",
-         fmt::format("Ports of the block RAM: {}.", bram_contents[index_of(id)]), "thesis 5.4"},
+         fmt::format("Ports of the block RAM, of each bank if it is split: {}.", bram_contents[index_of(id)]),
+         "thesis 5.4"},
         {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).ports; }));
+}
+
+/// Timing keys, but no steps of one quantity: a factor means nothing without a type.
+void add_partition_keys(Keys& keys, BramId id) {
+    std::string const memory = name_of(id);
+    keys.push_back(choice_key(
+        {bram_key_name(id, "partition.type"), "",
+         "How " + memory + " is split into banks, each with its own ports: cyclic parts neighbours, block does not.",
+         "HLS array_partition; default: thesis A.2, A.3"},
+        [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.type; }));
+    keys.push_back(integer_key(
+        {bram_key_name(id, "partition.factor"), "banks",
+         "Banks along each dimension that is split; 1024 in all at most.", "HLS array_partition"},
+        {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.factor; }));
+    keys.push_back(integer_key(
+        {bram_key_name(id, "partition.dimension"), "", "What is split: 1 the rows, 2 the columns, 0 both.",
+         "HLS array_partition"},
+        {0, 2}, [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.dimension; }));
 }
 
 void add_loops_keys(Keys& keys) {
@@ -180,7 +199,12 @@ void add_timing_keys(Keys& keys) {
     add_loops_keys(keys);
     for (std::size_t index = 0; index < bram_count; ++index) {
         add_bram_keys(keys, BramId{index});
+        add_partition_keys(keys, BramId{index});
     }
+}
+
+bool is_step_by_step(Key const& key) {
+    return key.kind == KeyKind::integer && key.name().find(".partition.") == std::string::npos;
 }
 
 void add_cores_key(Keys& keys) {
@@ -218,7 +242,7 @@ Keys retiming_keys() {
 Keys timing_keys() {
     Keys keys;
     add_timing_keys(keys);
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return key.kind != KeyKind::integer; }),
+    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return !is_step_by_step(key); }),
                keys.end());
     return keys;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
 #include "config/sweep_design.hpp"
 
@@ -58,7 +59,10 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
     MemoryShape memory;
     memory.bits = bits_of(id, config);
     memory.words = memory.bits > 0 ? side * side : 0;
-    memory.ports = config.bram(id).ports;
+    BankPartition const partition(config.bram(id).partition, config.window);
+    memory.ports = config.bram(id).ports * partition.banks();
+    memory.partition = partition.banks();
+    memory.bank_words = partition.bank_words();
     return memory;
 }
 
@@ -76,7 +80,8 @@ double ramb36_count(MemoryShape const& memory) {
     }
     std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
     double const banks = static_cast<double>(copies * memory.partition);
-    return banks * ramb36_of_bank(divided_up(memory.words, memory.partition), memory.bits);
+    std::uint64_t const words = std::max(memory.bank_words, divided_up(memory.words, memory.partition));
+    return banks * ramb36_of_bank(words, memory.bits);
 }
 
 }  // namespace faster

@@ -18,6 +18,11 @@ template <> struct EnumNames<FifoKind> {
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
 };
 
+template <> struct EnumNames<PartitionType> {
+    static constexpr std::array<std::pair<PartitionType, char const*>, 3> all{
+        {{PartitionType::none, "none"}, {PartitionType::cyclic, "cyclic"}, {PartitionType::block, "block"}}};
+};
+
 template <> struct EnumNames<EdgeMapAlgorithm> {
     static constexpr std::array<std::pair<EdgeMapAlgorithm, char const*>, 6> all{
         {{EdgeMapAlgorithm::threshold, "threshold"},

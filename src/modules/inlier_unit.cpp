@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "config/edge_map_design.hpp"
 #include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 

@@ -1,5 +1,7 @@
 #include "recording/bram_model.hpp"
 
+#include <algorithm>
+
 #include "config/edge_map_design.hpp"
 
 namespace faster::recording {
@@ -8,14 +10,15 @@ using Kind = Event::Kind;
 
 BramModel::BramModel(AcceleratorConfig const& config)
     : edge_map_(config.edge_map), sweep_(sweep_design(config, config.window)), side_(config.window) {
-    for (std::size_t i = 0; i < bram_count; ++i)
+    for (std::size_t i = 0; i < bram_count; ++i) {
         ports_[i] = config.brams[i].ports;
+        partitions_.emplace_back(config.brams[i].partition, config.window);
+    }
 }
 
 std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, TokenValues const& fields) {
     Event const& event = core_event.event;
     accesses_.clear();
-    used_.fill(0);
     if (event.kind == Kind::enter) {
         loop_[core_event.module] = event.item;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::edge_token)) {
@@ -138,9 +141,9 @@ void BramModel::fragment_iteration(Cycles cycle) {
 /// neighbours, the border skipped; a word is cleared when its last neighbour has been judged.
 void BramModel::sweep_iteration(std::int64_t iteration, Cycles cycle) {
     if (iteration < side_ * side_)
-        sweep_.reads == 1 ? sweep_word(iteration, cycle) : sweep_neighbours(iteration, cycle);
+        sweep_.accesses.reads.size() == 1 ? sweep_word(iteration, cycle) : sweep_neighbours(iteration, cycle);
     std::int64_t const cleared = iteration - static_cast<std::int64_t>(sweep_.tail);
-    if (sweep_.writes > 0 && cleared >= 0 && cleared < side_ * side_)
+    if (!sweep_.accesses.writes.empty() && cleared >= 0 && cleared < side_ * side_)
         add(BramId::depth_buffer, true, cleared, cycle);
 }
 
@@ -171,9 +174,17 @@ void BramModel::add(BramId bram, bool writes, std::int64_t row, std::int64_t col
 
 void BramModel::add(BramId bram, bool writes, std::int64_t address, Cycles cycle) {
     std::size_t const i = index_of(bram);
-    auto const ports = static_cast<unsigned>(ports_[i]);
-    unsigned const number = used_[i]++;
-    accesses_.push_back({i, number % ports, cycle + number / ports, writes, static_cast<std::uint64_t>(address)});
+    std::uint64_t const bank = partitions_[i].bank_of(address / side_, address % side_);
+    std::uint64_t const number = accesses_so_far(i, bank);
+    accesses_.push_back({i, bank * ports_[i] + number % ports_[i], cycle + number / ports_[i], writes,
+                         static_cast<std::uint64_t>(address)});
+}
+
+std::uint64_t BramModel::accesses_so_far(std::size_t bram, std::uint64_t bank) const {
+    auto const is_in_bank = [&](BramAccess const& access) {
+        return access.bram == bram && access.port / ports_[bram] == bank;
+    };
+    return static_cast<std::uint64_t>(std::count_if(accesses_.begin(), accesses_.end(), is_in_bank));
 }
 
 }  // namespace faster::recording

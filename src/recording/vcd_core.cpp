@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "recording/bram_ports.hpp"
+
 namespace faster::recording {
 
 using Kind = Event::Kind;
@@ -63,11 +65,10 @@ void VcdCore::declare_bram(std::size_t bram, AcceleratorConfig const& config, Si
         return;
     auto const side = static_cast<std::uint64_t>(config.window);
     vcd_.open_scope(fmt::format("bram_{}", bram_names[bram]));
-    for (std::uint64_t port = 0; port < config.brams[bram].ports; ++port)
-        bram_signals_[bram].push_back(
-            {vcd_.add(fmt::format("port{}_enable", port), 1, domain),
-             vcd_.add(fmt::format("port{}_write_enable", port), 1, domain),
-             vcd_.add(fmt::format("port{}_address", port), bits_for(side * side - 1), domain)});
+    for (std::string const& port : bram_port_names(static_cast<BramId>(bram), config))
+        bram_signals_[bram].push_back({vcd_.add(port + "_enable", 1, domain),
+                                       vcd_.add(port + "_write_enable", 1, domain),
+                                       vcd_.add(port + "_address", bits_for(side * side - 1), domain)});
     vcd_.close_scope();
 }
 

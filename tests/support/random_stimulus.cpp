@@ -368,6 +368,13 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         config.inlier_unit.clearing = static_cast<MapClearing>(dice.between(0, 1));
         config.inlier_unit.neighbour_access = static_cast<NeighbourAccess>(dice.between(0, 1));
     }
+    for (BramConfig& bram : config.brams) {
+        if (options.any_partition) {
+            bram.partition = {static_cast<PartitionType>(dice.between(0, 2)),
+                              static_cast<std::uint64_t>(dice.between(1, 4)),
+                              static_cast<std::uint64_t>(dice.between(0, 2))};
+        }
+    }
     for (double& threshold : config.edge_map.thresholds) {
         threshold = dice.one_in(4) ? 0.0 : dice.between(0, 120) / 8.0;
     }

@@ -29,13 +29,13 @@ constexpr std::array<char const*, fifo_count> fifo_tokens{
 constexpr std::array<char const*, loop_count> loop_tasks{
     "transforms one vertex per iteration",
     "visits one pixel per iteration, or sends a pending edge token",
-    "clears one pixel of both maps per iteration",
+    "clears one pixel of both maps, or one of every bank, per iteration",
     "takes one edge token per iteration, or finishes the object token before it",
-    "sends one edge bit per iteration",
-    "reads one observed pixel per iteration",
-    "fills one word of the depth buffer per iteration",
+    "sends one token of edge bits per iteration",
+    "reads one token of observed pixels per iteration",
+    "fills one word of the depth buffer, or one of every bank, per iteration",
     "takes one fragment per iteration",
-    "judges one pixel of the window per iteration"};
+    "judges one token of pixels per iteration"};
 
 constexpr std::array<char const*, bram_count> bram_contents{"edge bits of the window", "object bits of the window",
                                                             "depth buffer of the window"};
@@ -72,11 +72,12 @@ template <class Field> Key threshold_key(std::string const& weight, std::string 
 }
 
 template <class Field> Key clearing_key(std::string const& module, std::string const& what, Field field) {
-    return choice_key(
-        {"accelerator." + module + ".clearing", "",
-         "How " + what + " become empty for the next sample: by a loop before it, or by the loop that reads them out.",
-         "thesis A.2, A.3; on_read_out: this project"},
-        field);
+    return choice_key({"accelerator." + module + ".clearing", "",
+                       "How " + what +
+                           " become empty for the next sample: by a loop before it (wide: a word of every bank per "
+                           "iteration), or by the loop that reads them out.",
+                       "thesis A.2, A.3; others: this project"},
+                      field);
 }
 
 void add_edge_map_keys(Keys& keys) {
@@ -109,6 +110,12 @@ void add_inlier_unit_keys(Keys& keys) {
     keys.push_back(clearing_key(
         "inlier_unit", "the depth buffer's words",
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.clearing; }));
+    keys.push_back(integer_key(
+        {"accelerator.inlier_unit.sweep_lanes", "px",
+         "Pixels of a row per iteration of the sweep, of the edge map's output and of the observation's read, and per "
+         "token between them; at most the window.",
+         "thesis A.3; more than 1: this project"},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_lanes; }));
 }
 
 std::string write_latency_meaning(FifoId id) {

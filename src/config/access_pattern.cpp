@@ -6,6 +6,8 @@ namespace faster {
 namespace {
 
 std::vector<PixelOffset> widened(std::vector<PixelOffset> const& one_pixel, int lanes) {
+    if (lanes == 1)
+        return one_pixel;
     std::vector<PixelOffset> words;
     for (PixelOffset const offset : one_pixel)
         for (int lane = 0; lane < lanes; ++lane)

@@ -48,6 +48,17 @@ std::uint64_t BankPartition::bank_of(std::int64_t row, std::int64_t col) const {
     return static_cast<std::uint64_t>(row_bank) * col_banks_ + static_cast<std::uint64_t>(col_bank);
 }
 
+PixelOffset BankPartition::word_of(std::uint64_t bank, std::uint64_t index) const {
+    auto const place = [this](std::uint64_t in_bank, std::uint64_t of_dimension, std::uint64_t banks,
+                              std::int64_t length) {
+        std::uint64_t const block = of_dimension * static_cast<std::uint64_t>(length);
+        return static_cast<int>(type_ == PartitionType::block ? block + in_bank : in_bank * banks + of_dimension);
+    };
+    auto const cols = static_cast<std::uint64_t>(block_cols_);
+    return {place(index / cols, bank / col_banks_, row_banks_, block_rows_),
+            place(index % cols, bank % col_banks_, col_banks_, block_cols_)};
+}
+
 std::uint64_t BankPartition::accesses_per_bank(AccessPattern const& pattern) const {
     if (banks() == 1)
         return pattern.accesses();

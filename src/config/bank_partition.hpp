@@ -22,6 +22,10 @@ class BankPartition {
     /// The bank of a word of the memory, from 0 on, row by row.
     std::uint64_t bank_of(std::int64_t row, std::int64_t col) const;
 
+    /// The `index`-th word of a bank, counted row by row over a bank of bank_words(); it may lie beyond the memory, or
+    /// be another bank's, where banks are not alike. bank_of() tells.
+    PixelOffset word_of(std::uint64_t bank, std::uint64_t index) const;
+
     /// Most accesses of `pattern` that fall into one bank, wherever in the memory the iteration's pixel lies. A static
     /// schedule has to provide for it. Words beyond the memory's border count: the schedule does not know the border.
     std::uint64_t accesses_per_bank(AccessPattern const& pattern) const;

@@ -6,6 +6,7 @@
 
 #include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
+#include "config/lane_rows.hpp"
 #include "config/sweep_design.hpp"
 
 namespace faster {
@@ -69,8 +70,9 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
 MemoryShape line_buffer_shape(AcceleratorConfig const& config) {
     bool const exists = sweep_design(config, config.window).has_line_buffers;
     MemoryShape memory;
-    memory.words = exists ? static_cast<std::uint64_t>(config.window) : 0;
-    memory.bits = exists ? 2 * bits_of(BramId::depth_buffer, config) : 0;
+    LaneRows const rows(config.window, config.inlier_unit.sweep_lanes);
+    memory.words = exists ? rows.tokens_per_row() : 0;
+    memory.bits = exists ? 2 * rows.lanes() * bits_of(BramId::depth_buffer, config) : 0;
     return memory;
 }
 

@@ -53,6 +53,14 @@ void check_fraction_bits(LoadedConfig const& loaded, std::vector<std::string>& c
     }
 }
 
+void check_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& config = loaded.config.accelerator;
+    if (config.inlier_unit.sweep_lanes > config.window) {
+        complaints.push_back(complaint(loaded, "accelerator.inlier_unit.sweep_lanes",
+                                       fmt::format("at most {}", with_value(loaded, "accelerator.window"))));
+    }
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -83,6 +91,7 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     for (std::size_t index = 0; index < bram_count; ++index) {
         check_partition(loaded, BramId{index}, complaints);
     }
+    check_lanes(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     return complaints;

@@ -34,8 +34,8 @@ template <> struct EnumNames<EdgeMapAlgorithm> {
 };
 
 template <> struct EnumNames<MapClearing> {
-    static constexpr std::array<std::pair<MapClearing, char const*>, 2> all{
-        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}}};
+    static constexpr std::array<std::pair<MapClearing, char const*>, 3> all{
+        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}, {MapClearing::wide, "wide"}}};
 };
 
 template <> struct EnumNames<NeighbourAccess> {

@@ -23,12 +23,12 @@ AccessPattern pattern_of(std::uint64_t touches) {
     return pattern;
 }
 
-std::vector<MemoryAccess> to_maps(PerMap const& touches) {
+std::vector<MemoryAccess> to_maps(PerMap const& touches, int lanes = 1) {
     std::vector<MemoryAccess> accesses;
     if (touches.edge_map != 0)
-        accesses.push_back({BramId::edge_map, pattern_of(touches.edge_map)});
+        accesses.push_back({BramId::edge_map, widened(pattern_of(touches.edge_map), lanes)});
     if (touches.object_map != 0)
-        accesses.push_back({BramId::object_map, pattern_of(touches.object_map)});
+        accesses.push_back({BramId::object_map, widened(pattern_of(touches.object_map), lanes)});
     return accesses;
 }
 
@@ -42,7 +42,7 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
         case LoopId::token:
             return to_maps(design.token);
         case LoopId::output:
-            return to_maps(output_touches(config.edge_map));
+            return to_maps(output_touches(config.edge_map), config.inlier_unit.sweep_lanes);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, {{}, {own}}}};
         case LoopId::fragment:

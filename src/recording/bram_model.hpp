@@ -30,6 +30,8 @@ class BramModel {
 
   private:
     void iterate(LoopId loop, Event const& event);
+    void clear_iteration(BramId bram, MapClearing clearing, Event const& event);
+    std::vector<std::int64_t> pixels_of(std::int64_t iteration) const;
     void token_iteration(Cycles cycle);
     void single_map_token(Cycles cycle);
     void dual_map_token(bool is_first, Cycles cycle);
@@ -38,14 +40,18 @@ class BramModel {
     void sweep_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_word(std::int64_t pixel, Cycles cycle);
     void sweep_neighbours(std::int64_t pixel, Cycles cycle);
+    bool is_read(BramId bram, std::int64_t address) const;
     bool is_inner(std::int64_t pixel) const;
     void add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle);
     void add(BramId bram, bool writes, std::int64_t address, Cycles cycle);
     std::uint64_t accesses_so_far(std::size_t bram, std::uint64_t bank) const;
 
     EdgeMapConfig edge_map_;
+    MapClearing depth_clearing_;
     SweepDesign sweep_;
     std::int64_t side_;
+    std::int64_t lanes_;
+    std::int64_t tokens_per_row_;
     std::array<std::uint64_t, bram_count> ports_{};  ///< of a bank
     std::vector<BankPartition> partitions_;          ///< [BramId]
     std::array<std::size_t, module_count> loop_{};

@@ -70,7 +70,7 @@ void add_fifo(SaveText& save, std::string const& path, RecordedCore const& core,
         save.signal(binary, fmt::format("{}.{}", path, name), 1);
     for (char const* const side : {"written", "read"})
         for (TokenField const& field : core.token_layouts[fifo])
-            save.signal(field.is_signed ? signed_decimal : decimal, fmt::format("{}.{}_{}", path, side, field.name),
+            save.signal(field.is_signed ? signed_decimal : decimal, fmt::format("{}.{}_{}", path, side, label(field)),
                         field.bits);
 }
 

@@ -53,9 +53,9 @@ void VcdCore::declare_fifo(std::size_t fifo, SignalFilter const& filter, std::si
     signals.full = vcd_.add("full", 1, domain);
     signals.empty = vcd_.add("empty", 1, domain);
     for (TokenField const& field : core_.token_layouts[fifo])
-        signals.written.push_back(vcd_.add(fmt::format("written_{}", field.name), field.bits, domain));
+        signals.written.push_back(vcd_.add("written_" + label(field), field.bits, domain));
     for (TokenField const& field : core_.token_layouts[fifo])
-        signals.taken.push_back(vcd_.add(fmt::format("read_{}", field.name), field.bits, domain));
+        signals.taken.push_back(vcd_.add("read_" + label(field), field.bits, domain));
     vcd_.close_scope();
 }
 
@@ -148,7 +148,7 @@ void VcdCore::take_write(CoreEvent const& event) {
 
 void VcdCore::take_read(CoreEvent const& event) {
     std::size_t const fifo = event.event.item;
-    token_read_ = fifos_[fifo].read();
+    fifos_[fifo].read(token_read_);
     show_token(fifo_signals_[fifo].taken, token_read_);
     if (fifo_signals_[fifo].read != hidden)
         vcd_.pulse(fifo_signals_[fifo].read);

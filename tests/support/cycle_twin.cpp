@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -129,25 +130,50 @@ bool has_one_map(EdgeMapAlgorithm algorithm) {
            algorithm == EdgeMapAlgorithm::bounded;
 }
 
-/// The word cleared behind a sweep that reads neighbours is the one above to the left.
+/// What as many iterations side by side as there are lanes read or write together.
+std::vector<Word> side_by_side(std::vector<Word> const& words, AcceleratorConfig const& config) {
+    std::set<std::pair<int, int>> places;
+    for (Word const& word : words) {
+        for (int lane = 0; lane < config.inlier_unit.sweep_lanes; ++lane) {
+            places.insert({word.row, word.col + lane});
+        }
+    }
+    std::vector<Word> together;
+    for (auto const& [row, col] : places) {
+        together.push_back({row, col});
+    }
+    return together;
+}
+
+void append(std::vector<Word>& words, std::vector<Word> const& more) {
+    words.insert(words.end(), more.begin(), more.end());
+}
+
+/// The words cleared behind a sweep that reads neighbours are those of the token above to the left.
 std::vector<Word> sweep_words(AcceleratorConfig const& config) {
     bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
                       config.inlier_unit.neighbour_access == NeighbourAccess::window;
-    std::vector<Word> words = once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}};
+    std::vector<Word> words =
+        side_by_side(once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}}, config);
     if (config.inlier_unit.clearing == MapClearing::on_read_out) {
-        words.push_back(once ? own : Word{-1, -1});
+        append(words, side_by_side({once ? own : Word{-1, -config.inlier_unit.sweep_lanes}}, config));
     }
     return words;
 }
 
-std::vector<BramUse> output_uses(EdgeMapConfig const& edge_map) {
+std::vector<BramUse> output_uses(AcceleratorConfig const& config) {
+    EdgeMapConfig const& edge_map = config.edge_map;
     bool const clears = edge_map.clearing == MapClearing::on_read_out;
-    std::vector<Word> const sent = clears ? std::vector<Word>{own, own} : std::vector<Word>{own};
+    std::vector<Word> const once = side_by_side({own}, config);
+    std::vector<Word> sent = once;
+    if (clears) {
+        append(sent, once);
+    }
     if (edge_map.algorithm == EdgeMapAlgorithm::inner_border)
         return {{BramId::object_map, sent}};
     std::vector<BramUse> uses{{BramId::edge_map, sent}};
     if (clears && !has_one_map(edge_map.algorithm))
-        uses.push_back({BramId::object_map, {own}});
+        uses.push_back({BramId::object_map, once});
     return uses;
 }
 
@@ -164,7 +190,7 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
         case LoopId::token:
             return token_uses(algorithm);
         case LoopId::output:
-            return output_uses(config.edge_map);
+            return output_uses(config);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, {own}}};
         case LoopId::fragment:

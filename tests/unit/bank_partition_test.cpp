@@ -61,9 +61,16 @@ TEST_CASE("Every word has a bank, and none has more than bank_words", "[partitio
                 CAPTURE(static_cast<int>(type), factor, dimension);
                 BankPartition const partition({type, factor, dimension}, side);
                 std::vector<std::uint64_t> words(partition.banks());
+                std::vector<int> found(std::size_t{side} * side);  // how often, as a word of its bank
                 for (int row = 0; row < side; ++row)
                     for (int col = 0; col < side; ++col)
                         ++words.at(partition.bank_of(row, col));
+                for (std::uint64_t bank = 0; bank < partition.banks(); ++bank)
+                    for (std::uint64_t i = 0; i < partition.bank_words(); ++i)
+                        if (PixelOffset const at = partition.word_of(bank, i); at.row < side && at.col < side)
+                            found[static_cast<std::size_t>(at.row * side + at.col)] +=
+                                partition.bank_of(at.row, at.col) == bank ? 1 : 0;
+                CHECK(std::count(found.begin(), found.end(), 1) == side * side);
                 CHECK(*std::max_element(words.begin(), words.end()) == partition.bank_words());
             }
     CHECK(BankPartition({cyclic, 3, 0}, side).banks() == 9);

@@ -252,6 +252,13 @@ TEST_CASE("A trace's window bounds the banks as well", "[config][errors]") {
           "test.yaml:3: accelerator.brams.edge_map.partition.factor = 32, expected at most accelerator.window = 16");
 }
 
+TEST_CASE("There are no more lanes than columns", "[config][errors]") {
+    CHECK(set_error("accelerator.inlier_unit.sweep_lanes=201") ==
+          "--set accelerator.inlier_unit.sweep_lanes=201: expected at most accelerator.window = 200 (default)");
+    CHECK(set_error("accelerator.inlier_unit.sweep_lanes=0") ==
+          "--set accelerator.inlier_unit.sweep_lanes=0: expected an integer from 1 to 4096");
+}
+
 TEST_CASE("An override of an unknown key names the nearest valid one", "[config][errors]") {
     CHECK(set_error("accelerator.fifo.command.depth=4") ==
           "--set accelerator.fifo.command.depth=4: unknown key, did you mean accelerator.fifos.command.depth?");

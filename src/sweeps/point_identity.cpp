@@ -1,10 +1,10 @@
 #include "sweeps/point_identity.hpp"
 
 #include <fmt/format.h>
-#include <set>
 
 #include "common/fnv1a.hpp"
 #include "config/keys.hpp"
+#include "config/retimable.hpp"
 #include "io/text_file.hpp"
 #include "io/trace_manifest.hpp"
 
@@ -13,13 +13,6 @@ namespace faster::sweeps {
 namespace {
 
 std::string hexadecimal(Fnv1a const& hash) { return fmt::format("{:016x}", hash.value()); }
-
-std::set<std::string> names_of(Keys const& keys) {
-    std::set<std::string> names;
-    for (Key const& key : keys)
-        names.insert(key.name());
-    return names;
-}
 
 /// Length first, so that no two lists of files look the same.
 void add_file(std::filesystem::path const& path, Fnv1a& hash) {
@@ -39,14 +32,13 @@ void add_trace(std::filesystem::path const& folder, Fnv1a& hash) {
 }  // namespace
 
 PointIdentity Identifier::identity(RunConfig const& config) {
-    static std::set<std::string> const retimable = names_of(retiming_keys());
     Fnv1a point, function;
     for (Key const& key : all_keys()) {
         if (key.name() == "simulation.engine")
             continue;
         std::string const line = key.name() + "=" + text_of(key.name(), config) + "\n";
         point.add(line);
-        if (retimable.count(key.name()) == 0)
+        if (!is_retimable(key, config.accelerator))
             function.add(line);
     }
     return {hexadecimal(point), hexadecimal(function)};

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "config/load_config.hpp"
+#include "config/layered_config.hpp"
 #include "config/run_config.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
@@ -36,6 +36,18 @@ TEST_CASE("Timing keys make another point of the same function", "[sweeps]") {
     PointIdentity const samples = with([](RunConfig& config) { config.workload.samples.count = 7; });
     CHECK(samples.point != plain.point);
     CHECK(samples.function != plain.function);
+}
+
+TEST_CASE("Partitions of a block RAM are part of the function where they decide how long clearing takes", "[sweeps]") {
+    auto const identity = [](MapClearing clearing, std::string const& banks) {
+        LoadedConfig loaded = layered_config({}, {"accelerator.brams.depth_buffer.partition.type=cyclic",
+                                                  "accelerator.brams.depth_buffer.partition.factor=" + banks});
+        loaded.config.accelerator.inlier_unit.clearing = clearing;
+        return identity_of(loaded.config);
+    };
+    CHECK(identity(MapClearing::loop, "2").function == identity(MapClearing::loop, "4").function);
+    CHECK(identity(MapClearing::loop, "2").point != identity(MapClearing::loop, "4").point);
+    CHECK(identity(MapClearing::wide, "2").function != identity(MapClearing::wide, "4").function);
 }
 
 TEST_CASE("The engine is no part of a point", "[sweeps]") {

@@ -36,7 +36,7 @@ PointIdentity Identifier::identity(RunConfig const& config) {
     for (Key const& key : all_keys()) {
         if (key.name() == "simulation.engine")
             continue;
-        std::string const line = key.name() + "=" + text_of(key.name(), config) + "\n";
+        std::string const line = key.name() + "=" + text_of(key, config) + "\n";
         point.add(line);
         if (!is_retimable(key, config.accelerator))
             function.add(line);
@@ -44,8 +44,7 @@ PointIdentity Identifier::identity(RunConfig const& config) {
     return {hexadecimal(point), hexadecimal(function)};
 }
 
-std::string Identifier::text_of(std::string const& name, RunConfig const& config) {
-    Key const& key = *find_key(name);
+std::string Identifier::text_of(Key const& key, RunConfig const& config) {
     KeyValue const value = key.read(config);
     if (key.kind == KeyKind::path && !std::get<std::string>(value).empty())
         return content(std::get<std::string>(value));

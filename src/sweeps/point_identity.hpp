@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "config/run_config.hpp"
+#include "config/key.hpp"
 
 namespace faster::sweeps {
 
@@ -22,7 +22,7 @@ class Identifier {
     PointIdentity identity(RunConfig const& config);
 
   private:
-    std::string text_of(std::string const& key, RunConfig const& config);
+    std::string text_of(Key const& key, RunConfig const& config);
     std::string object(std::string const& name);
     std::string const& content(std::filesystem::path const& path);
 

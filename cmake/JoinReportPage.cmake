@@ -1,5 +1,5 @@
-# Puts style and scripts into the template of the HTML report, and the whole into a C++ source file.
-#   cmake -DTEMPLATE=... -DSTYLE=... -DCHART_JS=... -DSCRIPTS=a.js;b.js -DOUTPUT=page.cpp -P JoinReportPage.cmake
+# Puts style and scripts into the template of an HTML page, and the whole into a C++ source file, as faster::report::NAME.
+#   cmake -DNAME=... -DTEMPLATE=... -DSTYLE=... -DCHART_JS=... -DSCRIPTS=a.js;b.js -DOUTPUT=page.cpp -P JoinReportPage.cmake
 file(READ "${TEMPLATE}" page)
 file(READ "${STYLE}" style)
 file(READ "${CHART_JS}" chart_js)
@@ -25,7 +25,7 @@ file(WRITE "${OUTPUT}" "// Joined from the files of src/report_html/page by the 
 
 namespace faster::report {
 
-char const* const report_page = R\"faster_page(${page})faster_page\";
+char const* const ${NAME} = R\"faster_page(${page})faster_page\";
 
 }  // namespace faster::report
 ")

@@ -17,14 +17,18 @@ static std::string_view take_until(std::string_view& rest, std::string_view mark
     return taken;
 }
 
-std::string html_report(HtmlReportInput const& input) {
-    std::string const title = markup_escaped(input.title);
-    std::string_view rest = report_page;
+std::string filled_page(char const* page, std::string const& title, std::string const& data) {
+    std::string const escaped = markup_escaped(title);
+    std::string_view rest = page;
     std::string html;
     for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline
-        html.append(take_until(rest, "@title@")).append(title);
-    html.append(take_until(rest, "@data@")).append(script_safe(report_data(input)));
+        html.append(take_until(rest, "@title@")).append(escaped);
+    html.append(take_until(rest, "@data@")).append(script_safe(data));
     return html.append(rest);
+}
+
+std::string html_report(HtmlReportInput const& input) {
+    return filled_page(report_page, input.title, report_data(input));
 }
 
 }  // namespace faster::report

@@ -51,10 +51,26 @@ Members members_of_path(timing::CoreTiming const& core) {
     return members;
 }
 
+/// The processes that wait for each other in a circle; others may only wait for these.
+std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
+    std::vector<timing::Wait> chain;
+    for (std::string next = waits.front().process;;) {
+        auto const waits_there = [&next](timing::Wait const& wait) { return wait.process == next; };
+        auto const seen = std::find_if(chain.begin(), chain.end(), waits_there);
+        if (seen != chain.end())
+            return {seen, chain.end()};
+        auto const wait = std::find_if(waits.begin(), waits.end(), waits_there);
+        if (wait == waits.end())
+            return waits;
+        chain.push_back(*wait);
+        next = wait->other;
+    }
+}
+
 /// Everything else could have all the room it wants: what is full would be as full.
 Members members_of_deadlock(timing::CoreTiming& core) {
     Members members{};
-    for (timing::Wait const& wait : core.waits())
+    for (timing::Wait const& wait : circle_of(core.waits()))
         for (std::size_t i = 0; i < fifo_count; ++i)
             if (wait.to_write && wait.fifo == fifo_names[i])
                 members[i].capacity = wait.capacity;
@@ -71,9 +87,9 @@ std::unique_ptr<timing::CoreTiming> CoreTimes::retime(std::size_t core, Choice c
     return retime_core(run_, with_choice(config_, choice), core, std::move(automaton), leaves_trail);
 }
 
-bool CoreTimes::is_known(Place const& place) const {
+bool CoreTimes::is_known(std::size_t core, Choice const& choice) const {
     std::lock_guard<std::mutex> const lock(mutex_);
-    return known_.count(place) > 0;
+    return known_.count({core, choice}) > 0;
 }
 
 Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
@@ -103,7 +119,7 @@ void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& ch
 }
 
 Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
-    if (!is_known({core, choice}))
+    if (!is_known(core, choice))
         work_out({core}, choice);
     std::lock_guard<std::mutex> const lock(mutex_);
     return known_.at({core, choice});
@@ -113,7 +129,7 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
     std::vector<std::vector<std::size_t>> shares(std::max(1U, jobs));
     std::size_t next = 0;
     for (std::size_t core = 0; core < cores_; ++core)
-        if (!is_known({core, choice}))
+        if (!is_known(core, choice))
             shares[next++ % shares.size()].push_back(core);
     on_threads(shares.size(), jobs, [&](std::size_t i) { work_out(shares[i], choice); });
     Cycles total = 0;

@@ -22,6 +22,8 @@ class CoreTimes {
     /// Those that have samples.
     std::size_t cores() const { return cores_; }
 
+    /// Whether cycles() has nothing to work out.
+    bool is_known(std::size_t core, Choice const& choice) const;
     /// One past a core's last result read, or Cut::deadlock.
     Cycles cycles(std::size_t core, Choice const& choice);
     /// The same for several cores at once, on up to `jobs` threads: the largest. That is total_cycles, or
@@ -41,7 +43,6 @@ class CoreTimes {
 
     std::unique_ptr<timing::CoreTiming> retime(std::size_t core, Choice const& choice,
                                                std::shared_ptr<timing::Automaton> automaton, bool leaves_trail);
-    bool is_known(Place const& place) const;
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);

@@ -22,21 +22,27 @@ bool beats(FrontPoint const& a, FrontPoint const& b) {
 
 }  // namespace
 
-std::vector<FrontPoint> front(FifoFrame const& frame, Search& search, Unbounded const& unbounded, unsigned points,
-                              std::function<void()> const& done) {
-    std::vector<FrontPoint> all{point_at(frame, search, Cut::deadlock - 1)};
-    Cycles const slowest = all.front().found.total_cycles;
+std::vector<FrontPoint> front(FifoFrame const& frame, Search& search, Cycles unbounded_cycles, Cycles bound,
+                              unsigned points, std::function<void()> const& done) {
+    std::vector<FrontPoint> all{point_at(frame, search, bound), point_at(frame, search, Cut::deadlock - 1)};
+    Cycles const slowest = all.back().found.total_cycles;
     done();
-    for (unsigned i = 1; i <= points && slowest > unbounded.total_cycles; ++i) {
-        Cycles const bound = unbounded.total_cycles + (slowest - unbounded.total_cycles) * (points - i) / points;
-        if (all.back().found.total_cycles > bound)
-            all.push_back(point_at(frame, search, bound));
+    for (unsigned i = 1; i <= points && slowest > unbounded_cycles; ++i) {
+        Cycles const next = unbounded_cycles + (slowest - unbounded_cycles) * (points - i) / points;
+        if (all.back().found.total_cycles > next)
+            all.push_back(point_at(frame, search, next));
         done();
     }
+    std::sort(all.begin(), all.end(),
+              [](FrontPoint const& a, FrontPoint const& b) { return a.found.total_cycles > b.found.total_cycles; });
     std::vector<FrontPoint> kept;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&all](FrontPoint const& point) {
-        return std::none_of(all.begin(), all.end(), [&point](FrontPoint const& other) { return beats(other, point); });
-    });
+    for (FrontPoint const& point : all) {
+        bool const is_beaten =
+            std::any_of(all.begin(), all.end(), [&point](auto& other) { return beats(other, point); });
+        bool const is_there = !kept.empty() && kept.back().found.total_cycles == point.found.total_cycles;
+        if (!is_beaten && !is_there)
+            kept.push_back(point);
+    }
     return kept;
 }
 

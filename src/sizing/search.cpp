@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "sizing/on_threads.hpp"
 #include "sizing/token_bits.hpp"
@@ -79,6 +80,7 @@ Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unboun
     : frame_(frame), times_(times), unbounded_(unbounded), jobs_(jobs), most_retimings_(most_retimings) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
         std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
+        room_[i] = unbounded.choice[i].capacity();
         levels_[i] = levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights);
     }
 }
@@ -116,11 +118,9 @@ Found Search::cheapest(Cycles bound) {
             break;
         found.choice = *choice;
         found.least_cost = cost_of_choice(*choice);
-        std::size_t const core = broken_core(*choice, bound);
-        found.is_proven = core == times_.cores();
+        found.is_proven = !learn(*choice, bound);
         if (found.is_proven || times_.retimed_cores() >= most_retimings_)
             break;
-        learn(*choice, core, bound);
     }
     if (!found.is_proven)
         found.choice = descend(bound);
@@ -128,15 +128,28 @@ Found Search::cheapest(Cycles bound) {
     return found;
 }
 
-void Search::learn(Choice const& choice, std::size_t core, Cycles bound) {
-    cuts_.push_back(widened(times_.explain(core, choice), core, bound));
+/// Why a choice breaks the bound; false: it does not. The core that broke the last bound is asked first, and why at
+/// once.
+bool Search::learn(Choice const& choice, Cycles bound) {
+    std::optional<Cut> cut;
+    if (times_.cores() > 0 && !times_.is_known(strict_core_, choice))
+        cut = times_.explain(strict_core_, choice);
+    std::size_t const core = broken_core(choice, bound);
+    if (core == times_.cores())
+        return false;
+    if (!cut || cut->total_cycles <= bound)
+        cut = times_.explain(core, choice);
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        room_[i] = std::max(room_[i], choice[i].capacity());  // so that the cut rules this choice out
+    cuts_.push_back(widened(*cut, core, bound));
+    return true;
 }
 
 /// The slowest way to escape a cut: everything that it does not ask for is as quick as can be.
 Choice Search::corner(Cut const& cut) const {
     Choice choice;
     for (std::size_t i = 0; i < fifo_count; ++i) {
-        std::uint64_t capacity = unbounded_.choice[i].capacity();
+        std::uint64_t capacity = room_[i];
         bool is_memory = !may_be_shift_register(frame_.kinds[i]);
         for (Cut::Member const& member : cut.members)
             if (index_of(member.fifo) == i) {

@@ -53,7 +53,7 @@ class Search {
   private:
     bool is_within(Choice const& choice, Cycles bound);
     std::size_t broken_core(Choice const& choice, Cycles bound);
-    void learn(Choice const& choice, std::size_t core, Cycles bound);
+    bool learn(Choice const& choice, Cycles bound);
     Cut widened(Cut cut, std::size_t core, Cycles bound);
     void drop_members(Cut& cut, std::size_t core, Cycles bound);
     void deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound);
@@ -70,6 +70,7 @@ class Search {
     unsigned jobs_;
     std::size_t most_retimings_;
     Levels levels_;
+    std::array<std::uint64_t, fifo_count> room_{};  ///< capacity of FIFOs that a cut does not ask for
     std::vector<Cut> cuts_;
     std::size_t strict_core_ = 0;  ///< the one that broke the last bound; it will probably break the next
 };

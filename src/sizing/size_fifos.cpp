@@ -91,7 +91,8 @@ Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& con
     Choice const configured = choice_of(config);
     sizing.configured = sized(configured, times.total_cycles(configured, options.jobs), frame);
     if (options.front_points > 0)
-        sizing.front = front(frame, search, deep, options.front_points, [&] { steps.done(); });
+        sizing.front =
+            front(frame, search, deep.total_cycles, sizing.bound, options.front_points, [&] { steps.done(); });
     sizing.retimed_cores = times.retimed_cores();
     return sizing;
 }

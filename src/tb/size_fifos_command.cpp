@@ -1,6 +1,7 @@
 #include "tb/size_fifos_command.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "events/retimed_config.hpp"
 #include "io/atomic_folder.hpp"
 #include "io/text_file.hpp"
+#include "report_html/sizing_html.hpp"
 #include "sizing/sizing_files.hpp"
 #include "sizing/sizing_text.hpp"
 #include "tb/progress_line.hpp"
@@ -45,7 +47,9 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
     std::string const title =
         fmt::format("faster-sim size-fifos {} --within {}", std::filesystem::path(request.events).filename().string(),
                     request.within_percent);
-    io::write_file(folder.path() / "sizing.json", sizing::sizing_json(sizing));
+    std::string const json = sizing::sizing_json(sizing);
+    io::write_file(folder.path() / "sizing.json", json);
+    io::write_file(folder.path() / "sizing.html", report::sizing_html(title, json));
     io::write_file(folder.path() / "pareto.csv", sizing::pareto_csv(sizing));
     io::write_file(folder.path() / "depths.yaml", sizing::depths_yaml(sizing, title));
     folder.commit();
@@ -57,10 +61,13 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     events::EventFile const recorded = events::read_event_file(request.events);
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
     auto const folder = request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, sizing_folder);
+    auto const start = std::chrono::steady_clock::now();
     sizing::Sizing const sizing = worked_out(request, recorded, changed.config.accelerator);
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (folder)
         write_files(request, sizing, *folder);
-    fmt::print("{}", sizing::sizing_text(sizing));
+    fmt::print("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores,
+               seconds);
     if (folder)
         fmt::print("\nwritten: {}\n", request.out);
     return exit_done;

@@ -33,7 +33,8 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
         row.is_token_step = true;
         std::uint64_t const cheaper = cheaper_depth(frame, i, choice[i]);
         row.is_cost_step = cheaper == choice[i].depth - 1;
-        rows.push_back(row);
+        if (row.is_cost_step || row.shallower.kind == choice[i].kind)
+            rows.push_back(row);
         if (row.is_cost_step || cheaper == 0)
             continue;
         row.shallower = choice_of(frame.kinds[i], cheaper);

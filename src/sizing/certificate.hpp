@@ -18,7 +18,7 @@ struct CertificateRow {
 };
 
 /// The steps down from a choice: for every FIFO one token less, and the deepest that costs less, where there are such.
-/// Not timed yet.
+/// A shallower FIFO of another kind that does not cost less is no step down. Not timed yet.
 std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& choice);
 
 /// Times them; `done` is told after each, one at a time.

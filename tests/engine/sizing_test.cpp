@@ -252,6 +252,27 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
     }
 }
 
+TEST_CASE("Where block RAM is nearly free, a memory may be cheaper than a shift register", "[sizing]") {
+    std::size_t memories = 0;
+    for (std::uint64_t seed = 220; seed < 226; ++seed) {
+        CAPTURE(seed);
+        Case const one = random_case(seed);
+        SizingOptions options = within(5);
+        options.weights.luts_per_ramb36 = 20;
+        Sizing const sizing = size_fifos(one.file.run, one.config, options);
+        CHECK(sizing.is_proven);
+        CHECK(one.cycles(sizing.answer.choice) <= sizing.bound);
+        for (CertificateRow const& row : sizing.certificate)
+            CHECK(row.breaks(sizing.bound));
+        for (std::size_t i = 0; i < fifo_count; ++i)
+            memories += one.config.fifos[i].kind == FifoKind::automatic &&
+                                sizing.answer.choice[i] == FifoChoice{FifoKind::memory, 3}
+                            ? 1U
+                            : 0U;
+    }
+    CHECK(memories > 0);
+}
+
 TEST_CASE("A search that is given up says what it does not know", "[sizing]") {
     std::size_t given_up = 0;
     for (std::uint64_t seed = 205; seed < 213; ++seed) {

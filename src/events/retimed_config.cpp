@@ -21,6 +21,8 @@ std::string why_not(std::string const& key) {
         return "decides how a run is simulated, and nothing is";
     if (starts_with(key, "accelerator.brams."))
         return "decides how many iterations a wide clearing loop has";
+    if (starts_with(key, "accelerator.inlier_unit.") || key == "accelerator.edge_map.clearing")
+        return "decides which operations there are, not only when";
     return "decides what is computed, not when";
 }
 

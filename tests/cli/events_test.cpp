@@ -77,7 +77,7 @@ TEST_CASE("whatif refuses keys that decide about more than time, by name") {
     check("accelerator.window=50", "accelerator.window decides what is computed");
     check("accelerator.fraction_bits.vertex_z=13", "accelerator.fraction_bits.vertex_z decides what is computed");
     check("accelerator.edge_map.flush_last=true", "accelerator.edge_map.flush_last decides what is computed");
-    check("accelerator.inlier_unit.sweep_lanes=2", "accelerator.inlier_unit.sweep_lanes decides what is computed");
+    check("accelerator.inlier_unit.sweep_lanes=2", "accelerator.inlier_unit.sweep_lanes decides which operations");
     check("workload.samples.count=4", "workload.samples.count is part of the workload");
     check("simulation.engine=lockstep", "simulation.engine decides how a run is simulated");
     check_bad_input(workspace.whatif({"--set", "accelerator.fifos.edge_tokn.depth=3"}), {"edge_token"});

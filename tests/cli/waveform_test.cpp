@@ -324,7 +324,7 @@ TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {
     CHECK(accesses("bank0") >= 7 * 32 * 2);
     CHECK(vcd.duration("core_0.fifo_observed_depth.write", 1) == 32 * 7);
     CHECK(vcd.duration("core_0.fifo_edge_map.read", 1) == 32 * 7);
-    CHECK(vcd.duration("core_0.fifo_edge_map.written_edge4", 1) == 0);  // columns 32 and on are padding, 29 is empty
+    CHECK(vcd.duration("core_0.fifo_edge_map.written_edge4", 1) > 0);
 }
 
 TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nanoseconds", "[vcd]") {

@@ -7,7 +7,11 @@ namespace faster::recording {
 using Kind = Event::Kind;
 
 BramModel::BramModel(AcceleratorConfig const& config)
-    : edge_map_(config.edge_map), sweep_(sweep_design(config, config.window)), side_(config.window) {
+    : edge_map_(config.edge_map),
+      sweep_(sweep_design(config, config.window)),
+      extract_(extract_design(config, config.window)),
+      extract_radius_(config.edge_extraction.neighbourhood / 2),
+      side_(config.window) {
     for (std::size_t i = 0; i < bram_count; ++i)
         ports_[i] = config.brams[i].ports;
 }
@@ -49,6 +53,8 @@ void BramModel::iterate(LoopId loop, Event const& event) {
             return fragment_iteration(event.cycle);
         case LoopId::sweep:
             return sweep_iteration(event.value, event.cycle);
+        case LoopId::extract:
+            return extract_iteration(event.value, event.cycle);
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -132,6 +138,19 @@ void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
 void BramModel::fragment_iteration(Cycles cycle) {
     add(BramId::depth_buffer, false, fragment_.row, fragment_.col, cycle);
     add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
+}
+
+/// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
+void BramModel::extract_iteration(std::int64_t iteration, Cycles cycle) {
+    std::int64_t const judged = iteration - static_cast<std::int64_t>(extract_.lead);
+    if (extract_.line_buffer_rows > 0 && iteration < side_ * side_)
+        add(BramId::depth_buffer, false, iteration, cycle);
+    if (judged < 0)
+        return;
+    for (std::int64_t row = -extract_radius_; extract_.line_buffer_rows == 0 && row <= extract_radius_; ++row)
+        for (std::int64_t col = -extract_radius_; col <= extract_radius_; ++col)
+            add(BramId::depth_buffer, false, judged / side_ + row, judged % side_ + col, cycle);
+    add(BramId::depth_buffer, true, judged, cycle);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "config/accelerator_config.hpp"
+#include "config/extract_design.hpp"
 #include "config/sweep_design.hpp"
 #include "recording/event_merge.hpp"
 
@@ -34,6 +35,7 @@ class BramModel {
     void dual_map_token(bool is_first, Cycles cycle);
     void output_iteration(std::int64_t iteration, Cycles cycle);
     void fragment_iteration(Cycles cycle);
+    void extract_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_word(std::int64_t pixel, Cycles cycle);
     void sweep_neighbours(std::int64_t pixel, Cycles cycle);
@@ -43,6 +45,8 @@ class BramModel {
 
     EdgeMapConfig edge_map_;
     SweepDesign sweep_;
+    ExtractDesign extract_;
+    std::int64_t extract_radius_;
     std::int64_t side_;
     std::array<std::uint64_t, bram_count> ports_{};
     std::array<std::size_t, module_count> loop_{};

@@ -70,7 +70,7 @@ RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) {
     for (std::size_t k = 0; k < config.raster_cores; ++k) {
         timings.push_back(core_variant(*run.blueprint, config));
         timing::CoreTiming& core = *timings.back();
-        core.let_follow(rasterizer_and_followers(), automaton);
+        core.let_follow(rasterizer_and_followers(config.flow), automaton);
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
         Replay replay(run.tape, core);
         for (std::size_t i = 0; i < share.count; ++i)

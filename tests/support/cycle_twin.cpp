@@ -120,9 +120,15 @@ bool has_one_map(EdgeMapAlgorithm algorithm) {
 }
 
 std::uint64_t sweep_accesses(AcceleratorConfig const& config) {
-    bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
+    bool const once = config.flow == Flow::fpga_grip || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
                       config.inlier_unit.neighbour_access == NeighbourAccess::window;
     return (once ? 1U : 5U) + (config.inlier_unit.clearing == MapClearing::on_read_out ? 1U : 0U);
+}
+
+/// All neighbours or one new word; and the judged word is written.
+std::uint64_t extract_accesses(EdgeExtractionConfig const& config) {
+    auto const side = static_cast<std::uint64_t>(config.neighbourhood);
+    return 1 + (config.neighbour_access == NeighbourAccess::direct ? side * side : 1);
 }
 
 std::vector<BramUse> output_uses(EdgeMapConfig const& edge_map) {
@@ -155,12 +161,20 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
             return {{BramId::depth_buffer, 2}};
         case LoopId::sweep:
             return {{BramId::depth_buffer, sweep_accesses(config)}};
+        case LoopId::extract:
+            return {{BramId::depth_buffer, extract_accesses(config.edge_extraction)}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
             break;
     }
     return {};
+}
+
+/// The square root and the divider are stages of their own.
+Cycles depth_of(AcceleratorConfig const& config, LoopId id) {
+    EdgeExtractionConfig const& units = config.edge_extraction;
+    return config.loop(id).depth + (id == LoopId::extract ? units.square_root_latency + units.divider_latency : 0);
 }
 
 /// What SPEC section 3 says of one loop before anything runs.
@@ -265,7 +279,7 @@ class ProcessModel {
 
     /// Steps of a loop: p = 0 .. (n - 1) * II + L - 1.
     Cycles last_loop_step(TwinState const& state) const {
-        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + config_.loop(*state.loop).depth - 1;
+        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + depth_of(config_, *state.loop) - 1;
     }
 
     std::vector<TwinAccess> current_accesses() const {

@@ -11,10 +11,11 @@
 
 namespace faster {
 
-/// Contour and covered pixels of a sample, W x W bytes each, row-major, 0 or 1.
+/// Contour and covered pixels of a sample, `side` x `side` bytes each, row-major, 0 or 1.
 struct EdgeMapView {
     std::uint8_t const* edge;
     std::uint8_t const* object;
+    int side;
 };
 
 /// Sees what a sample left in the maps, before the next sample clears them. Called from the modules' processes.

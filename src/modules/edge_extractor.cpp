@@ -29,7 +29,7 @@ void EdgeExtractor::show(std::size_t sample, std::vector<std::uint16_t> const& d
     std::vector<std::uint8_t> drawn(depth_buffer.size());
     std::transform(depth_buffer.begin(), depth_buffer.end(), drawn.begin(),
                    [this](std::uint16_t depth) { return extraction_.is_drawn(depth) ? 1 : 0; });
-    core_.probe->edge_maps_done(sample, {edges_.data(), drawn.data()});
+    core_.probe->edge_maps_done(sample, {edges_.data(), drawn.data(), core_.stimulus.window});
 }
 
 }  // namespace faster

@@ -50,8 +50,8 @@ Image<Colour> depth_map_of(SampleMaps const& maps, int fraction_bits) {
 void SamplePictures::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
     if (sample >= count_)
         return;
-    maps_[sample].edge_map = picture_of(maps.edge, stimulus_.window);
-    maps_[sample].object_map = picture_of(maps.object, stimulus_.window);
+    maps_[sample].edge_map = picture_of(maps.edge, maps.side);
+    maps_[sample].object_map = picture_of(maps.object, maps.side);
 }
 
 void SamplePictures::depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {

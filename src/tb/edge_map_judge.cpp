@@ -1,0 +1,15 @@
+#include "tb/edge_map_judge.hpp"
+
+#include <algorithm>
+
+namespace faster {
+
+void EdgeMapJudge::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
+    if (sample >= count_)
+        return;
+    Image<std::uint8_t> edge_map(maps.side, maps.side);
+    std::copy_n(maps.edge, edge_map.pixels().size(), edge_map.pixels().begin());
+    sums_.add(judge_.judge(sample, edge_map));
+}
+
+}  // namespace faster

@@ -73,6 +73,7 @@ header
 row "faster" "$(at 0.67)" $turned
 row "fpga_grip" "$(at 0.67)" $turned $fpga_grip
 row "faster, rotations around that of configs/CLASS.yaml" "$(at 0.67)"
+row "faster, around rotation_deg [90, 0, 0]" "$(at 0.67)" 'workload.pose.rotation_deg=[90, 0, 0]'
 for distance in 0.55 0.60 0.75 0.80; do
     row "faster, $distance m" "$(at $distance)" $turned
 done

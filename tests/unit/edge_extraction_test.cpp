@@ -57,6 +57,14 @@ TEST_CASE("A pixel before the far has the curvature worked out by hand", "[edge_
     CHECK(edges_of(depths, 3, of_three(196479.0 / 65536)) == expected);
 }
 
+TEST_CASE("Components are rounded towards minus infinity before they are squared", "[edge_extraction]") {
+    // A wall at 512: in the middle of a window of 3 the slopes' -66, 0, 65 make x and y sums of -3 x 512 = -1536, which
+    // becomes -1, and a z sum of 0. The root of 2 is 1, and c = 65536 / (8 x 8192) = 1.
+    std::vector<std::uint16_t> const wall(9, metre);
+    CHECK(edges_of(wall, 3, of_three(0))[4] == 1);
+    CHECK(edges_of(wall, 3, of_three(1.0 / 65536))[4] == 0);
+}
+
 TEST_CASE("Of a step only the near side's and the far side's pixels beside it are edges", "[edge_extraction]") {
     std::vector<std::uint16_t> depths;
     for (int i = 0; i < 100; ++i)

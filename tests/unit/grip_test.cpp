@@ -156,6 +156,15 @@ TEST_CASE("A pose that is the scene agrees with all of it, wherever it is", "[gr
         CHECK(again[i].weight() == scores[i].weight());
 }
 
+TEST_CASE("The outline of a plate is an edge, as it stands before a background", "[grip]") {
+    Settings settings;
+    settings.threshold = 0.2;  // more than being lopsided makes, less than 5 of 24 neighbours 3 m behind
+    PoseScore const score = score_poses(scene_of(plate(0), {at_distance(1)}), settings, 1).at(0);
+    // 21 x 21 pixels, of which 17 x 17 have all of their 5 x 5 neighbours on the plate.
+    CHECK(score.raw.points == 441);
+    CHECK(score.planar.points == 289);
+}
+
 TEST_CASE("Ranks share places among equals; correlations by hand", "[grip]") {
     CHECK(ranks({3, 9, 9, 1}) == std::vector<double>{3, 1.5, 1.5, 4});
     CHECK(*rank_correlation({1, 2, 3, 4}, {10, 20, 30, 99}) == Approx(1));

@@ -10,6 +10,7 @@
 #include "common/flow.hpp"
 #include "common/inlier_unit_config.hpp"
 #include "config/machine.hpp"
+#include "config/partition_config.hpp"
 
 namespace faster {
 
@@ -33,7 +34,8 @@ struct LoopConfig {
 
 /// One block RAM; keys `accelerator.brams.NAME.*`.
 struct BramConfig {
-    std::uint64_t ports = 2;  ///< accesses per cycle, >= 1
+    std::uint64_t ports = 2;  ///< accesses per cycle and bank, >= 1
+    PartitionConfig partition;
 };
 
 /// The machine: keys `accelerator.*`. Defaults are the thesis's final design as SPEC section 3 times it.

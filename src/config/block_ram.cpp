@@ -4,8 +4,10 @@
 #include <array>
 #include <limits>
 
+#include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
 #include "config/extract_design.hpp"
+#include "config/lane_rows.hpp"
 #include "config/sweep_design.hpp"
 
 namespace faster {
@@ -68,15 +70,21 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
     MemoryShape memory;
     memory.bits = bits_of(id, config);
     memory.words = memory.bits > 0 ? side * side : 0;
-    memory.ports = config.bram(id).ports;
+    BankPartition const partition(config.bram(id).partition, config.window);
+    memory.ports = config.bram(id).ports * partition.banks();
+    memory.partition = partition.banks();
+    memory.bank_words = partition.bank_words();
     return memory;
 }
 
 MemoryShape line_buffer_shape(AcceleratorConfig const& config) {
     std::uint64_t const rows = line_buffer_rows(config);
     MemoryShape memory;
-    memory.words = rows > 0 ? static_cast<std::uint64_t>(config.window) : 0;
-    memory.bits = rows * depth_bits;
+    LaneRows const tokens(config.window, config.inlier_unit.sweep_lanes);
+    bool const extracts = config.flow == Flow::fpga_grip;  // pixel by pixel, whatever the sweep's lanes
+    std::uint64_t const words = extracts ? static_cast<std::uint64_t>(config.window) : tokens.tokens_per_row();
+    memory.words = rows > 0 ? words : 0;
+    memory.bits = rows * (extracts ? 1 : tokens.lanes()) * depth_bits;
     return memory;
 }
 
@@ -86,7 +94,8 @@ double ramb36_count(MemoryShape const& memory) {
     }
     std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
     double const banks = static_cast<double>(copies * memory.partition);
-    return banks * ramb36_of_bank(divided_up(memory.words, memory.partition), memory.bits);
+    std::uint64_t const words = std::max(memory.bank_words, divided_up(memory.words, memory.partition));
+    return banks * ramb36_of_bank(words, memory.bits);
 }
 
 }  // namespace faster

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "common/input_error.hpp"
+#include "config/clear_design.hpp"
 #include "config/config_sources.hpp"
 #include "config/key_faults.hpp"
+#include "config/key_names.hpp"
 #include "config/keys.hpp"
 
 namespace faster::events {
@@ -19,15 +21,26 @@ std::string why_not(std::string const& key) {
         return "is part of the workload, which was recorded";
     if (starts_with(key, "simulation."))
         return "decides how a run is simulated, and nothing is";
+    if (starts_with(key, "accelerator.brams."))
+        return "decides how many iterations a wide clearing loop has";
     return "decides what is computed, not when";
+}
+
+/// A loop that clears a word of every bank takes more or less of them.
+bool moves_wide_clearing(std::string const& key, AcceleratorConfig const& config) {
+    for (std::size_t i = 0; i < bram_count; ++i)
+        if (starts_with(key, bram_key_name(BramId{i}, "partition.")))
+            return clearing_of(BramId{i}, config) == MapClearing::wide;
+    return false;
 }
 
 void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed) {
     Keys const retimable = retiming_keys();
     for (Key const& key : all_keys()) {
         auto const is_same = [&key](Key const& other) { return key.name() == other.name(); };
-        if (std::any_of(retimable.begin(), retimable.end(), is_same) ||
-            json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
+        bool const is_retimable = std::any_of(retimable.begin(), retimable.end(), is_same) &&
+                                  !moves_wide_clearing(key.name(), recorded.config.accelerator);
+        if (is_retimable || json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
             continue;
         throw InputError(
             fmt::format("{}: {} {}, expected a key that decides about time only; use faster-sim run for it",

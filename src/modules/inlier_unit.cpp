@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/clear_design.hpp"
 #include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
@@ -71,10 +72,11 @@ void InlierUnit::run() {
 
 void InlierUnit::clear() {
     std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
-    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+    std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
+    if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, core_.window_pixels());
+    clock_.iterate(0, iterations);
     clock_.leave_loop();
 }
 
@@ -139,25 +141,27 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
 void InlierUnit::sweep() {
     auto& observed_depth = channel_of(observed_depth_in);
     auto& observed_edge = channel_of(observed_edge_in);
-    std::size_t const pixels = core_.window_pixels();
+    LaneRows const rows = core_.window_rows();
     SweepDesign const design = sweep_design(core_.config, core_.stimulus.window);
     clock_.enter_loop(sweep_loop_);
     clock_.iterate(0, design.lead);
-    for (std::size_t done = 0; done < pixels;) {
-        std::size_t n = pixels - done;
+    for (std::size_t done = 0; done < rows.tokens();) {
+        std::size_t n = rows.tokens() - done;
         if (edge_map_ != nullptr)
             n = std::min(n, edge_map_->peek());
         n = std::min(n, observed_depth.peek());
         n = std::min(n, observed_edge.peek());
-        std::uint8_t const* const edge = edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + done;
-        window_sweep_.sweep(done, n, depth_buffer_.data(), edge, observed_depth.front(), observed_edge.front(),
-                            counters_);
-        clock_.iterate(sweep_ports_, n);
+        LaneRows::Run const run = rows.run(done, n);
+        std::uint8_t const* const edge =
+            edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + run.first_pixel;
+        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer_.data(), edge, observed_depth.front(),
+                            observed_edge.front(), counters_);
+        clock_.iterate(sweep_ports_, run.tokens);
         if (edge_map_ != nullptr)
-            edge_map_->consume(n);
-        observed_depth.consume(n);
-        observed_edge.consume(n);
-        done += n;
+            edge_map_->consume(run.tokens);
+        observed_depth.consume(run.tokens);
+        observed_edge.consume(run.tokens);
+        done += run.tokens;
     }
     clock_.iterate(0, design.tail);
     clock_.leave_loop();

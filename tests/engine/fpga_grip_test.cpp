@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <numeric>
 
 #include "config/block_ram.hpp"
 #include "config/flow_parts.hpp"
@@ -22,13 +22,18 @@ AcceleratorConfig fpga_grip() {
     return config;
 }
 
-AcceleratorConfig random_machine(std::uint64_t seed, bool is_deadlock_free) {
+/// Every other one with banks, lanes and other ways to clear.
+AcceleratorConfig random_machine(std::uint64_t seed, Stimulus const& stimulus, bool is_deadlock_free) {
     RandomConfigOptions options;
     options.flow = Flow::fpga_grip;
     options.cores = {1, 4};
     options.any_clearing = seed % 2 == 0;
+    options.any_partition = seed % 2 == 0;
+    options.max_lanes = seed % 2 == 0 ? std::min(stimulus.window, 5) : 1;
     options.is_deadlock_free = is_deadlock_free;
-    return random_config(seed, options);
+    AcceleratorConfig config = random_config(seed, options);
+    config.window = stimulus.window;
+    return config;
 }
 
 Stimulus random_work(std::uint64_t seed) {
@@ -55,7 +60,7 @@ Cycles extract_ii(NeighbourAccess access, int neighbourhood, std::uint64_t ports
 bool check_seed(std::uint64_t seed, bool is_deadlock_free) {
     CAPTURE(seed);
     Stimulus const stimulus = random_work(seed);
-    AcceleratorConfig const config = random_machine(seed, is_deadlock_free);
+    AcceleratorConfig const config = random_machine(seed, stimulus, is_deadlock_free);
     TwinResult const twin = run_twin(config, stimulus);
     RunStatistics const lockstep = run_forked(config, stimulus, Engine::lockstep).statistics;
     RunStatistics const decoupled = run_forked(config, stimulus, Engine::decoupled).statistics;
@@ -138,7 +143,7 @@ TEST_CASE("A recorded run of flow fpga_grip retimes to what a run takes", "[fpga
     for (std::uint64_t seed = 8300; seed < 8312; ++seed) {
         CAPTURE(seed);
         Stimulus const stimulus = random_work(seed);
-        AcceleratorConfig const config = random_machine(seed, true);
+        AcceleratorConfig const config = random_machine(seed, stimulus, true);
         ForkOptions options;
         options.events = folder / "events";
         RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, options).statistics;
@@ -160,7 +165,7 @@ TEST_CASE("The rows of the critical path of flow fpga_grip add up", "[fpga_grip]
     for (std::uint64_t seed = 8400; seed < 8420; ++seed) {
         CAPTURE(seed);
         Stimulus const stimulus = random_work(seed);
-        AcceleratorConfig const config = random_machine(seed, true);
+        AcceleratorConfig const config = random_machine(seed, stimulus, true);
         RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, traced).statistics;
         auto const lockstep = run_forked(config, stimulus, Engine::lockstep, traced).statistics;
         Cycles sum = 0;

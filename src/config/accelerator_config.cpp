@@ -29,6 +29,7 @@ std::array<LoopConfig, loop_count> AcceleratorConfig::default_loops() {
     depth(LoopId::depth_clear, 2);
     depth(LoopId::fragment, 10);
     depth(LoopId::sweep, 8);
+    depth(LoopId::extract, 12);
     return loops;
 }
 

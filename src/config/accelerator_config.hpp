@@ -4,8 +4,10 @@
 #include <string>
 
 #include "common/cycles.hpp"
+#include "common/edge_extraction_config.hpp"
 #include "common/edge_map_config.hpp"
 #include "common/fixed_point.hpp"
+#include "common/flow.hpp"
 #include "common/inlier_unit_config.hpp"
 #include "config/machine.hpp"
 #include "config/partition_config.hpp"
@@ -43,7 +45,9 @@ struct AcceleratorConfig {
     int window = 200;  ///< side of the square window [px]
     double clock_mhz = 200.0;
     FractionBits fraction_bits;
+    Flow flow = Flow::faster;
     EdgeMapConfig edge_map;
+    EdgeExtractionConfig edge_extraction;
     InlierUnitConfig inlier_unit;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "config/flow_parts.hpp"
 #include "config/key_builders.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
@@ -36,7 +37,8 @@ constexpr std::array<char const*, loop_count> loop_tasks{
     "reads one token of observed pixels per iteration",
     "fills one word of the depth buffer, or one of every bank, per iteration",
     "takes one fragment per iteration",
-    "judges one token of pixels per iteration"};
+    "judges one token of pixels per iteration",
+    "looks for an edge at one pixel of the window per iteration (flow fpga_grip)"};
 
 constexpr std::array<char const*, bram_count> bram_contents{"edge bits of the window", "object bits of the window",
                                                             "depth buffer of the window"};
@@ -117,6 +119,49 @@ void add_inlier_unit_keys(Keys& keys) {
          "token between them; at most the window.",
          "thesis A.3; more than 1: this project"},
         {1, 4096}, [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_lanes; }));
+}
+
+void add_flow_key(Keys& keys) {
+    keys.push_back(choice_key(
+        {"accelerator.flow", "",
+         "How contours are found: while triangles are drawn (FASTER), or in the finished depth buffer (FPGA_GRIP).",
+         "thesis 3.2, 6.2"},
+        [](auto& config) -> auto& { return config.accelerator.flow; }));
+}
+
+void add_edge_extraction_keys(Keys& keys) {
+    keys.push_back(integer_key(
+        {"accelerator.edge_extraction.neighbourhood", "px",
+         "Flow fpga_grip: side n of the n x n neighbourhood of eq. 2.2, odd.", "thesis eq. 2.2; value: this project"},
+        {3, 15}, [](auto& config) -> auto& { return config.accelerator.edge_extraction.neighbourhood; }));
+    keys.push_back(number_key(
+        {"accelerator.edge_extraction.threshold", "",
+         "Flow fpga_grip: a drawn pixel whose c(u, v) of eq. 2.2 is above this is an edge.",
+         "thesis eq. 2.2; value: this project"},
+        {0, 1000}, [](auto& config) -> auto& { return config.accelerator.edge_extraction.threshold; }));
+    keys.push_back(number_key(
+        {"accelerator.edge_extraction.focal_length_px", "px",
+         "Flow fpga_grip: focal length that turns pixels of the window into points, a constant of the circuit.",
+         "workload.camera.fx"},
+        {1, 1e6}, [](auto& config) -> auto& { return config.accelerator.edge_extraction.focal_length_px; }));
+    keys.push_back(choice_key(
+        {"accelerator.edge_extraction.neighbour_access", "",
+         "Flow fpga_grip: how the neighbourhood is read: all of it from the depth buffer, or one word and line "
+         "buffers.",
+         "this project"},
+        [](auto& config) -> auto& { return config.accelerator.edge_extraction.neighbour_access; }));
+}
+
+/// They add to the depth of inlier_unit.extract.
+void add_unit_latency_keys(Keys& keys) {
+    keys.push_back(integer_key(
+        {"accelerator.edge_extraction.square_root_latency", "cycles",
+         "Flow fpga_grip: stages of the square root unit, one per bit of its result.", "this project"},
+        cycles_range, [](auto& config) -> auto& { return config.accelerator.edge_extraction.square_root_latency; }));
+    keys.push_back(integer_key(
+        {"accelerator.edge_extraction.divider_latency", "cycles",
+         "Flow fpga_grip: stages of the divider, one per bit of its quotient and two.", "this project"},
+        cycles_range, [](auto& config) -> auto& { return config.accelerator.edge_extraction.divider_latency; }));
 }
 
 std::string write_latency_meaning(FifoId id) {
@@ -201,6 +246,7 @@ void add_loops_keys(Keys& keys) {
 }
 
 void add_timing_keys(Keys& keys) {
+    add_unit_latency_keys(keys);
     for (std::size_t index = 0; index < fifo_count; ++index) {
         add_fifo_keys(keys, FifoId{index});
     }
@@ -258,20 +304,22 @@ Keys retiming_keys() {
     return keys;
 }
 
-Keys timing_keys() {
+Keys timing_keys(Flow flow) {
     Keys keys;
     add_timing_keys(keys);
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return !is_step_by_step(key); }),
-               keys.end());
+    auto const is_left_out = [flow](Key const& key) { return !is_step_by_step(key) || !applies_to(flow, key.name()); };
+    keys.erase(std::remove_if(keys.begin(), keys.end(), is_left_out), keys.end());
     return keys;
 }
 
 Keys accelerator_keys() {
     Keys keys;
     add_machine_keys(keys);
+    add_flow_key(keys);
     add_fraction_keys(keys);
     add_edge_map_keys(keys);
     add_inlier_unit_keys(keys);
+    add_edge_extraction_keys(keys);
     add_timing_keys(keys);
     return keys;
 }

@@ -6,6 +6,7 @@
 
 #include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
+#include "config/extract_design.hpp"
 #include "config/lane_rows.hpp"
 #include "config/sweep_design.hpp"
 
@@ -13,6 +14,7 @@ namespace faster {
 namespace {
 
 constexpr std::uint64_t ports_per_primitive = 2;
+constexpr std::uint64_t depth_bits = 11;
 
 /// Words and bits of a primitive in one of its shapes.
 struct PrimitiveShape {
@@ -41,7 +43,8 @@ double ramb36_of_bank(std::uint64_t words, std::uint64_t bits) {
 
 /// Thesis A.2 (u1), 5.1 (u2); A.3 with SPEC section 2 (u11).
 std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
-    PerMap const& bits = design_of(config.edge_map.algorithm).bits;
+    bool const extracts = config.flow == Flow::fpga_grip;
+    PerMap const bits = extracts ? PerMap{} : design_of(config.edge_map.algorithm).bits;
     switch (id) {
         case BramId::edge_map:
             return bits.edge_map;
@@ -50,7 +53,14 @@ std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
         case BramId::depth_buffer:
             break;
     }
-    return 11;
+    return extracts ? depth_bits + 1 : depth_bits;  // extracted edge bits ride in the words of the depth buffer
+}
+
+std::uint64_t line_buffer_rows(AcceleratorConfig const& config) {
+    if (config.flow == Flow::fpga_grip) {
+        return extract_design(config, config.window).line_buffer_rows;
+    }
+    return sweep_design(config, config.window).has_line_buffers ? 2 : 0;
 }
 
 }  // namespace
@@ -68,11 +78,13 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
 }
 
 MemoryShape line_buffer_shape(AcceleratorConfig const& config) {
-    bool const exists = sweep_design(config, config.window).has_line_buffers;
+    std::uint64_t const rows = line_buffer_rows(config);
     MemoryShape memory;
-    LaneRows const rows(config.window, config.inlier_unit.sweep_lanes);
-    memory.words = exists ? rows.tokens_per_row() : 0;
-    memory.bits = exists ? 2 * rows.lanes() * bits_of(BramId::depth_buffer, config) : 0;
+    LaneRows const tokens(config.window, config.inlier_unit.sweep_lanes);
+    bool const extracts = config.flow == Flow::fpga_grip;  // pixel by pixel, whatever the sweep's lanes
+    std::uint64_t const words = extracts ? static_cast<std::uint64_t>(config.window) : tokens.tokens_per_row();
+    memory.words = rows > 0 ? words : 0;
+    memory.bits = rows * (extracts ? 1 : tokens.lanes()) * depth_bits;
     return memory;
 }
 

@@ -16,8 +16,8 @@ struct MemoryShape {
 
 MemoryShape memory_shape(BramId id, AcceleratorConfig const& config);
 
-/// The two last rows of the depth buffer, side by side, that `neighbour_access: window` keeps, a token of the sweep per
-/// word; no words otherwise.
+/// The last rows of the depth buffer, side by side, that `neighbour_access: window` keeps: two of the sweep, a token
+/// per word, or all but one of eq. 2.2's neighbourhood, a pixel per word (flow fpga_grip); no words otherwise.
 MemoryShape line_buffer_shape(AcceleratorConfig const& config);
 
 /// How many block RAMs of 36 Kbit a memory takes on an UltraScale+ device; a RAMB18 is half of one.

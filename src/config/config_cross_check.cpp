@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "config/config_sources.hpp"
+#include "config/flow_parts.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
 
@@ -67,6 +68,28 @@ void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& c
     }
 }
 
+void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    if (loaded.config.accelerator.edge_extraction.neighbourhood % 2 == 0) {
+        complaints.push_back(complaint(loaded, "accelerator.edge_extraction.neighbourhood", "an odd number"));
+    }
+}
+
+/// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
+/// all.
+void check_flow(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    Flow const flow = loaded.config.accelerator.flow;
+    RunConfig const defaults;
+    for (Key const& key : all_keys()) {
+        bool const is_asked_for = loaded.origins.is_explicit(key.name()) &&
+                                  json_text(key.read(loaded.config)) != json_text(key.read(defaults));
+        if (is_asked_for && !applies_to(flow, key.name())) {
+            complaints.push_back(
+                complaint(loaded, key.name(),
+                          fmt::format("a key of the parts that {} has", with_value(loaded, "accelerator.flow"))));
+        }
+    }
+}
+
 }  // namespace
 
 std::string with_value(LoadedConfig const& loaded, std::string const& key) {
@@ -94,6 +117,8 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     check_lanes(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_neighbourhood(loaded, complaints);
+    check_edge_extraction(loaded, complaints);
+    check_flow(loaded, complaints);
     return complaints;
 }
 

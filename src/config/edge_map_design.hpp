@@ -78,7 +78,7 @@ constexpr PerMap output_touches(EdgeMapConfig const& config) {
     return touches;
 }
 
-/// Contour pixels lie on the object, and so have a depth of their own; otherwise just outside.
+/// Contour pixels lie on the object; otherwise just outside.
 constexpr bool contour_is_on_object(EdgeMapAlgorithm algorithm) { return algorithm == EdgeMapAlgorithm::inner_border; }
 
 }  // namespace faster

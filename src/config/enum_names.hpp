@@ -33,6 +33,11 @@ template <> struct EnumNames<EdgeMapAlgorithm> {
          {EdgeMapAlgorithm::inner_border, "inner_border"}}};
 };
 
+template <> struct EnumNames<Flow> {
+    static constexpr std::array<std::pair<Flow, char const*>, 2> all{
+        {{Flow::faster, "faster"}, {Flow::fpga_grip, "fpga_grip"}}};
+};
+
 template <> struct EnumNames<MapClearing> {
     static constexpr std::array<std::pair<MapClearing, char const*>, 3> all{
         {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}, {MapClearing::wide, "wide"}}};

@@ -1,6 +1,7 @@
 #include "config/loop_accesses.hpp"
 
 #include "config/edge_map_design.hpp"
+#include "config/extract_design.hpp"
 #include "config/sweep_design.hpp"
 
 namespace faster {
@@ -49,6 +50,8 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
             return {{BramId::depth_buffer, {{own}, {own}}}};
         case LoopId::sweep:
             return {{BramId::depth_buffer, sweep_design(config, config.window).accesses}};
+        case LoopId::extract:
+            return {{BramId::depth_buffer, extract_design(config, config.window).accesses}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:

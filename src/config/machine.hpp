@@ -74,8 +74,9 @@ enum class LoopId : std::size_t {
     depth_clear,
     fragment,
     sweep,
+    extract,  ///< flow fpga_grip
 };
-constexpr std::size_t loop_count = 9;
+constexpr std::size_t loop_count = 10;
 
 /// Where a loop stands: `accelerator.loops.MODULE.NAME`.
 struct LoopName {
@@ -90,7 +91,8 @@ constexpr std::array<LoopName, loop_count> loop_names{{{ModuleId::vertex_transfo
                                                        {ModuleId::observation_reader, "read"},
                                                        {ModuleId::inlier_unit, "clear"},
                                                        {ModuleId::inlier_unit, "fragment"},
-                                                       {ModuleId::inlier_unit, "sweep"}}};
+                                                       {ModuleId::inlier_unit, "sweep"},
+                                                       {ModuleId::inlier_unit, "extract"}}};
 
 /// A loop of a module by its own name, which must be one.
 inline LoopId loop_named(ModuleId module, std::string_view name) {

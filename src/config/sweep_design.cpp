@@ -16,7 +16,7 @@ SweepDesign sweep_design(AcceleratorConfig const& config, int window) {
     // A pixel's last neighbour lies a row below: so long its own depth is needed, or has to be waited for.
     std::size_t const row_and_token = LaneRows(window, lanes).tokens_per_row() + 1;
     bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
-    bool const own_depth = contour_is_on_object(config.edge_map.algorithm);
+    bool const own_depth = contour_has_depth(config);
     bool const reads_neighbours = !own_depth && config.inlier_unit.neighbour_access == NeighbourAccess::direct;
     AccessPattern one_pixel = reads_neighbours ? pixel_and_neighbours : pixel;
     if (clears)  // what has been read, or where nobody reads any more: a row above and a token to the left

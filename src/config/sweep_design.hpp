@@ -3,6 +3,7 @@
 
 #include "config/accelerator_config.hpp"
 #include "config/access_pattern.hpp"
+#include "config/edge_map_design.hpp"
 
 namespace faster {
 
@@ -13,6 +14,11 @@ struct SweepDesign {
     std::size_t tail = 0;    ///< iterations after the last: what nobody reads any more is cleared
     bool has_line_buffers = false;
 };
+
+/// Contour pixels lie on the object, and so have a depth of their own; otherwise just outside.
+constexpr bool contour_has_depth(AcceleratorConfig const& config) {
+    return config.flow == Flow::fpga_grip || contour_is_on_object(config.edge_map.algorithm);
+}
 
 /// `window`: side of the window [px], which a stimulus trace decides.
 SweepDesign sweep_design(AcceleratorConfig const& config, int window);

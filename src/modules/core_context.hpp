@@ -12,15 +12,18 @@
 
 namespace faster {
 
-namespace datapath {
-class EdgeMapPolicy;
-}
+/// Contour and covered pixels of a sample, `side` x `side` bytes each, row-major, 0 or 1.
+struct EdgeMapView {
+    std::uint8_t const* edge;
+    std::uint8_t const* object;
+    int side;
+};
 
 /// Sees what a sample left in the maps, before the next sample clears them. Called from the modules' processes.
 class SampleProbe {
   public:
     virtual ~SampleProbe() = default;
-    virtual void edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) = 0;
+    virtual void edge_maps_done(std::size_t sample, EdgeMapView const& maps) = 0;
     virtual void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) = 0;
 };
 

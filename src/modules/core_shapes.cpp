@@ -4,6 +4,7 @@
 
 #include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
+#include "config/flow_parts.hpp"
 #include "config/loop_accesses.hpp"
 
 namespace faster {
@@ -39,22 +40,33 @@ timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig cons
     return timing::schedule(config.loop(id).ii, std::max(config.loop(id).recurrence_ii, recurrence), demands);
 }
 
+Cycles loop_depth(LoopId id, AcceleratorConfig const& config) {
+    EdgeExtractionConfig const& units = config.edge_extraction;
+    Cycles const in_units = id == LoopId::extract ? units.square_root_latency + units.divider_latency : 0;
+    return config.loop(id).depth + in_units;
+}
+
 timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config) {
     timing::LoopShape shape;
     shape.name = loop_names[index_of(id)].name;
     shape.interval = initiation_interval(id, config);
-    shape.depth = config.loop(id).depth;
+    shape.depth = loop_depth(id, config);
     return shape;
 }
 
-timing::Lead rasterizer_and_followers() {
+timing::Lead rasterizer_and_followers(Flow flow) {
     auto const follower = [](ModuleId module, FifoId anchor) {
         return timing::Lead::Follower{static_cast<unsigned>(module), static_cast<unsigned>(anchor)};
     };
-    return {
+    timing::Lead lead{
         static_cast<unsigned>(ModuleId::rasterizer),
         {follower(ModuleId::vertex_transform, FifoId::vertex), follower(ModuleId::area_reciprocal, FifoId::area),
          follower(ModuleId::edge_map_builder, FifoId::edge_token), follower(ModuleId::inlier_unit, FifoId::command)}};
+    auto const is_absent = [flow](timing::Lead::Follower const& one) {
+        return !has_part(flow, static_cast<FifoId>(one.anchor));
+    };
+    lead.followers.erase(std::remove_if(lead.followers.begin(), lead.followers.end(), is_absent), lead.followers.end());
+    return lead;
 }
 
 }  // namespace faster

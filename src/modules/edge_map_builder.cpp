@@ -37,7 +37,7 @@ void EdgeMapBuilder::run() {
         build();
         maps_->finish();
         if (core_.probe != nullptr)
-            core_.probe->edge_maps_done(core_.first_sample + i, *maps_);
+            core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
         clock_.advance(1);
         output();
     }

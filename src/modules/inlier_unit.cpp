@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "channels/port_binding.hpp"
 #include "config/clear_design.hpp"
-#include "config/edge_map_design.hpp"
 #include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
@@ -16,9 +14,10 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
       clock_(core.timing, basename(), core.time_base),
       depth_unit_(core.stimulus.fraction),
       window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer,
-                    contour_is_on_object(core.config.edge_map.algorithm) ? datapath::ContourDepth::own
-                                                                         : datapath::ContourDepth::neighbour),
+                    contour_has_depth(core.config) ? datapath::ContourDepth::own : datapath::ContourDepth::neighbour),
       depth_buffer_(core.window_pixels(), far_depth_code) {
+    if (core.config.flow == Flow::fpga_grip)
+        edge_extractor_.emplace(core, clock_);
     SC_THREAD(run);
 }
 
@@ -26,24 +25,28 @@ void InlierUnit::end_of_elaboration() {
     fragment_depth_ = &channel_of(fragment_depth_in);
     fragment_index_ = &channel_of(fragment_index_in);
     command_ = &channel_of(command_in);
+    edge_map_ = channel_of(edge_map_in);
     // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
     // three.
     clock_.connect_reads(channel_of(area_reciprocal_in));
     clock_.connect_reads(*fragment_depth_);
     clock_.connect_reads(*fragment_index_);
     clock_.connect_reads(*command_);
-    clock_.connect_reads(channel_of(edge_map_in));
+    if (edge_map_ != nullptr)
+        clock_.connect_reads(*edge_map_);
     clock_.connect_reads(channel_of(observed_depth_in));
     clock_.connect_reads(channel_of(observed_edge_in));
     clock_.connect_writes(channel_of(result_out));
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
     fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
     sweep_loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
+    if (edge_extractor_)
+        edge_extractor_->add_loop();
     fragment_ports_ =
         static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port());
-    sweep_ports_ =
-        static_cast<std::uint8_t>(channel_of(edge_map_in).read_port() | channel_of(observed_depth_in).read_port() |
-                                  channel_of(observed_edge_in).read_port());
+    unsigned const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : 0U;
+    sweep_ports_ = static_cast<std::uint8_t>(edge_port | channel_of(observed_depth_in).read_port() |
+                                             channel_of(observed_edge_in).read_port());
 }
 
 void InlierUnit::run() {
@@ -56,6 +59,10 @@ void InlierUnit::run() {
         if (core_.probe != nullptr)
             core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
         clock_.advance(1);
+        if (edge_extractor_) {
+            edge_extractor_->extract(core_.first_sample + i, depth_buffer_);
+            clock_.advance(1);
+        }
         sweep();
         clock_.here();
         result_out.write(counters_);
@@ -132,7 +139,6 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
 }
 
 void InlierUnit::sweep() {
-    auto& edge = channel_of(edge_map_in);
     auto& observed_depth = channel_of(observed_depth_in);
     auto& observed_edge = channel_of(observed_edge_in);
     LaneRows const rows = core_.window_rows();
@@ -140,14 +146,19 @@ void InlierUnit::sweep() {
     clock_.enter_loop(sweep_loop_);
     clock_.iterate(0, design.lead);
     for (std::size_t done = 0; done < rows.tokens();) {
-        std::size_t n = std::min(rows.tokens() - done, edge.peek());
+        std::size_t n = rows.tokens() - done;
+        if (edge_map_ != nullptr)
+            n = std::min(n, edge_map_->peek());
         n = std::min(n, observed_depth.peek());
         n = std::min(n, observed_edge.peek());
         LaneRows::Run const run = rows.run(done, n);
-        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer_.data(), edge.front(), observed_depth.front(),
+        std::uint8_t const* const edge =
+            edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + run.first_pixel;
+        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer_.data(), edge, observed_depth.front(),
                             observed_edge.front(), counters_);
         clock_.iterate(sweep_ports_, run.tokens);
-        edge.consume(run.tokens);
+        if (edge_map_ != nullptr)
+            edge_map_->consume(run.tokens);
         observed_depth.consume(run.tokens);
         observed_edge.consume(run.tokens);
         done += run.tokens;

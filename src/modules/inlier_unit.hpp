@@ -1,11 +1,14 @@
 #pragma once
+#include <optional>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
 #include "datapath/depth.hpp"
 #include "datapath/window_sweep.hpp"
 #include "modules/core_context.hpp"
+#include "modules/edge_extractor.hpp"
 
 namespace faster {
 
@@ -14,7 +17,7 @@ namespace faster {
 ///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards,
 ///                                                               `sweep_lanes` pixels of a row per token
 ///   out   result_out  one set of counters per sample
-///   time  loop `clear`; per triangle one step and loop `fragment`; loop `sweep`
+///   time  loop `clear`; per triangle one step and loop `fragment`; in flow fpga_grip loop `extract`; loop `sweep`
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
 class InlierUnit : public sc_core::sc_module {
   public:
@@ -22,7 +25,7 @@ class InlierUnit : public sc_core::sc_module {
     sc_core::sc_fifo_in<std::int64_t> fragment_depth_in{"fragment_depth_in"};
     sc_core::sc_fifo_in<FragmentIndex> fragment_index_in{"fragment_index_in"};
     sc_core::sc_fifo_in<Command> command_in{"command_in"};
-    sc_core::sc_fifo_in<std::uint8_t> edge_map_in{"edge_map_in"};
+    OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip
     sc_core::sc_fifo_in<std::uint16_t> observed_depth_in{"observed_depth_in"};
     sc_core::sc_fifo_in<std::uint8_t> observed_edge_in{"observed_edge_in"};
     sc_core::sc_fifo_out<SampleCounters> result_out{"result_out"};
@@ -44,11 +47,13 @@ class InlierUnit : public sc_core::sc_module {
     ProcessClock clock_;
     datapath::DepthUnit depth_unit_;
     datapath::WindowSweep window_sweep_;
-    std::vector<std::uint16_t> depth_buffer_;  ///< W x W, row-major
+    std::optional<EdgeExtractor> edge_extractor_;  ///< flow fpga_grip
+    std::vector<std::uint16_t> depth_buffer_;      ///< W x W, row-major
     SampleCounters counters_;
     ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
+    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
     std::uint8_t fragment_ports_ = 0;
     std::uint8_t sweep_ports_ = 0;
     unsigned clear_loop_ = 0;

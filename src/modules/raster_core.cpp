@@ -1,5 +1,6 @@
 #include "modules/raster_core.hpp"
 
+#include "config/flow_parts.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -12,7 +13,7 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
       vertex_transform("vertex_transform", context_),
       rasterizer("rasterizer", context_),
       area_reciprocal_unit("area_reciprocal_unit", context_),
-      edge_map_builder("edge_map_builder", context_),
+      edge_map_builder(make_edge_map_builder()),
       observation_reader("observation_reader", context_),
       inlier_unit("inlier_unit", context_),
       result_collector("result_collector", context_) {
@@ -29,13 +30,16 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     rasterizer.command_out(command_);
     rasterizer.fragment_depth_out(fragment_depth_);
     rasterizer.fragment_index_out(fragment_index_);
-    rasterizer.edge_token_out(edge_token_);
 
     area_reciprocal_unit.area_in(area_);
     area_reciprocal_unit.area_reciprocal_out(area_reciprocal_);
 
-    edge_map_builder.edge_token_in(edge_token_);
-    edge_map_builder.edge_map_out(edge_map_);
+    if (edge_map_builder != nullptr) {
+        rasterizer.edge_token_out(edge_token_);
+        edge_map_builder->edge_token_in(edge_token_);
+        edge_map_builder->edge_map_out(edge_map_);
+        inlier_unit.edge_map_in(edge_map_);
+    }
 
     observation_reader.sample_observation_in(sample_observation_);
     observation_reader.observed_depth_out(observed_depth_);
@@ -45,12 +49,19 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     inlier_unit.fragment_depth_in(fragment_depth_);
     inlier_unit.fragment_index_in(fragment_index_);
     inlier_unit.command_in(command_);
-    inlier_unit.edge_map_in(edge_map_);
     inlier_unit.observed_depth_in(observed_depth_);
     inlier_unit.observed_edge_in(observed_edge_);
     inlier_unit.result_out(result_);
 
     result_collector.result_in(result_);
+}
+
+/// A flow without one keeps its place in the core's table of processes: the numbers of the others rely on it.
+std::unique_ptr<EdgeMapBuilder> RasterCore::make_edge_map_builder() {
+    if (has_part(context_.config.flow, ModuleId::edge_map_builder))
+        return std::make_unique<EdgeMapBuilder>("edge_map_builder", context_);
+    timing_.add_process(name_of(ModuleId::edge_map_builder));
+    return nullptr;
 }
 
 std::vector<FifoChannel*> RasterCore::channels() {

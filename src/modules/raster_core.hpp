@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <systemc>
 
 #include "config/core_share.hpp"
@@ -19,6 +20,7 @@ class RasterCore : public sc_core::sc_module {
     RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                CoreShare share, TimeBase const& time_base);
 
+    Flow flow() const { return context_.config.flow; }
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
@@ -47,6 +49,7 @@ class RasterCore : public sc_core::sc_module {
             call();
     }
     timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
+    std::unique_ptr<EdgeMapBuilder> make_edge_map_builder();
     timing::FifoShape fifo_shape_of(FifoId id) const;
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
 
@@ -55,7 +58,7 @@ class RasterCore : public sc_core::sc_module {
     sc_core::sc_event done_{"done"};
     CoreContext context_;
 
-    // In the order of FifoId: the tables of the report rely on it.
+    // In the order of FifoId: the tables of the report rely on it. What a flow does not have is bound to nothing.
     ClockedFifo<SampleHeader> sample_vertex_{"sample_vertex", fifo_timing(FifoId::sample_vertex)};
     ClockedFifo<SampleHeader> sample_raster_{"sample_raster", fifo_timing(FifoId::sample_raster)};
     ClockedFifo<SampleHeader> sample_observation_{"sample_observation", fifo_timing(FifoId::sample_observation)};
@@ -77,7 +80,7 @@ class RasterCore : public sc_core::sc_module {
     VertexTransform vertex_transform;
     Rasterizer rasterizer;
     AreaReciprocal area_reciprocal_unit;
-    EdgeMapBuilder edge_map_builder;
+    std::unique_ptr<EdgeMapBuilder> edge_map_builder;  ///< null in flow fpga_grip
     ObservationReader observation_reader;
     InlierUnit inlier_unit;
     ResultCollector result_collector;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "channels/port_binding.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -26,18 +25,21 @@ void Rasterizer::end_of_elaboration() {
     command_ = &channel_of(command_out);
     fragment_depth_ = &channel_of(fragment_depth_out);
     fragment_index_ = &channel_of(fragment_index_out);
-    edge_token_ = &channel_of(edge_token_out);
+    edge_token_ = channel_of(edge_token_out);
     clock_.connect_reads(channel_of(sample_raster_in));
     clock_.connect_reads(channel_of(vertex_in));
     clock_.connect_writes(channel_of(area_out));
     clock_.connect_writes(*command_);
     clock_.connect_writes(*fragment_depth_);
     clock_.connect_writes(*fragment_index_);
-    clock_.connect_writes(*edge_token_);
-    scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config),
-                                 {command_, fragment_depth_, fragment_index_, edge_token_});
+    std::vector<FifoChannel*> written{command_, fragment_depth_, fragment_index_};
+    if (edge_token_ != nullptr) {
+        clock_.connect_writes(*edge_token_);
+        written.push_back(edge_token_);
+    }
+    scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config), written);
     clock_.set_setup_cycles(core_.config.setup_depth);
-    edge_port_ = edge_token_->write_port();
+    edge_port_ = edge_token_ != nullptr ? edge_token_->write_port() : std::uint8_t{0};
     fragment_ports_ = static_cast<std::uint8_t>(command_->write_port() | fragment_depth_->write_port() |
                                                 fragment_index_->write_port() | edge_port_);
 }
@@ -55,7 +57,7 @@ void Rasterizer::run() {
             clock_.set_up();
             announce(setup);
             if (setup.drawn())
-                sends_near_edges_ ? scan_near_edges(setup) : scan(setup);
+                draw(setup);
         }
         end_sample();
     }
@@ -88,6 +90,13 @@ void Rasterizer::announce(datapath::TriangleSetup const& setup) {
             command_out.write(Command::Triangle);
     }
     clock_.advance(1);
+}
+
+void Rasterizer::draw(datapath::TriangleSetup const& setup) {
+    if (edge_token_ == nullptr)
+        scan_fragments(setup);
+    else
+        sends_near_edges_ ? scan_near_edges(setup) : scan(setup);
 }
 
 void Rasterizer::scan(datapath::TriangleSetup const& setup) {
@@ -189,6 +198,24 @@ void Rasterizer::send_edge(int row, int col) {
     clock_.iterate(edge_port_, 1);
 }
 
+/// Without edges to look for: an iteration per pixel.
+void Rasterizer::scan_fragments(datapath::TriangleSetup const& setup) {
+    clock_.enter_loop(scan_loop_);
+    begin_burst(setup);
+    datapath::ZigzagScan zigzag(setup);
+    while (!zigzag.done())
+        send_fragments(zigzag.next_line());
+    end_burst();
+    clock_.leave_loop();
+}
+
+void Rasterizer::send_fragments(datapath::ScanLine const& line) {
+    clock_.iterate(0, static_cast<std::uint64_t>(line.before));
+    send_stretch(line, {line.before, line.before + line.inside, true, false});
+    clock_.iterate(fragment_ports_, static_cast<std::uint64_t>(line.inside));
+    clock_.iterate(0, static_cast<std::uint64_t>(line.after));
+}
+
 /// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
 void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {
     clock_.enter_loop(scan_loop_);
@@ -231,13 +258,14 @@ void Rasterizer::begin_burst(datapath::TriangleSetup const& setup) {
     command_->await_room();
     fragment_depth_->await_room();
     fragment_index_->await_room();
-    edge_token_->await_room();
+    if (edge_token_ != nullptr)
+        edge_token_->await_room();
     auto const pixels = static_cast<std::size_t>(setup.right_wall - setup.left_wall + 1) *
                         static_cast<std::size_t>(setup.bottom - setup.start_row + 1);
     burst_.command = command_->reserve(pixels);
     burst_.first_depth = burst_.depth = fragment_depth_->reserve(pixels);
     burst_.index = fragment_index_->reserve(pixels);
-    burst_.first_token = burst_.token = edge_token_->reserve(2 * pixels);
+    burst_.first_token = burst_.token = edge_token_ != nullptr ? edge_token_->reserve(2 * pixels) : nullptr;
 }
 
 /// Makes what the scan has written part of the channels.
@@ -247,7 +275,8 @@ void Rasterizer::hand_over() {
     command_->append(fragments);
     fragment_depth_->append(fragments);
     fragment_index_->append(fragments);
-    edge_token_->append(static_cast<std::size_t>(burst_.token - burst_.first_token));
+    if (edge_token_ != nullptr)
+        edge_token_->append(static_cast<std::size_t>(burst_.token - burst_.first_token));
     burst_.first_depth = burst_.depth;
     burst_.first_token = burst_.token;
 }
@@ -257,7 +286,8 @@ void Rasterizer::end_burst() {
     command_->wake_reader();
     fragment_depth_->wake_reader();
     fragment_index_->wake_reader();
-    edge_token_->wake_reader();
+    if (edge_token_ != nullptr)
+        edge_token_->wake_reader();
 }
 
 void Rasterizer::end_sample() {
@@ -265,7 +295,8 @@ void Rasterizer::end_sample() {
     {
         Step const step(clock_);
         command_out.write(Command::End);
-        edge_token_out.write({0, 0, EdgeTokenKind::End});
+        if (edge_token_ != nullptr)
+            edge_token_out->write({0, 0, EdgeTokenKind::End});
     }
     clock_.advance(1);
 }

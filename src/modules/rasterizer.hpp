@@ -2,6 +2,7 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
 #include "datapath/near_edge_scan.hpp"
 #include "datapath/zigzag_scan.hpp"
@@ -15,7 +16,8 @@ namespace faster {
 ///         command_out         Triangle per drawn triangle, Fragment per covered pixel, End per sample
 ///         fragment_depth_out  z sum of each fragment
 ///         fragment_index_out  its pixel in the window
-///         edge_token_out      object and edge pixels (edge map algorithm threshold: pixels near an edge), End per
+///         edge_token_out      flow faster: object and edge pixels (edge map algorithm threshold: pixels near an edge),
+///         End per
 ///                             sample
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
 ///   iteration
@@ -28,7 +30,7 @@ class Rasterizer : public sc_core::sc_module {
     sc_core::sc_fifo_out<Command> command_out{"command_out"};
     sc_core::sc_fifo_out<std::int64_t> fragment_depth_out{"fragment_depth_out"};
     sc_core::sc_fifo_out<FragmentIndex> fragment_index_out{"fragment_index_out"};
-    sc_core::sc_fifo_out<EdgeToken> edge_token_out{"edge_token_out"};
+    OptionalFifoOut<EdgeToken> edge_token_out{"edge_token_out"};  ///< unbound in flow fpga_grip
 
     SC_HAS_PROCESS(Rasterizer);
     Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core);
@@ -41,11 +43,14 @@ class Rasterizer : public sc_core::sc_module {
     void start_sample();
     TriangleCode receive_triangle();
     void announce(datapath::TriangleSetup const& setup);
+    void draw(datapath::TriangleSetup const& setup);
     void scan(datapath::TriangleSetup const& setup);
     void send_line(datapath::ScanLine const& line);
     void send_run(datapath::ScanLine const& line);
     void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
     void send_edge(int row, int col);
+    void scan_fragments(datapath::TriangleSetup const& setup);
+    void send_fragments(datapath::ScanLine const& line);
     void scan_near_edges(datapath::TriangleSetup const& setup);
     void send_near_edge_line(datapath::NearEdgeLine const& line);
     void send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch);
@@ -64,9 +69,9 @@ class Rasterizer : public sc_core::sc_module {
     ClockedFifo<Command>* command_ = nullptr;
     ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
-    ClockedFifo<EdgeToken>* edge_token_ = nullptr;
-    std::uint8_t fragment_ports_ = 0;  ///< of an iteration that finds a covered pixel
-    std::uint8_t edge_port_ = 0;       ///< of an iteration that sends an edge
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: no edges are looked for
+    std::uint8_t fragment_ports_ = 0;               ///< of an iteration that finds a covered pixel
+    std::uint8_t edge_port_ = 0;                    ///< of an iteration that sends an edge
 
     /// Where the scan at hand writes its next tokens, and which it has not handed over yet.
     struct Burst {

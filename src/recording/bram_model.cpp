@@ -13,6 +13,8 @@ BramModel::BramModel(AcceleratorConfig const& config)
     : edge_map_(config.edge_map),
       depth_clearing_(config.inlier_unit.clearing),
       sweep_(sweep_design(config, config.window)),
+      extract_(extract_design(config, config.window)),
+      extract_radius_(config.edge_extraction.neighbourhood / 2),
       side_(config.window),
       lanes_(config.inlier_unit.sweep_lanes),
       tokens_per_row_(
@@ -58,6 +60,8 @@ void BramModel::iterate(LoopId loop, Event const& event) {
             return fragment_iteration(event.cycle);
         case LoopId::sweep:
             return sweep_iteration(event.value, event.cycle);
+        case LoopId::extract:
+            return extract_iteration(event.value, event.cycle);
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
@@ -163,6 +167,19 @@ void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
 void BramModel::fragment_iteration(Cycles cycle) {
     add(BramId::depth_buffer, false, fragment_.row, fragment_.col, cycle);
     add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
+}
+
+/// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
+void BramModel::extract_iteration(std::int64_t iteration, Cycles cycle) {
+    std::int64_t const judged = iteration - static_cast<std::int64_t>(extract_.lead);
+    if (extract_.line_buffer_rows > 0 && iteration < side_ * side_)
+        add(BramId::depth_buffer, false, iteration, cycle);
+    if (judged < 0)
+        return;
+    for (std::int64_t row = -extract_radius_; extract_.line_buffer_rows == 0 && row <= extract_radius_; ++row)
+        for (std::int64_t col = -extract_radius_; col <= extract_radius_; ++col)
+            add(BramId::depth_buffer, false, judged / side_ + row, judged % side_ + col, cycle);
+    add(BramId::depth_buffer, true, judged, cycle);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four

@@ -3,6 +3,7 @@
 
 #include "config/accelerator_config.hpp"
 #include "config/bank_partition.hpp"
+#include "config/extract_design.hpp"
 #include "config/sweep_design.hpp"
 #include "recording/event_merge.hpp"
 
@@ -37,6 +38,7 @@ class BramModel {
     void dual_map_token(bool is_first, Cycles cycle);
     void output_iteration(std::int64_t iteration, Cycles cycle);
     void fragment_iteration(Cycles cycle);
+    void extract_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_word(std::int64_t pixel, Cycles cycle);
     void sweep_neighbours(std::int64_t pixel, Cycles cycle);
@@ -49,6 +51,8 @@ class BramModel {
     EdgeMapConfig edge_map_;
     MapClearing depth_clearing_;
     SweepDesign sweep_;
+    ExtractDesign extract_;
+    std::int64_t extract_radius_;
     std::int64_t side_;
     std::int64_t lanes_;
     std::int64_t tokens_per_row_;

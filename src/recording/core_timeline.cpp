@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/flow_parts.hpp"
+
 namespace faster::recording {
 
 namespace {
@@ -12,6 +14,7 @@ class TimelineMaker {
   public:
     TimelineMaker(RecordedCore const& core, TimelineGrain const& grain) : core_(core), grain_(grain) {
         timeline_.core = core.core;
+        timeline_.flow = core.flow;
     }
 
     void take(CoreEvent const& event);
@@ -148,7 +151,7 @@ CoreTimeline TimelineMaker::finish() {
         close(stalls_[module], stalls_[module].span.end);
         close(loops_[module], core_.to + 1);
     }
-    for (std::size_t fifo = 0; fifo < fifo_count; ++fifo) {
+    for (std::size_t const fifo : fifos_of(core_.flow)) {
         Occupancy const& last = occupancy_[fifo];
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);

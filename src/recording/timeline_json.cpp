@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/flow_parts.hpp"
+
 namespace faster::recording {
 
 namespace {
@@ -15,7 +17,7 @@ class Writer {
     explicit Writer(double clock_mhz) : clock_mhz_(clock_mhz) {}
 
     void add(CoreTimeline const& core) {
-        name_tracks(core.core);
+        name_tracks(core);
         for (CoreTimeline::Sample const& sample : core.samples)
             add_slice(core.core, samples_track, "sample " + std::to_string(sample.sample), "sample", sample.begin,
                       sample.end, {{"sample", sample.sample}, {"complete", sample.complete}});
@@ -37,10 +39,11 @@ class Writer {
         events_ += events_.empty() ? "" : ",\n";
         events_ += event.dump();
     }
-    void name_tracks(std::size_t core) {
+    void name_tracks(CoreTimeline const& timeline) {
+        std::size_t const core = timeline.core;
         name("process_name", core, 0, "core " + std::to_string(core));
         name("thread_name", core, samples_track, "samples");
-        for (std::size_t module = 0; module < module_count; ++module)
+        for (std::size_t const module : modules_of(timeline.flow))
             name("thread_name", core, track_of(module), module_names[module]);
     }
     void name(char const* what, std::size_t core, std::size_t track, std::string const& text) {

@@ -46,6 +46,14 @@ class TransitionTokens {
     Pixel pending_edge_;
 };
 
+/// None: nothing but fragments.
+class NoTokens {
+  public:
+    void begin(Pixel /*pixel*/, PixelWeights const& /*weights*/) {}
+    template <class Sink>
+    void visit(Pixel /*pixel*/, PixelWeights const& /*weights*/, bool /*inside*/, Sink& /*sink*/) {}
+};
+
 /// Thesis 5.1: a pixel is an edge if one of its weights is close to zero and none further below.
 class NearEdgeTokens {
   public:

@@ -4,10 +4,12 @@
 #include <string>
 
 #include "common/input_error.hpp"
+#include "reference/edge_extraction.hpp"
 #include "reference/edge_map/bounded.hpp"
 #include "reference/edge_map/dual_map.hpp"
 #include "reference/edge_map/dual_map_4_1_2.hpp"
 #include "reference/edge_map/inner_border.hpp"
+#include "reference/edge_map/no_edge_map.hpp"
 #include "reference/edge_map/threshold.hpp"
 #include "reference/edge_map/transition.hpp"
 #include "reference/edge_tokens.hpp"
@@ -112,7 +114,14 @@ Scorer::Scorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map)
     }
 }
 
+Scorer::Scorer(Stimulus const& stimulus, EdgeExtractionConfig const& edge_extraction) : Scorer(stimulus) {
+    edge_extraction_ = edge_extraction;
+}
+
 SampleCounters Scorer::run(std::size_t sample) {
+    if (edge_extraction_) {
+        return run_with<NoEdgeMap>(sample, NoTokens());
+    }
     switch (edge_map_.algorithm) {
         case EdgeMapAlgorithm::threshold:
             return run_with<Threshold>(sample, NearEdgeTokens(edge_map_.thresholds, stimulus_.fraction.vertex_xy));
@@ -139,12 +148,16 @@ template <class Builder, class Tokens> SampleCounters Scorer::run_with(std::size
         rasterize(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy, tokens, sink);
     }
     edge_map_builder.end(edge_map_.flush_last);
+    if (edge_extraction_) {
+        extract_edges(*edge_extraction_, stimulus_.fraction.depth_buffer, maps_);
+    }
 
     SampleCounters counters;
     counters.valid_raster = depth_buffer.valid_raster();
     read_window(stimulus_, offset, observed_);
-    EdgeDepth const edge_depth =
-        edge_map_.algorithm == EdgeMapAlgorithm::inner_border ? EdgeDepth::of_pixel : EdgeDepth::of_neighbour;
+    EdgeDepth const edge_depth = edge_extraction_ || edge_map_.algorithm == EdgeMapAlgorithm::inner_border
+                                     ? EdgeDepth::of_pixel
+                                     : EdgeDepth::of_neighbour;
     sweep(maps_, observed_, stimulus_.fraction.depth_buffer, edge_depth, counters);
     return counters;
 }

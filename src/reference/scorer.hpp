@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "common/edge_extraction_config.hpp"
 #include "common/edge_map_config.hpp"
 #include "common/sample_score.hpp"
 #include "common/stimulus.hpp"
@@ -19,6 +20,9 @@ class Scorer {
     /// together (a window below 1 px, images of another size, a triangle range outside, poses missing) or its fraction
     /// bits need more than 128 bit arithmetic.
     explicit Scorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map = {});
+
+    /// Flow fpga_grip: edges of the finished depth buffer. Throws as above.
+    Scorer(Stimulus const& stimulus, EdgeExtractionConfig const& edge_extraction);
 
     /// Scores one sample; throws std::out_of_range if there is no such sample.
     SampleCounters run(std::size_t sample);
@@ -42,6 +46,7 @@ class Scorer {
 
     Stimulus const& stimulus_;
     EdgeMapConfig edge_map_;
+    std::optional<EdgeExtractionConfig> edge_extraction_;  // of flow fpga_grip
     FragmentDepth fragment_depth_;
     std::optional<VertexTransform> vertex_transform_;  // of a posed stimulus
     SampleMaps maps_;

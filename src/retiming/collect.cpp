@@ -41,7 +41,7 @@ LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, Accele
     row.ii_target = interval.target;
     row.ii_recurrence = interval.recurrence;
     row.ii = interval.achieved;
-    row.depth = config.loop(id).depth;
+    row.depth = loop_depth(id, config);
     row.entries = counters.entries;
     row.iterations = counters.iterations;
     row.port_conflict_cycles = counters.iterations * interval.port_conflict_per_iteration;
@@ -130,6 +130,7 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 
 RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config) {
     RunStatistics run;
+    run.flow = config.flow;
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
         add_stuck(core.timing, index, run.stuck);

@@ -84,7 +84,7 @@ class Search {
 
 void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total_cycles, std::vector<Sensitivity>& rows,
                 std::function<void(std::size_t, std::size_t)> const& progress) {
-    Keys const keys = timing_keys();
+    Keys const keys = timing_keys(loaded.config.accelerator.flow);
     std::vector<Search> searches;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "config/flow_parts.hpp"
+
 namespace faster {
 
 Taping::Taping(Accelerator& accelerator, retiming::RecordedRun& run)
@@ -21,6 +23,7 @@ void Taping::start(std::size_t core) {
         timing.process(i).add_tape(tapes_[core].logs[i]);
     if (core == 0)
         run_.blueprint = timing.blank_copy();
+    taking_part_ = modules_of(accelerator_.cores()[core]->flow()).size();
 }
 
 void Taping::begin_sample(std::size_t core, std::size_t process) {
@@ -40,7 +43,7 @@ void Taping::end_sample(std::size_t core, std::size_t process) {
     tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
     log.clear();
     ++tape.left[at];
-    for (; !tape.left.empty() && tape.left.front() == tape.logs.size(); ++tape.done) {
+    for (; !tape.left.empty() && tape.left.front() == taking_part_; ++tape.done) {
         writer_.put(accelerator_.cores()[core]->share().first + tape.done, std::move(tape.open.front()));
         tape.open.pop_front();
         tape.left.pop_front();

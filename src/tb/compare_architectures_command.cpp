@@ -87,11 +87,16 @@ void set_quality(quality::QualitySums const& sums, report::ArchitectureRow& row)
     row.thin = sums.share(sums.thin);
 }
 
+/// Extracted edges are pixels of the object.
+quality::ContourSide contour_side(AcceleratorConfig const& config) {
+    return config.flow == Flow::fpga_grip ? quality::ContourSide::inside : quality::side_of(config.edge_map.algorithm);
+}
+
 report::ArchitectureRow measured(Point const& point, std::size_t judged_samples) {
     LoadedConfig loaded = point.loaded;
     Stimulus const stimulus = load_stimulus(loaded);
     AcceleratorConfig const& config = loaded.config.accelerator;
-    EdgeMapJudge judge(stimulus, config.edge_map.algorithm, judged_samples);
+    EdgeMapJudge judge(stimulus, contour_side(config), judged_samples);
     SimulationOptions options;
     if (judged_samples > 0)
         options.probe = &judge;

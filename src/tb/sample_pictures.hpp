@@ -17,7 +17,7 @@ class SamplePictures : public SampleProbe {
     /// Keeps samples below `count`.
     SamplePictures(Stimulus const& stimulus, std::size_t count) : stimulus_(stimulus), count_(count) {}
 
-    void edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) override;
+    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override;
     void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override;
 
     /// sample_NNNN_{edges,object,depth}.png for programs; sample_NNNN_{overlay,depth_map}.png and contact_sheet.png for

@@ -11,6 +11,7 @@
 #include "tb/compare_architectures_command.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/edge_quality_command.hpp"
+#include "tb/grip_command.hpp"
 #include "tb/run_command.hpp"
 #include "tb/sensitivities_command.hpp"
 #include "tb/show_command.hpp"
@@ -144,6 +145,22 @@ void add_edge_quality(CLI::App& app, faster::EdgeQualityRequest& request) {
         ->type_name("DIR");
 }
 
+void add_grip(CLI::App& app, faster::GripRequest& request) {
+    CLI::App& command = *app.add_subcommand(
+        "grip",
+        "Score the poses by the thesis's CPU and GPU baseline, untimed, and compare the ranking with the flow's");
+    command.add_option("config", request.config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+    command.add_option("--out", request.out, "Write scores.csv and summary.json to this folder")->type_name("DIR");
+    add_overrides(command, request.overrides);
+    command.add_option("-j,--jobs", request.jobs, "Threads (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--inlier-distance", request.inlier_distance_m, "Points closer than this agree (eq. 2.1)")
+        ->type_name("METRES")
+        ->capture_default_str()
+        ->check(CLI::Range(0.000001, 10.0));
+}
+
 void add_show(CLI::App& app, faster::ShowRequest& request) {
     CLI::App& command = *app.add_subcommand("show", "Print a small picture of one sample of an older run");
     command.add_option("folder", request.folder, "Results of faster-sim run --out DIR --images K")
@@ -252,9 +269,9 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{"run",           "check",        "record",  "whatif",
-                                         "sensitivities", "size-fifos",   "compare", "compare-architectures",
-                                         "sweep",         "edge-quality", "show",    "keys"};
+    std::vector<std::string> const known{
+        "run",   "check",        "record", "whatif", "sensitivities", "size-fifos", "compare", "compare-architectures",
+        "sweep", "edge-quality", "grip",   "show",   "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
@@ -280,6 +297,8 @@ int run_tool(int argc, char** argv) {
     add_compare_architectures(app, architectures_request);
     faster::EdgeQualityRequest edge_quality_request;
     add_edge_quality(app, edge_quality_request);
+    faster::GripRequest grip_request;
+    add_grip(app, grip_request);
     faster::WhatifRequest whatif_request;
     add_whatif(app, whatif_request);
     faster::SensitivitiesRequest sensitivities_request;
@@ -323,6 +342,8 @@ int run_tool(int argc, char** argv) {
         return compare_architectures(architectures_request);
     if (app.got_subcommand("edge-quality"))
         return edge_quality(edge_quality_request);
+    if (app.got_subcommand("grip"))
+        return grip_baseline(grip_request);
     if (app.got_subcommand("check"))
         return check(check_request);
     if (app.got_subcommand("show"))

@@ -235,7 +235,7 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     events::EventFile const file = events::read_event_file(folder / "events");
     std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
     retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
-    Keys const keys = timing_keys();
+    Keys const keys = timing_keys(Flow::faster);
     auto const costs = [&](std::size_t i, std::int64_t value) {
         RunConfig config = file.loaded.config;
         keys[i].write(config, KeyValue{value});

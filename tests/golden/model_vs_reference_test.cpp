@@ -102,7 +102,8 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
     REQUIRE_FALSE(run.statistics.deadlocked());
     REQUIRE(run.statistics.samples.size() == stimulus.samples.size());
     REQUIRE(run.maps.size() == stimulus.samples.size());
-    reference::Scorer scorer(stimulus, config.edge_map);
+    reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
+                                                              : reference::Scorer(stimulus, config.edge_map);
     std::uint64_t drawn = 0;
     for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample) {
         CAPTURE(sample);
@@ -123,7 +124,7 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
 
 /// Traces of `stimuli` seeds, `options.samples` each, under random machines; every tenth in lockstep as well.
 void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulusOptions options,
-                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map) {
+                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map, Flow flow = Flow::faster) {
     for (std::uint64_t seed = first_seed; seed < first_seed + stimuli; ++seed) {
         CAPTURE(seed);
         options.random_fraction_bits = seed % 2 == 1;
@@ -131,7 +132,8 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         RandomConfigOptions machine;
         machine.cores = {1, 3};
         machine.algorithm = algorithm;
-        machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map;
+        machine.flow = flow;
+        machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map || flow != Flow::faster;
         machine.any_partition = machine.any_clearing;
         machine.max_lanes = machine.any_clearing ? std::min(stimulus.window, 9) : 1;
         AcceleratorConfig config = random_config(seed, machine);
@@ -223,6 +225,27 @@ TEST_CASE("Model and reference agree on built-in classes with every edge map alg
             config.edge_map.algorithm = algorithm;
             CHECK(check_model(config, stimulus, Engine::decoupled) > 10 * 100);
         }
+    }
+}
+
+TEST_CASE("Model and reference agree with flow fpga_grip on random triangles", "[golden][fpga_grip]") {
+    RandomStimulusOptions options;
+    options.samples = {8, 8};
+    check_traces(50000, 60, options, EdgeMapAlgorithm::dual_map, Flow::fpga_grip);
+    options.window = {200, 200};
+    options.width = {160, 640};
+    options.height = {120, 480};
+    options.samples = {3, 3};
+    options.triangles = {0, 60};
+    check_traces(50100, 3, options, EdgeMapAlgorithm::dual_map, Flow::fpga_grip);
+}
+
+TEST_CASE("Model and reference agree with flow fpga_grip on built-in classes", "[golden][fpga_grip]") {
+    for (char const* const name : {"cracker_box", "banana", "tomato_soup_can", "mug", "scissors"}) {
+        CAPTURE(name);
+        AcceleratorConfig config = machine_of_seed(1);
+        config.flow = Flow::fpga_grip;
+        CHECK(check_model(config, posed_stimulus(models::make(name), 6, 510), Engine::decoupled) > 6 * 100);
     }
 }
 

@@ -151,12 +151,27 @@ void append(std::vector<Word>& words, std::vector<Word> const& more) {
 
 /// The words cleared behind a sweep that reads neighbours are those of the token above to the left.
 std::vector<Word> sweep_words(AcceleratorConfig const& config) {
-    bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
+    bool const once = config.flow == Flow::fpga_grip || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
                       config.inlier_unit.neighbour_access == NeighbourAccess::window;
     std::vector<Word> words =
         side_by_side(once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}}, config);
     if (config.inlier_unit.clearing == MapClearing::on_read_out) {
         append(words, side_by_side({once ? own : Word{-1, -config.inlier_unit.sweep_lanes}}, config));
+    }
+    return words;
+}
+
+/// All neighbours and the judged word; or one new word, and the judged one half a neighbourhood behind.
+std::vector<Word> extract_words(EdgeExtractionConfig const& config) {
+    int const reach = config.neighbourhood / 2;
+    if (config.neighbour_access == NeighbourAccess::window) {
+        return {own, {-reach, -reach}};
+    }
+    std::vector<Word> words{own};
+    for (int row = -reach; row <= reach; ++row) {
+        for (int col = -reach; col <= reach; ++col) {
+            words.push_back({row, col});
+        }
     }
     return words;
 }
@@ -197,12 +212,20 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
             return {{BramId::depth_buffer, {own, own}}};
         case LoopId::sweep:
             return {{BramId::depth_buffer, sweep_words(config)}};
+        case LoopId::extract:
+            return {{BramId::depth_buffer, extract_words(config.edge_extraction)}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
             break;
     }
     return {};
+}
+
+/// The square root and the divider are stages of their own.
+Cycles depth_of(AcceleratorConfig const& config, LoopId id) {
+    EdgeExtractionConfig const& units = config.edge_extraction;
+    return config.loop(id).depth + (id == LoopId::extract ? units.square_root_latency + units.divider_latency : 0);
 }
 
 /// How many stretches of the dimension have banks of their own.
@@ -346,7 +369,7 @@ class ProcessModel {
 
     /// Steps of a loop: p = 0 .. (n - 1) * II + L - 1.
     Cycles last_loop_step(TwinState const& state) const {
-        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + config_.loop(*state.loop).depth - 1;
+        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + depth_of(config_, *state.loop) - 1;
     }
 
     std::vector<TwinAccess> current_accesses() const {

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "config/resolved_config.hpp"
-#include "datapath/edge_map/edge_map_policy.hpp"
 #include "events/event_file.hpp"
 #include "report/summary.hpp"
 #include "retiming/sensitivities.hpp"
@@ -28,9 +27,9 @@ class MapCollector : public SampleProbe {
   public:
     MapCollector(std::size_t samples, int window) : maps_(samples), window_(window) {}
 
-    void edge_maps_done(std::size_t sample, datapath::EdgeMapPolicy const& maps) override {
-        maps_[sample].edge_map = picture(maps.edge());
-        maps_[sample].object_map = picture(maps.object());
+    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override {
+        maps_[sample].edge_map = picture(maps.edge);
+        maps_[sample].object_map = picture(maps.object);
     }
     void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override {
         maps_[sample].depth_buffer = Image<std::uint16_t>(window_, window_);

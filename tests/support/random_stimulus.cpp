@@ -6,6 +6,8 @@
 #include <random>
 #include <utility>
 
+#include "config/flow_parts.hpp"
+
 namespace faster::testing {
 namespace {
 
@@ -277,6 +279,15 @@ Cycles skewed_cycles(Dice& dice, Cycles high) {
     return dice.one_in(2) ? 1 : static_cast<Cycles>(dice.between(1, static_cast<int>(high)));
 }
 
+void draw_extraction(Dice& dice, EdgeExtractionConfig& config) {
+    config.neighbourhood = 3 + 2 * dice.between(0, dice.one_in(4) ? 6 : 2);
+    config.threshold = dice.one_in(8) ? 0.0 : dice.between(1, 400) / 10000.0;
+    config.focal_length_px = dice.one_in(8) ? dice.between(1, 20) : dice.between(20, 1000);
+    config.neighbour_access = static_cast<NeighbourAccess>(dice.between(0, 1));
+    config.square_root_latency = static_cast<Cycles>(dice.between(1, 40));
+    config.divider_latency = static_cast<Cycles>(dice.between(1, 60));
+}
+
 /// A token of each of `fifos` is read together with `look_ahead` + 1 or fewer tokens of the others. A FIFO written
 /// before the others must hold what is written until they follow.
 void make_room(AcceleratorConfig& config, std::initializer_list<FifoId> fifos, Cycles look_ahead) {
@@ -338,7 +349,9 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     for (BramConfig& bram : config.brams) {
         bram.ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
     }
-    for (LoopConfig& loop : config.loops) {
+    config.flow = options.flow;
+    for (std::size_t const i : loops_of(options.flow)) {
+        LoopConfig& loop = config.loops[i];
         loop.ii = skewed_cycles(dice, options.max_target_ii);
         loop.recurrence_ii = skewed_cycles(dice, options.max_recurrence_ii);
         loop.depth = static_cast<Cycles>(dice.one_in(2) ? dice.between(1, 4) : dice.between(1, 24));
@@ -381,6 +394,9 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     }
     for (double& threshold : config.edge_map.thresholds) {
         threshold = dice.one_in(4) ? 0.0 : dice.between(0, 120) / 8.0;
+    }
+    if (options.flow == Flow::fpga_grip) {
+        draw_extraction(dice, config.edge_extraction);
     }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);

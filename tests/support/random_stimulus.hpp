@@ -51,6 +51,7 @@ struct RandomConfigOptions {
     Cycles max_target_ii = 4;
     Cycles max_recurrence_ii = 4;
     std::uint64_t max_ports = 3;
+    Flow flow = Flow::faster;  ///< fpga_grip: draws its edge extraction, too
     EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
     bool any_clearing = false;   ///< draws how maps are cleared, and how the sweep reads
     bool any_partition = false;  ///< draws banks of block RAMs, for windows of at least 4; and clearings that use them

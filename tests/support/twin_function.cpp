@@ -1,6 +1,7 @@
 #include "support/twin_function.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -36,9 +37,10 @@ struct Fragment {
 /// Rasterizer (A.1): one object per sample, draws triangle after triangle.
 class Scanner {
   public:
-    Scanner(Stimulus const& stimulus, SampleInput const& sample, EdgeMapConfig const& edge_map)
+    Scanner(Stimulus const& stimulus, SampleInput const& sample, AcceleratorConfig const& config)
         : stimulus_(stimulus),
-          edge_map_(edge_map),
+          edge_map_(config.edge_map),
+          looks_for_edges_(config.flow == Flow::faster),
           pixel_(std::int64_t{1} << stimulus.fraction.vertex_xy),
           row_offset_(sample.centre_row - stimulus.window / 2),
           col_offset_(sample.centre_col - stimulus.window / 2) {}
@@ -95,7 +97,9 @@ class Scanner {
                 iteration.sends_fragment = true;
                 ++result.fragments;
             }
-            if (edge_map_.algorithm == EdgeMapAlgorithm::threshold) {
+            if (!looks_for_edges_) {
+                // fragments only
+            } else if (edge_map_.algorithm == EdgeMapAlgorithm::threshold) {
                 if (is_near_edge(v, r, c)) {
                     send_edge_token(relative(r, c), false, iteration);
                 }
@@ -182,6 +186,7 @@ class Scanner {
 
     Stimulus const& stimulus_;
     EdgeMapConfig const& edge_map_;
+    bool const looks_for_edges_;
     std::int64_t const pixel_;  ///< code of one pixel
     int const row_offset_;
     int const col_offset_;
@@ -345,9 +350,58 @@ Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, 
     return build_single_map(tokens, window, config.algorithm);
 }
 
-/// InlierUnit (A.3).
+/// Eq. 2.2 without square roots and quotients: floor(65536 a / (n b)) > t, with a and b rounded down to integers.
+bool is_curved(Image<std::uint16_t> const& buffer, int row, int col, EdgeExtractionConfig const& config) {
+    int const reach = config.neighbourhood / 2;
+    auto const slope = [&](int position) {
+        double const exact = std::ldexp((position - buffer.width() / 2) / config.focal_length_px, 15);
+        return static_cast<WideInt>(std::floor(std::min(131071.0, std::max(-131072.0, exact))));
+    };
+    auto const square_of = [](WideInt component) {
+        WideInt kept = component / 2048;
+        kept -= component % 2048 < 0 ? 1 : 0;
+        return kept * kept;
+    };
+    WideInt const z = buffer.at(row, col);
+    WideInt x_sum = 0, y_sum = 0, z_sum = 0, neighbours = -1;
+    for (int r = std::max(0, row - reach); r <= std::min(buffer.height() - 1, row + reach); ++r) {
+        for (int c = std::max(0, col - reach); c <= std::min(buffer.width() - 1, col + reach); ++c) {
+            WideInt const other = buffer.at(r, c);
+            x_sum += other * slope(c) - z * slope(col);
+            y_sum += other * slope(r) - z * slope(row);
+            z_sum += (other - z) * 32768;
+            ++neighbours;
+        }
+    }
+    WideInt const a_square = square_of(x_sum) + square_of(y_sum) + square_of(z_sum);
+    WideInt const b_square = square_of(z * slope(col)) + square_of(z * slope(row)) + square_of(z * 32768);
+    auto const root_of = [](WideInt square) {
+        auto root = static_cast<WideInt>(std::sqrt(static_cast<long double>(square)));
+        while (root * root > square) {
+            --root;
+        }
+        return root;
+    };
+    WideInt const threshold = static_cast<WideInt>(config.threshold * 65536);
+    WideInt const divisor = neighbours * root_of(b_square);
+    return divisor > 0 && 65536 * root_of(a_square) >= (threshold + 1) * divisor;
+}
+
+Image<std::uint8_t> extracted_edges(Image<std::uint16_t> const& buffer, int near, EdgeExtractionConfig const& config) {
+    Image<std::uint8_t> edges(buffer.height(), buffer.width());
+    for (int row = 0; row < buffer.height(); ++row) {
+        for (int col = 0; col < buffer.width(); ++col) {
+            edges.at(row, col) = buffer.at(row, col) < near && is_curved(buffer, row, col, config) ? 1 : 0;
+        }
+    }
+    return edges;
+}
+
+/// InlierUnit (A.3). Without an edge map, edges are extracted.
 SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::vector<Fragment> const& fragments,
-                     Image<std::uint8_t> const& edge_map, bool edge_has_depth) {
+                     Image<std::uint8_t> edge_map, AcceleratorConfig const& config) {
+    bool const extracts = config.flow == Flow::fpga_grip;
+    bool const edge_has_depth = extracts || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border;
     int const window = stimulus.window;
     int const buffer_bits = stimulus.fraction.depth_buffer;
     int const fragment_bits = stimulus.fraction.fragment_depth;
@@ -369,6 +423,9 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
     }
 
     int const two = 2 << buffer_bits;
+    if (extracts) {
+        edge_map = extracted_edges(buffer, two, config.edge_extraction);
+    }
     int const three = 3 << buffer_bits;
     for (int r = 1; r < window - 1; ++r) {
         for (int c = 1; c < window - 1; ++c) {
@@ -411,16 +468,15 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
 
 }  // namespace
 
-TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map) {
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, AcceleratorConfig const& config) {
     SampleInput const& input = stimulus.samples.at(sample);
     TwinSampleFunction result;
-    Scanner scanner(stimulus, input, edge_map);
+    Scanner scanner(stimulus, input, config);
     for (std::uint32_t i = 0; i < input.triangle_count; ++i) {
         result.triangles.push_back(scanner.draw(stimulus.triangles.at(input.first_triangle + i)));
     }
-    Image<std::uint8_t> const edges = build(scanner.edge_tokens(), stimulus.window, edge_map, result);
-    result.counters =
-        score(stimulus, input, scanner.fragments(), edges, edge_map.algorithm == EdgeMapAlgorithm::inner_border);
+    Image<std::uint8_t> edges = build(scanner.edge_tokens(), stimulus.window, config.edge_map, result);
+    result.counters = score(stimulus, input, scanner.fragments(), std::move(edges), config);
     return result;
 }
 

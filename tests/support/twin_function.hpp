@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/edge_map_config.hpp"
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
+#include "config/accelerator_config.hpp"
 
 namespace faster::testing {
 
@@ -43,6 +43,6 @@ struct TwinSampleFunction {
     SampleCounters counters;
 };
 
-TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map);
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, AcceleratorConfig const& config);
 
 }  // namespace faster::testing

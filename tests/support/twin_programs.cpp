@@ -52,14 +52,14 @@ TwinProgram vertex_transform(TwinSampleFunction const& sample) {
     return program;
 }
 
-TwinProgram rasterizer(TwinSampleFunction const& sample, Cycles setup_depth) {
+TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
     TwinProgram program;
     step(program, {read_of(FifoId::sample_raster)});
     for (TwinTriangle const& triangle : sample.triangles) {
         for (int vertex = 0; vertex < 3; ++vertex) {
             step(program, {read_of(FifoId::vertex)});
         }
-        pass(program, setup_depth);
+        pass(program, config.setup_depth);
         if (!triangle.is_drawn) {
             step(program, {write_of(FifoId::area)});
             continue;
@@ -77,7 +77,11 @@ TwinProgram rasterizer(TwinSampleFunction const& sample, Cycles setup_depth) {
              std::move(iterations));
     }
     pass(program, 1);
-    step(program, {write_of(FifoId::command), write_of(FifoId::edge_token)});
+    std::vector<TwinAccess> last{write_of(FifoId::command)};
+    if (config.flow == Flow::faster) {
+        last.push_back(write_of(FifoId::edge_token));
+    }
+    step(program, std::move(last));
     return program;
 }
 
@@ -171,16 +175,25 @@ TwinProgram observation_reader(std::size_t tokens) {
 /// A row and a token more: before the first pixel while line buffers fill, or after the last to clear what is left.
 std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std::size_t side) {
     bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
-    bool const has_neighbours = config.edge_map.algorithm != EdgeMapAlgorithm::inner_border;
+    bool const has_neighbours =
+        config.flow == Flow::faster && config.edge_map.algorithm != EdgeMapAlgorithm::inner_border;
     bool const is_window = config.inlier_unit.neighbour_access == NeighbourAccess::window;
     std::size_t const row = row_tokens(config, side);
-    std::vector<std::uint8_t> iterations(side * row, 0b111);
+    std::vector<std::uint8_t> iterations(side * row, config.flow == Flow::faster ? 0b111 : 0b011);
     if (has_neighbours && is_window) {
         iterations.insert(iterations.begin(), row + 1, 0);
     } else if (has_neighbours && clears) {
         iterations.insert(iterations.end(), row + 1, 0);
     }
     return iterations;
+}
+
+/// Flow fpga_grip: an iteration per pixel; line buffers have to fill up to the pixel half a neighbourhood behind.
+void extract(TwinProgram& program, EdgeExtractionConfig const& config, std::size_t side) {
+    auto const reach = static_cast<std::size_t>(config.neighbourhood / 2);
+    bool const fills = config.neighbour_access == NeighbourAccess::window;
+    uniform_loop(program, LoopId::extract, {}, side * side + (fills ? reach * side + reach : 0));
+    pass(program, 1);
 }
 
 TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
@@ -202,9 +215,13 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
         }
     }
     pass(program, 1);
-    loop(program, LoopId::sweep,
-         {read_of(FifoId::edge_map), read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)},
-         sweep_iterations(config, side));
+    std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
+    if (config.flow == Flow::fpga_grip) {
+        extract(program, config.edge_extraction, side);
+    } else {
+        of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
+    }
+    loop(program, LoopId::sweep, std::move(of_pixel), sweep_iterations(config, side));
     step(program, {write_of(FifoId::result)});
     return program;
 }
@@ -218,7 +235,7 @@ TwinProgram result_collector() {
 }  // namespace
 
 TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample) {
-    TwinSampleFunction const function = evaluate_sample(stimulus, sample, config.edge_map);
+    TwinSampleFunction const function = evaluate_sample(stimulus, sample, config);
     std::size_t const side = static_cast<std::size_t>(stimulus.window);
 
     TwinSamplePrograms result;
@@ -228,9 +245,10 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     };
     set(ModuleId::sample_dispatcher, sample_dispatcher());
     set(ModuleId::vertex_transform, vertex_transform(function));
-    set(ModuleId::rasterizer, rasterizer(function, config.setup_depth));
+    set(ModuleId::rasterizer, rasterizer(function, config));
     set(ModuleId::area_reciprocal, area_reciprocal(function));
-    set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
+    if (config.flow == Flow::faster)
+        set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
     set(ModuleId::observation_reader, observation_reader(side * row_tokens(config, side)));
     set(ModuleId::inlier_unit, inlier_unit(function, config, side));
     set(ModuleId::result_collector, result_collector());

@@ -221,7 +221,7 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:1: raster_cores: unknown key, did you mean accelerator.raster_cores?");
     CHECK(file_error("accelerator:\n  cheese: 3\n") ==
           "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of architecture, raster_cores, "
-          "window, clock_mhz, fraction_bits, edge_map, inlier_unit, fifos, loops, brams");
+          "window, clock_mhz, flow, fraction_bits, edge_map, inlier_unit, edge_extraction, fifos, loops, brams");
     CHECK(file_error("accelerator.window: 3\n") ==
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
 }
@@ -478,6 +478,38 @@ TEST_CASE("The reciprocal and the area fit 62 bits together", "[config][errors]"
 TEST_CASE("The neighbourhood of an observed edge has a middle", "[config][errors]") {
     CHECK(set_error("workload.observed_edges.neighbourhood=4") ==
           "--set workload.observed_edges.neighbourhood=4: expected an odd number");
+}
+
+TEST_CASE("A key of a part that the flow does not have is refused, unless it says the default", "[config][errors]") {
+    CHECK(set_error("accelerator.edge_extraction.threshold=0.02") ==
+          "--set accelerator.edge_extraction.threshold=0.02: expected a key of the parts that accelerator.flow = "
+          "\"faster\" (default) has");
+    CHECK(set_error("accelerator.edge_extraction.threshold=0.01") == "(no error)");
+    std::vector<std::string> const settings{"accelerator.flow=fpga_grip",
+                                            "accelerator.edge_extraction.neighbourhood=7"};
+    RunConfig const config = loaded("", settings).config;
+    CHECK(config.accelerator.edge_extraction.neighbourhood == 7);
+    CHECK(values_of(loaded(faster::to_yaml(config)).config) == values_of(config));
+    CHECK(error_of([] { loaded("accelerator: {flow: fpga_grip, fifos: {edge_map: {depth: 4}}}"); }) ==
+          "test.yaml:1: accelerator.fifos.edge_map.depth = 4, expected a key of the parts that accelerator.flow = "
+          "\"fpga_grip\" has");
+}
+
+TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {
+    auto const has = [](faster::Flow flow, std::string const& name) {
+        auto const keys = faster::timing_keys(flow);
+        return std::any_of(keys.begin(), keys.end(), [&](faster::Key const& key) { return key.name() == name; });
+    };
+    for (std::string const name :
+         {"accelerator.fifos.edge_token.depth", "accelerator.loops.edge_map_builder.token.ii"}) {
+        CHECK(has(faster::Flow::faster, name));
+        CHECK_FALSE(has(faster::Flow::fpga_grip, name));
+    }
+    for (std::string const name :
+         {"accelerator.loops.inlier_unit.extract.ii", "accelerator.edge_extraction.square_root_latency"}) {
+        CHECK_FALSE(has(faster::Flow::faster, name));
+        CHECK(has(faster::Flow::fpga_grip, name));
+    }
 }
 
 TEST_CASE("A trace replaces what the file says", "[config][trace]") {

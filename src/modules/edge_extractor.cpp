@@ -1,0 +1,35 @@
+#include "modules/edge_extractor.hpp"
+
+#include <algorithm>
+
+#include "config/extract_design.hpp"
+#include "modules/core_shapes.hpp"
+
+namespace faster {
+
+EdgeExtractor::EdgeExtractor(CoreContext const& core, ProcessClock& clock)
+    : core_(core),
+      clock_(clock),
+      extraction_(core.config.edge_extraction, core.stimulus.window, core.stimulus.fraction.depth_buffer),
+      edges_(core.window_pixels()) {}
+
+void EdgeExtractor::add_loop() { loop_ = clock_.add_loop(loop_shape(LoopId::extract, core_.config)); }
+
+void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {
+    extraction_.extract(depth_buffer, edges_);
+    if (core_.probe != nullptr)
+        show(sample, depth_buffer);
+    clock_.enter_loop(loop_);
+    clock_.iterate(0, core_.window_pixels() + extract_design(core_.config, core_.stimulus.window).lead);
+    clock_.leave_loop();
+}
+
+/// There is no object map: what is drawn stands in the depth buffer.
+void EdgeExtractor::show(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) const {
+    std::vector<std::uint8_t> drawn(depth_buffer.size());
+    std::transform(depth_buffer.begin(), depth_buffer.end(), drawn.begin(),
+                   [this](std::uint16_t depth) { return extraction_.is_drawn(depth) ? 1 : 0; });
+    core_.probe->edge_maps_done(sample, {edges_.data(), drawn.data(), core_.stimulus.window});
+}
+
+}  // namespace faster

@@ -1,0 +1,33 @@
+#pragma once
+#include <vector>
+
+#include "channels/process_clock.hpp"
+#include "datapath/edge_extraction.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// The inlier unit's part that flow fpga_grip has in place of the edge map builder: once a sample is drawn, it looks
+/// for edges in the depth buffer, and keeps an edge bit in each of its words.
+///   time  loop `extract` of the inlier unit's process, one pixel per iteration
+/// Source: thesis eq. 2.2 and 6.2; docs/timing-model.md.
+class EdgeExtractor {
+  public:
+    EdgeExtractor(CoreContext const& core, ProcessClock& clock);
+    /// When elaboration has ended, behind the other loops of the process.
+    void add_loop();
+    void extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer);
+    /// W x W bits of the sample extracted last, row-major.
+    std::uint8_t const* edges() const { return edges_.data(); }
+
+  private:
+    void show(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) const;
+
+    CoreContext const& core_;
+    ProcessClock& clock_;
+    datapath::EdgeExtraction extraction_;
+    std::vector<std::uint8_t> edges_;
+    unsigned loop_ = 0;
+};
+
+}  // namespace faster

@@ -1,0 +1,99 @@
+#include "tb/grip_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+#include <thread>
+
+#include "common/input_error.hpp"
+#include "config/config_sources.hpp"
+#include "config/load_config.hpp"
+#include "io/atomic_folder.hpp"
+#include "io/text_file.hpp"
+#include "reference/scorer.hpp"
+#include "tb/grip_comparison.hpp"
+#include "tb/run_command.hpp"
+#include "tb/workload_source.hpp"
+#include "workload/object_pose.hpp"
+
+namespace faster {
+
+namespace {
+
+using HostClock = std::chrono::steady_clock;
+
+io::FolderKind const grip_folder{"scores of the grip baseline", "scores.csv", {"summary.json"}};
+
+double seconds_since(HostClock::time_point start) {
+    return std::chrono::duration<double>(HostClock::now() - start).count();
+}
+
+/// A trace has triangles, but no poses to render.
+void require_poses(LoadedConfig const& loaded) {
+    if (!loaded.config.workload.trace.empty())
+        throw InputError(complaint(loaded, "workload.trace", "none: grip renders poses, which a trace does not have"));
+    if (loaded.config.workload.samples.count == 0)
+        throw InputError(complaint(loaded, "workload.samples.count", "at least 1: grip compares samples"));
+}
+
+grip::Settings settings_of(GripRequest const& request, WorkloadConfig const& workload) {
+    grip::Settings settings;
+    settings.neighbourhood = workload.observed_edges.neighbourhood;
+    settings.threshold = workload.observed_edges.threshold;
+    settings.inlier_distance = request.inlier_distance_m;
+    return settings;
+}
+
+/// The untimed reference equals the model bit for bit.
+std::vector<SampleCounters> flow_counters(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
+                                                              : reference::Scorer(stimulus, config.edge_map);
+    std::vector<SampleCounters> counters;
+    for (std::size_t i = 0; i < stimulus.samples.size(); ++i)
+        counters.push_back(scorer.run(i));
+    return counters;
+}
+
+std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
+    std::vector<double> errors;
+    for (Pose const& pose : stimulus.posed.poses)
+        errors.push_back(grip::average_distance(stimulus.posed.mesh, pose, target));
+    return errors;
+}
+
+GripComparison compare_with_flow(GripRequest const& request, RunConfig const& config, Stimulus const& stimulus) {
+    GripComparison comparison;
+    comparison.flow = config.accelerator.flow;
+    comparison.jobs =
+        request.jobs > 0 ? static_cast<unsigned>(request.jobs) : std::max(1U, std::thread::hardware_concurrency());
+    auto start = HostClock::now();
+    comparison.grip = grip::score_poses(stimulus, settings_of(request, config.workload), comparison.jobs);
+    comparison.grip_seconds = seconds_since(start);
+    start = HostClock::now();
+    comparison.counters = flow_counters(config.accelerator, stimulus);
+    comparison.reference_seconds = seconds_since(start);
+    comparison.add_m = pose_errors(stimulus, workload::configured_pose(config.workload.target));
+    return comparison;
+}
+
+}  // namespace
+
+int grip_baseline(GripRequest const& request) {
+    LoadedConfig loaded = load_config(request.config, request.overrides);
+    require_poses(loaded);
+    std::unique_ptr<io::AtomicFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
+    Stimulus const stimulus = load_stimulus(loaded);
+    GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
+    fmt::print("{}", grip_text(comparison));
+    if (folder == nullptr)
+        return exit_done;
+    io::write_file(folder->path() / "scores.csv", grip_csv(comparison));
+    io::write_file(folder->path() / "summary.json", grip_json(comparison));
+    folder->commit();
+    fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+}  // namespace faster

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace faster {
+
+/// `faster-sim grip`.
+struct GripRequest {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::string out;        ///< folder for scores.csv and summary.json; empty: print only
+    std::int64_t jobs = 0;  ///< threads; 0: the host's cores
+    double inlier_distance_m = 0.008;
+};
+
+/// Scores a configuration's poses by the thesis's CPU + GPU baseline, and compares them with those of the configured
+/// flow. Throws InputError on bad input.
+int grip_baseline(GripRequest const& request);
+
+}  // namespace faster

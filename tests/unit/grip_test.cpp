@@ -1,0 +1,186 @@
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "common/fixed_point.hpp"
+#include "grip/rank_correlation.hpp"
+#include "grip/score_poses.hpp"
+
+namespace faster::grip {
+namespace {
+
+Camera small_camera() {
+    Camera camera;
+    camera.width = 40;
+    camera.height = 30;
+    camera.fx = camera.fy = 50;
+    camera.cx = 20;
+    camera.cy = 15;
+    return camera;
+}
+
+/// A square of side 0.4 m facing the camera, and a second one of half the side, `step` nearer.
+Mesh plate(double step) {
+    Mesh mesh;
+    for (auto const& [half, z] : {std::pair{0.2, 0.0}, {0.1, -step}}) {
+        auto const first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (auto const& [x, y] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}})
+            mesh.vertices.emplace_back(x * half, y * half, z);
+        mesh.faces.push_back({first, first + 1, first + 2});
+        mesh.faces.push_back({first, first + 2, first + 3});
+    }
+    return mesh;
+}
+
+Pose at_distance(double z) {
+    Pose pose;
+    pose.translation = {0, 0, z};
+    return pose;
+}
+
+/// The scene is the object itself under its first pose, as the sensor would see it.
+Stimulus scene_of(Mesh const& mesh, std::vector<Pose> const& poses) {
+    Stimulus stimulus;
+    stimulus.posed = {mesh, small_camera(), poses};
+    stimulus.width = stimulus.posed.camera.width;
+    stimulus.height = stimulus.posed.camera.height;
+    PointCloud const seen =
+        render(surface_points(mesh, half_pixel_spacing(stimulus.posed)), poses.at(0), stimulus.posed.camera);
+    stimulus.observed_depth = Image<std::uint16_t>(stimulus.height, stimulus.width);
+    for (std::size_t i = 0; i < seen.pixels().size(); ++i)
+        if (has_point(seen.pixels()[i]))
+            stimulus.observed_depth.pixels()[i] = static_cast<std::uint16_t>(seen.pixels()[i].z() * 512);
+    return stimulus;
+}
+
+PointCloud cloud_of(std::vector<Eigen::Vector3d> const& points) {
+    auto const side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(points.size()))));
+    PointCloud cloud(side, side, Eigen::Vector3d::Zero());
+    cloud.pixels() = points;
+    return cloud;
+}
+
+}  // namespace
+
+TEST_CASE("Eq. 2.1: points agree if they are less than epsilon apart, in all three coordinates", "[grip]") {
+    CHECK(is_inlier({0, 0, 1}, {0, 0, 1}, 0.008));
+    CHECK(is_inlier({0, 0, 1}, {0.004, 0, 1.004}, 0.008));        // 5.7 mm
+    CHECK_FALSE(is_inlier({0, 0, 1}, {0.006, 0, 1.006}, 0.008));  // 8.5 mm
+    CHECK_FALSE(is_inlier({0, 0, 1}, {0, 0, 1.5}, 0.5));          // not less
+}
+
+TEST_CASE("Eq. 2.2: the curvature of a corner, by hand", "[grip]") {
+    // A point at (0, 0, 2); two neighbours 0.1 beside it and 1 behind, six at its own place: the sum of differences is
+    // (0.2, 0, 2), its length 2.00998; eight neighbours at distance 2 make 16.
+    std::vector<Eigen::Vector3d> points(9, {0, 0, 2});
+    points[2] = points[8] = Eigen::Vector3d(0.1, 0, 3);
+    CHECK(Curvature(3, nullptr)(cloud_of(points), 1, 1) == Approx(std::sqrt(4.04) / 16));
+    // Without point 2 and without background: (0.1, 0, 1) over seven neighbours.
+    points[2] = Eigen::Vector3d::Zero();
+    CHECK(Curvature(3, nullptr)(cloud_of(points), 1, 1) == Approx(std::sqrt(1.01) / 14));
+    // With a background 2 m behind: (0.1, 0, 3) over eight.
+    PointCloud const background = cloud_of(std::vector<Eigen::Vector3d>(9, {0, 0, 4}));
+    CHECK(Curvature(3, &background)(cloud_of(points), 1, 1) == Approx(std::sqrt(9.01) / 16));
+    // In a corner of the image three neighbours are left, none of them elsewhere.
+    CHECK(Curvature(3, nullptr)(cloud_of(points), 0, 0) == 0);
+}
+
+TEST_CASE("Eq. 2.2: a lone point has no curvature", "[grip]") {
+    CHECK(Curvature(3, nullptr)(cloud_of({{0, 0, 1}}), 0, 0) == 0);
+}
+
+TEST_CASE("Eq. 2.3: ratios of raw, edge and planar points, by hand", "[grip]") {
+    // Four rendered points: an edge that is one, an edge that is observed as planar, a planar one 1 cm off, and one
+    // where nothing is observed.
+    FeatureCloud rendered{cloud_of({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}), Image<Feature>(2, 2)};
+    rendered.features.pixels() = {Feature::edge, Feature::edge, Feature::planar, Feature::planar};
+    FeatureCloud observed{cloud_of({{0, 0, 1}, {0, 0, 1}, {0, 0, 1.01}, {0, 0, 0}}), Image<Feature>(2, 2)};
+    observed.features.pixels() = {Feature::edge, Feature::planar, Feature::planar, Feature::none};
+    PoseScore const score = grip::score(rendered, observed, 0.008);
+    CHECK(score.raw.ratio() == 0.5);
+    CHECK(score.edge.ratio() == 0.5);
+    CHECK(score.planar.points == 2);
+    CHECK(score.planar.ratio() == 0);
+    CHECK(score.weight() == Approx(1.0 / 3));
+    CHECK(InlierCount{}.ratio() == 0);
+}
+
+TEST_CASE("Of the points in a pixel the nearest counts, and every covered pixel has one", "[grip]") {
+    Camera const camera = small_camera();
+    std::vector<Eigen::Vector3d> const points = surface_points(plate(0.1), 0.5 * 0.9 / camera.fx);
+    PointCloud const cloud = render(points, at_distance(1), camera);
+    for (int row = 0; row < camera.height; ++row)
+        for (int col = 0; col < camera.width; ++col) {
+            CAPTURE(row, col);
+            // 0.4 m at 1 m: 20 px around the centre; 0.2 m at 0.9 m: 11.1 px
+            bool const far = std::abs(col - 20) <= 10 && std::abs(row - 15) <= 10;
+            bool const near = std::abs(col - 20) <= 5 && std::abs(row - 15) <= 5;
+            bool const border = std::max(std::abs(col - 20), std::abs(row - 15)) == 6;  // 5.56 px: rounds either way
+            double const z = cloud.at(row, col).z();
+            if (!border)
+                CHECK(z == Approx(near ? 0.9 : far ? 1.0 : 0.0));
+        }
+    CHECK(has_point(cloud.at(15, 20)));
+    CHECK_FALSE(has_point(render(points, at_distance(-1), camera).at(15, 20)));
+}
+
+TEST_CASE("A pose that is the scene agrees with all of it, wherever it is", "[grip]") {
+    std::uint32_t const seed = GENERATE(range(1U, 9U));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 6; ++i) {
+        Pose pose = at_distance(1 + 0.2 * uniform(random));
+        pose.translation.x() = 0.1 * uniform(random);
+        pose.rotation = Eigen::AngleAxisd(0.4 * uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix() *
+                        Eigen::AngleAxisd(0.4 * uniform(random), Eigen::Vector3d::UnitY()).toRotationMatrix();
+        poses.push_back(pose);
+    }
+    Stimulus const stimulus = scene_of(plate(0.1), poses);
+    std::vector<PoseScore> const scores = score_poses(stimulus, {}, 1);
+    CHECK(scores[0].raw.points > 100);
+    CHECK(scores[0].raw.ratio() > 0.99);
+    std::vector<double> weights;
+    for (PoseScore const& score : scores) {
+        CHECK(score.edge.points + score.planar.points == score.raw.points);
+        CHECK(score.raw.inliers <= score.raw.points);
+        CHECK(score.edge.inliers + score.planar.inliers <= score.raw.inliers);
+        weights.push_back(score.weight());
+    }
+    CHECK(best_of(weights) == 0);
+    // As many threads as one likes.
+    std::vector<PoseScore> const again = score_poses(stimulus, {}, 3);
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        CHECK(again[i].weight() == scores[i].weight());
+}
+
+TEST_CASE("The outline of a plate is an edge, as it stands before a background", "[grip]") {
+    Settings settings;
+    settings.threshold = 0.2;  // more than being lopsided makes, less than 5 of 24 neighbours 3 m behind
+    PoseScore const score = score_poses(scene_of(plate(0), {at_distance(1)}), settings, 1).at(0);
+    // 21 x 21 pixels, of which 17 x 17 have all of their 5 x 5 neighbours on the plate.
+    CHECK(score.raw.points == 441);
+    CHECK(score.planar.points == 289);
+}
+
+TEST_CASE("Ranks share places among equals; correlations by hand", "[grip]") {
+    CHECK(ranks({3, 9, 9, 1}) == std::vector<double>{3, 1.5, 1.5, 4});
+    CHECK(*rank_correlation({1, 2, 3, 4}, {10, 20, 30, 99}) == Approx(1));
+    CHECK(*rank_correlation({1, 2, 3, 4}, {4, 3, 2, 1}) == Approx(-1));
+    CHECK(*rank_correlation({1, 2, 3}, {1, 3, 2}) == Approx(0.5));  // 1 - 6 (0 + 1 + 1) / (3 x 8)
+    CHECK_FALSE(rank_correlation({1, 1, 1}, {1, 2, 3}).has_value());
+    CHECK(best_of({2, 7, 7}) == 1);
+}
+
+TEST_CASE("The average distance of two poses is that of their vertices", "[grip]") {
+    Mesh const mesh = plate(0.1);
+    CHECK(average_distance(mesh, at_distance(1), at_distance(1.25)) == Approx(0.25));
+    Pose turned = at_distance(1);
+    turned.rotation = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    // Corners move across: 2 x 0.2 sqrt 2 and 2 x 0.1 sqrt 2, halves of the vertices each.
+    CHECK(average_distance(mesh, at_distance(1), turned) == Approx(0.3 * std::sqrt(2.0)));
+}
+
+}  // namespace faster::grip

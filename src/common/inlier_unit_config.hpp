@@ -13,6 +13,7 @@ enum class NeighbourAccess {
 struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
+    int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
 };
 
 }  // namespace faster

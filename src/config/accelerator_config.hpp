@@ -1,12 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "common/cycles.hpp"
 #include "common/edge_map_config.hpp"
 #include "common/fixed_point.hpp"
 #include "common/inlier_unit_config.hpp"
 #include "config/machine.hpp"
+#include "config/partition_config.hpp"
 
 namespace faster {
 
@@ -30,11 +32,13 @@ struct LoopConfig {
 
 /// One block RAM; keys `accelerator.brams.NAME.*`.
 struct BramConfig {
-    std::uint64_t ports = 2;  ///< accesses per cycle, >= 1
+    std::uint64_t ports = 2;  ///< accesses per cycle and bank, >= 1
+    PartitionConfig partition;
 };
 
 /// The machine: keys `accelerator.*`. Defaults are the thesis's final design as SPEC section 3 times it.
 struct AcceleratorConfig {
+    std::string architecture = "faster";  ///< name of the preset that the other keys start from
     std::uint64_t raster_cores = 10;
     int window = 200;  ///< side of the square window [px]
     double clock_mhz = 200.0;

@@ -2,17 +2,18 @@
 
 #include "config/config_sources.hpp"
 #include "config/key_faults.hpp"
+#include "config/layered_config.hpp"
 
 namespace faster {
 
 LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::string> const& overrides) {
+    return layered_config({path}, overrides);
+}
+
+LoadedConfig load_preset(std::string const& name) {
     LoadedConfig loaded;
-    std::vector<std::string> complaints = apply_file(path, loaded);
-    for (std::string const& setting : overrides) {
-        std::vector<std::string> more = apply_override(setting, loaded);
-        complaints.insert(complaints.end(), more.begin(), more.end());
-    }
-    throw_first(complaints);
+    throw_first(apply_preset(name, loaded));
+    throw_first(apply_override("accelerator.architecture=" + name, loaded));
     throw_first(cross_check(loaded));
     return loaded;
 }

@@ -102,22 +102,38 @@ class Replay {
     std::size_t supplied_ = 0;  ///< samples whose vertices have been asked for
 };
 
+using Automaton = std::shared_ptr<timing::Automaton>;
+
+std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, ScriptedRun const* scripts,
+                                                AcceleratorConfig const& config, std::size_t core, Automaton automaton,
+                                                bool leaves_trail) {
+    std::unique_ptr<timing::CoreTiming> timing = core_variant(*run.blueprint, config);
+    timing->let_follow(rasterizer_and_followers(), std::move(automaton));
+    if (leaves_trail)
+        timing->leave_trail();
+    CoreShare const share = share_of(core, config.raster_cores, run.tape.samples());
+    Replay(run.tape, scripts, share, *timing).feed_all();
+    return timing;
+}
+
 RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config) {
     auto const automaton = std::make_shared<timing::Automaton>();
     std::vector<std::unique_ptr<timing::CoreTiming>> timings;
     std::vector<FinishedCore> cores;
     for (std::size_t k = 0; k < config.raster_cores; ++k) {
-        timings.push_back(core_variant(*run.blueprint, config));
-        timing::CoreTiming& core = *timings.back();
-        core.let_follow(rasterizer_and_followers(), automaton);
+        timings.push_back(retime_core(run, scripts, config, k, automaton, false));
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
-        Replay(run.tape, scripts, share, core).feed_all();
-        cores.push_back({share, core, run.counters.data() + share.first});
+        cores.push_back({share, *timings.back(), run.counters.data() + share.first});
     }
     return collect(cores, config);
 }
 
 }  // namespace
+
+std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
+                                                std::size_t core, Automaton automaton, bool leaves_trail) {
+    return retime_core(run, nullptr, config, core, std::move(automaton), leaves_trail);
+}
 
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }
 

@@ -45,6 +45,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     RandomConfigOptions options;
     options.fifo_depth = {1, 24};
     options.is_deadlock_free = seed % 3 != 0;
+    options.any_partition = true;
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
@@ -68,6 +69,7 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     config.edge_map.clearing = number % 3 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.clearing = number % 4 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.neighbour_access = number % 4 < 2 ? NeighbourAccess::window : NeighbourAccess::direct;
+    config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
     return config;
 }
 

@@ -10,11 +10,12 @@ namespace faster::retiming {
 
 namespace {
 
+using Done = std::function<void(std::size_t, RunStatistics const&)>;
+
 /// Lets threads take one configuration after the other.
-class Pool {
+template <class Run> class Pool {
   public:
-    Pool(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs,
-         std::function<void(std::size_t, RunStatistics const&)> const& done)
+    Pool(Run const& run, std::vector<AcceleratorConfig> const& configs, Done const& done)
         : run_(run), configs_(configs), done_(done) {}
 
     void work() {
@@ -44,9 +45,9 @@ class Pool {
         }
     }
 
-    RecordedRun const& run_;
+    Run const& run_;
     std::vector<AcceleratorConfig> const& configs_;
-    std::function<void(std::size_t, RunStatistics const&)> const& done_;
+    Done const& done_;
     std::atomic<std::size_t> next_{0};
     std::exception_ptr error_;
     std::mutex mutex_;
@@ -54,8 +55,15 @@ class Pool {
 
 }  // namespace
 
-void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs,
-                 std::function<void(std::size_t, RunStatistics const&)> const& done) {
+void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done) {
+    constexpr std::size_t worth_scripting = 3;  // to make a run ready takes as long as to retime it once
+    if (configs.size() >= worth_scripting)
+        retime_many(ScriptedRun(run), configs, done);
+    else
+        Pool(run, configs, done).work();
+}
+
+void retime_many(ScriptedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done) {
     Pool(run, configs, done).work();
 }
 

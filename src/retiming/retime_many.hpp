@@ -11,5 +11,7 @@ namespace faster::retiming {
 /// figures, in any order, from any thread, but one at a time.
 void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs,
                  std::function<void(std::size_t i, RunStatistics const& retimed)> const& done);
+void retime_many(ScriptedRun const& run, std::vector<AcceleratorConfig> const& configs,
+                 std::function<void(std::size_t i, RunStatistics const& retimed)> const& done);
 
 }  // namespace faster::retiming

@@ -90,6 +90,7 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);
         searches.emplace_back(loaded, keys[i], 1, total_cycles, rows[i].up);
     }
+    ScriptedRun const scripted(run);
     for (std::size_t done = 0;;) {
         std::vector<AcceleratorConfig> configs;
         std::vector<Search*> open;
@@ -101,7 +102,7 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         if (open.empty())
             break;
         std::size_t const known = done + open.size();
-        retime_many(run, configs, [&](std::size_t i, RunStatistics const& retimed) {
+        retime_many(scripted, configs, [&](std::size_t i, RunStatistics const& retimed) {
             open[i]->learn(retimed);
             if (progress)
                 progress(++done, known);

@@ -7,11 +7,9 @@
 namespace faster::timing {
 
 namespace {
-constexpr Cycles bench_time = Cycles{1} << 40;      // times before it stay positive
-constexpr std::int64_t longest_reach = 4096;        // states with times further apart hardly ever come again
-constexpr std::uint64_t most_room = 1024;           // tokens in FIFOs that a state may have to list
-constexpr std::size_t most_transitions = 1U << 17;  // about 150 MB
-constexpr Cycles longest_cycles = 0xFFFFFFFF;       // that fit a transition
+constexpr std::int64_t longest_reach = 4096;  // states with times further apart hardly ever come again
+constexpr std::size_t longest_history = std::size_t{1} << 16;
+constexpr std::uint64_t most_room = 1024;  // tokens in FIFOs that a state may have to list
 // If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
 constexpr std::uint64_t trial = 1U << 17;
 constexpr std::uint64_t one_in = 4;
@@ -26,12 +24,6 @@ bool is_regular(LoopShape const& loop) {
         if (write.write_latency != loop.writes.front().write_latency)
             return false;
     return true;
-}
-
-std::vector<std::uint64_t> values_of(std::vector<std::uint64_t*> const& counters) {
-    std::vector<std::uint64_t> values(counters.size());
-    std::transform(counters.begin(), counters.end(), values.begin(), [](std::uint64_t const* value) { return *value; });
-    return values;
 }
 
 bool can_follow(Group const& group) {
@@ -65,12 +57,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         usable_ = can_follow(group);
         auto const& loops = group.driver().loops();
         driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
-        bench_core_ = core.blank_copy();
-        if (leaves_trails_)
-            bench_core_->leave_trail(Trail::any_length);
-        bench_group_ = std::make_unique<Group>(*bench_core_, lead);
-        bench_ = std::make_unique<RelativeState>(*bench_group_);
-        bench_counters_ = bench_->counters();
+        bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
     }
     if (phrases_ >= next_trial_) {
         usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in <= trial;
@@ -80,9 +67,10 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     return usable_;
 }
 
-Automaton::Progress Automaton::follow(Group const& group, Session& session) {
+Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
     Progress progress;
     session_ = &session;
+    phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
     if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
         return {false, true};
     if (!begin(group))
@@ -112,22 +100,24 @@ void Automaton::apply(Slot const& slot) {
     session.state = slot.next;
     session.history.push_back(slot.number);
     if (slot.number >= first_loose) {
-        Account const& loose = account(session, slot.number);
+        Transition const& loose = session.loose[slot.number - first_loose];
         session.time += loose.cycles;
-        note(loose);
+        session.entered |= loose.entered;
+        note(loose.froze, loose.rooms);
         return;
     }
     session.time += slot.cycles;
+    session.entered |= slot.entered;
     if (slot.number >= session.uses.size())
-        session.uses.resize(accounts_.size());
+        session.uses.resize(store_.size());
     ++session.uses[slot.number];
     if (slot.notable)
-        note(accounts_[slot.number]);
+        note(store_.notes(slot.number).froze, store_.notes(slot.number).rooms);
 }
 
-void Automaton::note(Account const& account) {
-    session_->frozen |= account.froze;
-    for (Room const& room : account.rooms) {
+void Automaton::note(std::uint32_t froze, std::vector<Room> const& rooms) {
+    session_->frozen |= froze;
+    for (Room const& room : rooms) {
         std::vector<Cycles>& times = session_->rooms[room.fifo];
         if (room.all)
             times.clear();
@@ -136,103 +126,162 @@ void Automaton::note(Account const& account) {
     }
 }
 
-Automaton::Account const& Automaton::account(Session const& session, Number number) const {
-    return number < first_loose ? accounts_[number] : session.loose[number - first_loose];
+Cycles Automaton::cycles(Session const& session, Number number) const {
+    return number < first_loose ? store_.brief(number).cycles : session.loose[number - first_loose].cycles;
+}
+
+TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& session, Number number) const {
+    if (number < first_loose)
+        return store_.stands(number);
+    std::vector<Stand> const& loose = session.loose[number - first_loose].stands;
+    return {loose.data(), loose.data() + loose.size()};
 }
 
 void Automaton::settle(Group const& group, Session& session) const {
     std::vector<std::uint64_t*> const counters = RelativeState(group).counters();
     for (std::size_t i = 0; i < session.uses.size(); ++i)
         if (session.uses[i] > 0)
-            for (Growth const& growth : accounts_[i].growth)
+            for (Growth const& growth : store_.growth(static_cast<Number>(i)))
                 *counters[growth.counter] += session.uses[i] * growth.amount;
     session.uses.clear();
     add_iterations(group, session);
 }
 
-/// Tells the processes how often the loops they are in since the last session have been iterated in it.
+/// Tells the processes how often the loops they are in have been iterated in all sessions.
 void Automaton::add_iterations(Group const& group, Session& session) const {
     RelativeState real(group);
-    for (unsigned m = 0; m < session.entries.size(); ++m) {
-        if (!real.is_in_loop(m) || real.entries(m) != session.entries[m])
-            continue;
-        std::uint64_t sum = 0;
-        bool entered = false;
-        for (std::size_t i = session.history.size(); i > 0 && !entered; --i) {
-            Account const& each = account(session, session.history[i - 1]);
-            sum += each.iterations[m];
-            entered = ((each.entered >> m) & 1U) != 0;
-        }
-        std::uint64_t const total = sum + (entered ? 0 : session.iterations[m]);
-        std::uint64_t const counted = std::min<std::uint64_t>(total, 1);  // all that a state says
-        real.set_iterations(m, real.iterations(m) - counted + total);
+    for (unsigned m = 0; m < group.members().size(); ++m) {
+        Session::OpenLoop& loop = session.open_loops[m];
+        if (loop.is_open && real.is_in_loop(m) && real.entries(m) == loop.entries)
+            real.set_iterations(m, real.iterations(m) - loop.told + loop.besides + iterations_since_entry(session, m));
+        loop.is_open = false;
     }
-    session.entries.clear();
-    session.history.clear();
+    session.kept_history.clear();
+}
+
+/// Back to where the member entered its loop, if it did so in a session.
+std::uint64_t Automaton::iterations_since_entry(Session const& session, unsigned member) const {
+    std::uint64_t sum = 0;
+    bool entered = false;
+    auto const add = [&](auto const& tally) {
+        sum += tally.iterations[member];
+        entered = ((tally.entered >> member) & 1U) != 0;
+    };
+    for (std::size_t i = session.kept_history.size(); i > session.open_loops[member].from && !entered; --i) {
+        Number const number = session.kept_history[i - 1];
+        if (number < first_loose)
+            add(store_.tally(number));
+        else
+            add(session.loose[number - first_loose]);
+    }
+    return sum;
+}
+
+/// After a session, of which `iterations_before` are from its begin.
+void Automaton::keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before) {
+    Session& session = *session_;
+    bool any_open = false;
+    for (unsigned m = 0; m < iterations_before.size(); ++m) {
+        Session::OpenLoop& loop = session.open_loops[m];
+        bool const entered = ((session.entered >> m) & 1U) != 0;
+        bool const goes_on = loop.is_open && loop.entries == real.entries(m) && !entered;
+        if (goes_on) {
+            loop.besides += iterations_before[m] - loop.told;
+        } else {
+            loop.from = session.kept_history.size();
+            loop.besides = entered ? 0 : iterations_before[m];
+        }
+        loop.is_open = real.is_in_loop(m);
+        loop.told = real.iterations(m);
+        loop.entries = real.entries(m);
+        any_open = any_open || loop.is_open;
+    }
+    if (any_open)
+        session.kept_history.insert(session.kept_history.end(), session.history.begin(), session.history.end());
+    else
+        session.kept_history.clear();
+}
+
+/// Where each follower goes on. False if one goes on with what no phrase can say.
+bool Automaton::find_outlooks(Group const& group, Script const* script, RelativeState& real) {
+    for (unsigned m = 1; m < group.members().size(); ++m) {
+        Group::Member const& member = group.members()[m];
+        Phrase::Next const next = Phrase::next_of(member, 0);
+        bool const frozen = next.known && next.ports == 0;
+        if (frozen && !member.writes_anchor)
+            return false;
+        bool const as_scripted = script != nullptr && !member.writes_anchor;
+        real.outlooks()[m] = {as_scripted ? script->next_ports[m] : next.ports, frozen};
+        session_->frozen |= frozen ? 1U << m : 0U;
+    }
+    return true;
 }
 
 /// Brings the group's state to the bench. False if it is one that no phrase can start from.
-bool Automaton::begin(Group const& group) {
-    add_iterations(group, *session_);
+bool Automaton::begin(Group const& group, Script const* script) {
     RelativeState real(group);
+    session_->history.clear();
+    session_->entered = 0;
     session_->frozen = 0;
     session_->entry.clear();
     session_->rooms.assign(group.fifos().size(), {});
-    for (unsigned m = 1; m < group.members().size(); ++m) {
-        Phrase::Next const next = Phrase::next_of(group.members()[m], 0);
-        bool const frozen = next.known && next.ports == 0;
-        if (frozen && !group.members()[m].writes_anchor)
-            return false;
-        real.outlooks()[m] = {next.ports, frozen};
-        session_->frozen |= frozen ? 1U << m : 0U;
-    }
+    if (!find_outlooks(group, script, real))
+        return false;
     for (unsigned f = 0; f < group.fifos().size(); ++f)
         if (((session_->frozen >> group.fifos()[f].writer) & 1U) != 0)
             session_->rooms[f] = real.room_times(f);
-    // The logs stay where they are: the state of a follower at rest has none.
-    if (!real.save(words_, false))
+    // The logs stay where they are: the state of a follower at rest has none. Where a script goes on, what is left of
+    // them belongs to the state.
+    std::uint32_t const logs = script == nullptr ? 0 : group.readers();
+    if (!real.save(words_, logs))
         return false;
+    real.clear_logs(logs);
     session_->begin = session_->time = group.driver().local_time();
-    bench_->load(words_, bench_time);
-    std::vector<std::uint64_t> const before = values_of(bench_counters_);
+    std::vector<RelativeState::Waiting> const waitings = bench_->park(words_);
     for (unsigned m = 1; m < group.members().size(); ++m) {
-        RelativeState::Waiting const waiting = bench_->park(m);
-        Cycles const shift = session_->time - bench_time;
+        RelativeState::Waiting const& waiting = waitings[m - 1];
+        Cycles const shift = session_->time - TransitionBench::time;
         Cycles const own = group.members()[m].process->local_time();
         bool const frozen = ((session_->frozen >> m) & 1U) != 0;
         session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
                                    static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port,
                                    true});
     }
-    std::vector<std::uint64_t*> const counters = real.counters();
-    for (std::size_t i = 0; i < counters.size(); ++i)
-        *counters[i] += *bench_counters_[i] - before[i];
-    if (leaves_trails_)
-        for (TrailEvent const& event : take_trail())
-            group.driver().trail()->append(event, session_->begin);
-    bench_->save(session_->words, true);
+    charge_parking(group, real);
+    session_->words = bench_->words();
     session_->state = bench_->reach() > longest_reach ? none : number_of(session_->words);
     session_->loose.clear();
     return true;
 }
 
+void Automaton::charge_parking(Group const& group, RelativeState const& real) {
+    std::vector<std::uint64_t*> const counters = real.counters();
+    for (Growth const& growth : bench_->parking_growth())
+        *counters[growth.counter] += growth.amount;
+    for (TrailEvent const& event : bench_->take_trail())
+        group.driver().trail()->append(event, session_->begin);
+}
+
 /// Writes the state in which the session stopped, and all it counted, back to the group.
-void Automaton::end(Group const& group) {
+void Automaton::end(Group const& group, Script* script) {
     RelativeState real(group);
     std::vector<std::uint64_t*> const counters = real.counters();
-    for (Account const& account : session_->loose)
-        for (Growth const& growth : account.growth)
+    for (Transition const& loose : session_->loose)
+        for (Growth const& growth : loose.growth)
             *counters[growth.counter] += growth.amount;
-    session_->iterations.clear();
-    session_->entries.clear();
+    std::vector<std::uint64_t> iterations_before;
     for (unsigned m = 0; m < group.members().size(); ++m)
-        session_->iterations.push_back(real.iterations(m));
+        iterations_before.push_back(real.iterations(m));
     real.restore(session_->state == none ? session_->words : *states_[session_->state], session_->time);
+    if (script != nullptr)
+        for (unsigned m = 1; m < group.members().size(); ++m)
+            script->next_ports[m] = real.outlooks()[m].next_ports;
     restore_stands(real);
     if (group.driver().trail() != nullptr)
         extend(*group.driver().trail());
-    for (unsigned m = 0; m < group.members().size(); ++m)
-        session_->entries.push_back(real.entries(m));
+    keep_history(real, iterations_before);
+    if (!session_->loose.empty() || session_->kept_history.size() > longest_history)
+        add_iterations(group, *session_);
     for (unsigned f = 0; f < group.fifos().size(); ++f) {
         std::vector<Cycles> const& times = session_->rooms[f];
         std::size_t const known = group.fifos()[f].fifo->known_writes();
@@ -243,21 +292,15 @@ void Automaton::end(Group const& group) {
     }
 }
 
-/// What has been left on the bench since the last call.
-std::vector<TrailEvent> Automaton::take_trail() {
-    return leaves_trails_ ? bench_core_->take_trail(bench_time) : std::vector<TrailEvent>();
-}
-
 void Automaton::extend(Trail& trail) const {
     Cycles time = session_->begin;
     bool goes_on = false;
     for (Number const number : session_->history) {
-        Account const& each = account(*session_, number);
         bool const remembered = number < first_loose;
-        for (TrailEvent const& event : each.trail)
-            if (!remembered)
+        if (!remembered)
+            for (TrailEvent const& event : session_->loose[number - first_loose].trail)
                 trail.append(event, time);
-        time += each.cycles;
+        time += cycles(*session_, number);
         if (remembered)
             trail.followed(number, time, goes_on);
         goes_on = remembered;
@@ -271,8 +314,7 @@ void Automaton::restore_stands(RelativeState& real) {
     std::uint32_t missing_arrival = missing_since;
     Cycles time = session_->time;
     for (std::size_t i = session_->history.size(); i > 0 && missing_arrival != 0; --i) {
-        Account const& account_of = account(*session_, session_->history[i - 1]);
-        for (Stand const& stand : account_of.stands) {
+        for (Stand const& stand : stands(*session_, session_->history[i - 1])) {
             std::uint32_t const bit = 1U << stand.member;
             if ((missing_since & bit) != 0) {
                 found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
@@ -284,7 +326,7 @@ void Automaton::restore_stands(RelativeState& real) {
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
-        time -= account_of.cycles;
+        time -= cycles(*session_, session_->history[i - 1]);
     }
     for (Stand const& stand : found)
         real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
@@ -309,98 +351,37 @@ Automaton::Print Automaton::print_of_phrase() const {
     return {first ^ (first >> 32), second};
 }
 
-/// Performs the phrase on the bench, operation by operation. Null if the driver cannot finish it.
+/// Null if the driver cannot finish the phrase.
 Automaton::Slot const* Automaton::work_out(Print const& print) {
-    ++worked_out_;
-    bench_->load(session_->state == none ? session_->words : *states_[session_->state], bench_time);
-    Before before;
-    before.counters = values_of(bench_counters_);
-    Account account;
-    for (unsigned m = 0; m < bench_group_->members().size(); ++m) {
-        before.times.push_back(bench_group_->members()[m].process->local_time());
-        before.ports.push_back(bench_->waited_for(m));
-        account.iterations[m] = bench_->iterations(m);
-    }
-    Phrase::write(phrase_.codes(), phrase_.size(), *bench_group_,
-                  [&](unsigned member, std::uint8_t next_ports, bool frozen) {
-                      account.froze |= frozen ? 1U << member : 0U;
-                      bench_->outlooks()[member] = {next_ports, frozen};
-                  });
-    account.entered = Phrase::entered(phrase_.codes(), phrase_.size());
-    bench_core_->resolve();
-    if (!bench_group_->driver().finished()) {
-        take_trail();  // it came to nothing
+    once_ = Slot();
+    once_.print = print;
+    if (!work_out(once_))
         return nullptr;
-    }
-    for (unsigned m = 0; m < before.times.size(); ++m) {
-        bool const entered = ((account.entered >> m) & 1U) != 0;
-        account.iterations[m] = bench_->iterations(m) - (entered ? 0 : account.iterations[m]);
-    }
-    account.cycles = bench_group_->driver().local_time() - bench_time;
-    describe(before, account);
-    account.trail = take_trail();
+    return once_.number < first_loose ? table_.add(once_) : &once_;
+}
+
+/// Performs the phrase on the bench. False if the driver cannot finish it.
+bool Automaton::work_out(Slot& slot) {
+    ++worked_out_;
+    worked_on_.clear();
+    Words const& from = session_->state == none ? session_->words : *states_[session_->state];
+    if (!bench_->work_out(from, phrase_, worked_on_))
+        return false;
     bool const recurring = bench_->reach() <= longest_reach;
-    bool const remembered =
-        recurring && session_->state != none && accounts_.size() < most_transitions && account.cycles <= longest_cycles;
-    session_->words = words_;
-    Number const next = recurring ? number_of(words_) : none;
-    Slot slot;
-    slot.print = print;
-    slot.next = next;
+    bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
+    slot.next = recurring ? number_of(bench_->words()) : none;
+    if (slot.next == none)
+        session_->words = bench_->words();
+    slot.notable = TransitionStore::is_notable(worked_on_);
     if (!remembered) {
         slot.number = first_loose + static_cast<Number>(session_->loose.size());
-        session_->loose.push_back(std::move(account));
-        once_ = slot;
-        return &once_;
+        session_->loose.push_back(worked_on_);
+        return true;
     }
-    slot.number = static_cast<Number>(accounts_.size());
-    slot.cycles = static_cast<std::uint32_t>(account.cycles);
-    slot.notable = account.froze != 0 || !account.rooms.empty();
-    accounts_.push_back(std::move(account));
-    return table_.add(slot);
-}
-
-void Automaton::describe(Before const& before, Account& account) {
-    describe_rooms(account);
-    describe_stands(before, account);
-    bench_->save(words_, true);
-    bench_->count_tokens();
-    for (std::uint32_t i = 0; i < bench_counters_.size(); ++i)
-        if (*bench_counters_[i] != before.counters[i])
-            account.growth.push_back({i, *bench_counters_[i] - before.counters[i]});
-}
-
-void Automaton::describe_stands(Before const& before, Account& account) {
-    Cycles const end = bench_group_->driver().local_time();
-    auto const since_end = [end](Cycles cycle) { return static_cast<std::int64_t>(cycle - end); };
-    for (unsigned m = 1; m < before.times.size(); ++m) {
-        bool const active = ((phrase_.active() >> m) & 1U) != 0;
-        bool const frozen = bench_->outlooks()[m].frozen;
-        if (frozen && !active)
-            continue;
-        RelativeState::Waiting const waiting = bench_->park(m);
-        bool const waits_anew = waiting.waits && waiting.port != before.ports[m];
-        if (active || waits_anew || waiting.since != before.times[m])
-            account.stands.push_back({m, since_end(waiting.since), since_end(waiting.arrival), waiting.port, active});
-    }
-}
-
-/// All a frozen writer needs to know later, which its state does not say.
-void Automaton::describe_rooms(Account& account) {
-    Cycles const end = bench_group_->driver().local_time();
-    for (unsigned f = 0; f < bench_group_->fifos().size(); ++f) {
-        Group::Inner const& inner = bench_group_->fifos()[f];
-        if (!bench_->outlooks()[inner.writer].frozen)
-            continue;
-        bool const froze = ((account.froze >> inner.writer) & 1U) != 0;
-        std::vector<Cycles> const times = bench_->room_times(f);
-        std::size_t const fresh = froze ? times.size() : std::min(times.size(), RelativeState::loaded_reads(inner));
-        Room room{f, froze, {}};
-        for (std::size_t i = times.size() - fresh; i < times.size(); ++i)
-            room.from.push_back(static_cast<std::int64_t>(times[i] - end));
-        if (froze || fresh > 0)
-            account.rooms.push_back(std::move(room));
-    }
+    slot.number = store_.add(worked_on_);
+    slot.cycles = store_.brief(slot.number).cycles;
+    slot.entered = store_.brief(slot.number).entered;
+    return true;
 }
 
 std::uint32_t Automaton::number_of(Words const& words) {

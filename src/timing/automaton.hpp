@@ -5,8 +5,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "timing/numbered_transitions.hpp"
 #include "timing/phrase.hpp"
+#include "timing/phrase_book.hpp"
 #include "timing/relative_state.hpp"
+#include "timing/transition.hpp"
+#include "timing/transition_bench.hpp"
+#include "timing/transition_store.hpp"
 #include "timing/transition_table.hpp"
 
 namespace faster::timing {
@@ -33,8 +38,14 @@ class Automaton {
     struct Session;
 
     /// Moves the driver and its followers on by as many phrases as possible. The followers must have got as far as they
-    /// can without the driver. The session is the core's own.
-    Progress follow(Group const& group, Session& session);
+    /// can without the driver. The session is the core's own. Where logs end, a script, if there is one, goes on.
+    Progress follow(Group const& group, Session& session, Script const* script = nullptr);
+    /// Moves them on by phrases of a script. Only where the script goes on: the driver's log is empty, and what is left
+    /// in the logs of followers, but for suppliers, was asked for by the driver before.
+    bool follow_script(Group const& group, Session& session, Script& script);
+    static bool is_where_script_goes_on(Group const& group);
+    /// Appends the next phrase of a script to the logs.
+    static void write_next(Group const& group, Script& script);
 
     /// Enters what the session still holds in the counters of the core's processes and FIFOs.
     void settle(Group const& group, Session& session) const;
@@ -42,13 +53,13 @@ class Automaton {
     /// From now on, tells the trails of the cores what decides their times. Before the first is followed.
     void leave_trails() { leaves_trails_ = true; }
     /// What a transition that is remembered takes, and what decides it, from its begin on.
-    Cycles cycles(std::uint32_t transition) const { return accounts_[transition].cycles; }
-    std::vector<TrailEvent> const& trail(std::uint32_t transition) const { return accounts_[transition].trail; }
+    Cycles cycles(std::uint32_t transition) const { return store_.brief(transition).cycles; }
+    std::vector<TrailEvent> const& trail(std::uint32_t transition) const { return store_.trail(transition); }
 
     /// The core cannot be followed, or repeats itself too rarely.
     bool gave_up() const { return decided_ && !usable_; }
     std::size_t states() const { return states_.size(); }
-    std::size_t transitions() const { return accounts_.size(); }
+    std::size_t transitions() const { return store_.size(); }
     std::uint64_t phrases() const { return phrases_; }
 
   private:
@@ -56,59 +67,38 @@ class Automaton {
     using Number = TransitionTable::Number;
     static constexpr Number none = TransitionTable::none;
     static constexpr Number first_loose = 1U << 31;
-    static constexpr unsigned most_members = 8;
-
-    struct Growth {
-        std::uint32_t counter;
-        std::uint64_t amount;
-    };
-    struct Stand {  ///< of a follower, at the end of a transition, relative to the driver
-        unsigned member;
-        std::int64_t since;
-        std::int64_t arrival;
-        unsigned port;  ///< waited for since then
-        bool arrived;
-    };
-    struct Room {  ///< cycles from which a frozen writer will find room, relative to the driver
-        unsigned fifo;
-        bool all;
-        std::vector<std::int64_t> from;
-    };
-    struct Account {
-        Cycles cycles = 0;
-        std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
-        std::uint32_t froze = 0;
-        std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-        std::vector<Growth> growth;
-        std::vector<Stand> stands;
-        std::vector<Room> rooms;
-        std::vector<TrailEvent> trail;
-    };
+    using Growth = Transition::Growth;
+    using Stand = Transition::Stand;
+    using Room = Transition::Room;
     using Slot = TransitionTable::Slot;
     using Print = TransitionTable::Print;
     struct WordsHash {
         std::size_t operator()(Words const& words) const;
     };
 
-    bool begin(Group const& group);
-    void end(Group const& group);
+    bool begin(Group const& group, Script const* script = nullptr);
+    bool find_outlooks(Group const& group, Script const* script, RelativeState& real);
+    void end(Group const& group, Script* script = nullptr);
     void apply(Slot const& slot);
-    void note(Account const& account);
+    void note(std::uint32_t froze, std::vector<Room> const& rooms);
     Slot const* work_out(Print const& print);
-    /// Where the members stood before a transition.
-    struct Before {
-        std::vector<std::uint64_t> counters;
-        std::vector<Cycles> times;
-        std::vector<unsigned> ports;  ///< waited for
+    bool work_out(Slot& slot);
+    struct RegularPart {
+        PhraseBook::Number const* end;
+        std::uint64_t due_behind;
     };
-    void describe(Before const& before, Account& account);
-    void describe_stands(Before const& before, Account& account);
-    void describe_rooms(Account& account);
-    Account const& account(Session const& session, Number number) const;
+    RegularPart regular_part(Group const& group, Script const& script) const;
+    bool follow_known(Group const& group, Script& script, PhraseBook::Number const* limit);
+    bool follow_new(Group const& group, Script& script);
+    bool is_frozen(unsigned member) const;
+    void charge_parking(Group const& group, RelativeState const& real);
+    Cycles cycles(Session const& session, Number number) const;
+    TransitionStore::Range<Stand> stands(Session const& session, Number number) const;
     void restore_stands(RelativeState& real);
-    std::vector<TrailEvent> take_trail();
     void extend(Trail& trail) const;
     void add_iterations(Group const& group, Session& session) const;
+    void keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before);
+    std::uint64_t iterations_since_entry(Session const& session, unsigned member) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
 
@@ -118,16 +108,15 @@ class Automaton {
     bool usable_ = false;
     bool driver_is_regular_ = false;
     bool leaves_trails_ = false;
-    std::unique_ptr<CoreTiming> bench_core_;
-    std::unique_ptr<Group> bench_group_;
-    std::unique_ptr<RelativeState> bench_;
-    std::vector<std::uint64_t*> bench_counters_;
+    std::unique_ptr<TransitionBench> bench_;
 
     std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
     std::vector<Words const*> states_;
-    std::vector<Account> accounts_;
+    TransitionStore store_;
+    Transition worked_on_;
     TransitionTable table_;
-    Slot once_;  ///< the last that was not worth remembering
+    NumberedTransitions numbered_;  ///< by number of the phrase in a book
+    Slot once_;                     ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
@@ -142,13 +131,26 @@ struct Automaton::Session {
     Cycles begin = 0;
     Cycles time = 0;
     std::uint32_t frozen = 0;
-    std::vector<Number> history;  ///< of accounts
-    std::vector<Account> loose;   ///< not worth remembering; numbers from first_loose on
-    std::vector<Stand> entry;     ///< of each follower, in absolute cycles
+    std::vector<Number> history;    ///< of transitions
+    std::vector<Transition> loose;  ///< not worth remembering; numbers from first_loose on
+    std::vector<Stand> entry;       ///< of each follower, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;
-    std::vector<std::uint64_t> iterations;  ///< of each member's loop, before the session
-    std::vector<std::uint64_t> entries;     ///< of loops by each member, when the session stopped
-    std::vector<std::uint32_t> uses;        ///< of each account, in all sessions
+    std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
+
+    /// The loop that a member is in since a session, of whose iterations states tell few: they are summed up when
+    /// somebody asks, mostly never.
+    struct OpenLoop {
+        bool is_open = false;
+        std::size_t from = 0;       ///< in kept_history
+        std::uint64_t besides = 0;  ///< iterations before the first session, and between sessions
+        std::uint64_t told = 0;     ///< by the last session's state
+        std::uint64_t entries = 0;  ///< of loops, when the last session stopped
+    };
+    std::array<OpenLoop, Transition::most_members> open_loops{};
+    std::vector<Number> kept_history;  ///< of sessions since the first open loop was entered, about
+    std::vector<std::uint32_t> uses;   ///< of each transition, in all sessions
 };
+
+inline bool Automaton::is_frozen(unsigned member) const { return ((session_->frozen >> member) & 1U) != 0; }
 
 }  // namespace faster::timing

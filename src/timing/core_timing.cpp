@@ -103,6 +103,28 @@ void CoreTiming::resolve(bool to_the_end) {
     shorten_trail();
 }
 
+void CoreTiming::resolve(Script& script) {
+    if (ends_.empty())
+        connect();
+    std::uint32_t const all = (1U << processes_.size()) - 1;
+    bool follows = automaton_->fits(*this, lead_, *group_);
+    while (!script.done()) {
+        if (follows && group_has_started(all) && follow(script, all))
+            continue;
+        // A driver with operations left waits for somebody, and will wait however many more there are.
+        follows = follows && group_->driver().finished();
+        Automaton::write_next(*group_, script);
+    }
+}
+
+bool CoreTiming::follow(Script& script, std::uint32_t all) {
+    settle(all, 1U << lead_.driver);
+    bool const moved = Automaton::is_where_script_goes_on(*group_)
+                           ? automaton_->follow_script(*group_, session_, script)
+                           : automaton_->follow(*group_, session_, &script).moved;
+    return let_driver_go() || moved;
+}
+
 void CoreTiming::leave_trail(std::size_t length) {
     if (processes_.size() > PathSums::most_processes)
         throw std::logic_error("a trail is for at most 8 processes");

@@ -35,6 +35,10 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
+    /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
+    /// then. There must be an automaton.
+    void resolve(Script& script);
+
     /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
     /// automaton.
     std::unique_ptr<CoreTiming> copy();
@@ -73,6 +77,7 @@ class CoreTiming {
     void settle(std::uint32_t runnable, std::uint32_t held);
     bool group_has_started(std::uint32_t all);
     bool let_driver_go();
+    bool follow(Script& script, std::uint32_t all);
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;

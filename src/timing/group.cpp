@@ -48,6 +48,12 @@ Group::Group(CoreTiming& core, Lead const& lead) {
             if (&driver().fifo(port) == &anchor)
                 members_[m].driver_port = static_cast<std::uint8_t>(1U << port);
     }
+    for (unsigned m = 1; m < members_.size(); ++m) {
+        if (!members_[m].writes_anchor)
+            readers_ |= 1U << m;
+        else if (supplier_ == 0)
+            supplier_ = m;
+    }
     for (unsigned ports = 0; ports < followers_at_.size(); ++ports)
         for (unsigned m = 1; m < members_.size(); ++m)
             if ((ports & members_[m].driver_port) != 0)

@@ -38,12 +38,19 @@ class Group {
     /// 1 for each follower whose anchor the driver accesses at a mask of ports.
     Lanes followers_at(std::uint8_t driver_ports) const { return followers_at_[driver_ports]; }
     ProcessTiming& driver() const { return *members_.front().process; }
+    /// The first follower that writes its anchor, and so is ahead of the driver.
+    bool has_supplier() const { return supplier_ != 0; }
+    unsigned supplier() const { return supplier_; }
+    /// All other followers, a bit each.
+    std::uint32_t readers() const { return readers_; }
     /// The inner FIFO at a port, and who is at its other end.
     unsigned fifo_at(unsigned member, unsigned port) const { return fifo_at_[member][port]; }
     unsigned other_end(unsigned member, unsigned port) const;
 
   private:
     std::vector<Member> members_;
+    unsigned supplier_ = 0;
+    std::uint32_t readers_ = 0;
     std::array<Lanes, 256> followers_at_{};
     std::vector<Inner> fifos_;
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner

@@ -29,18 +29,6 @@ std::uint64_t gaps_of(Operation const& operation) {
 }
 }  // namespace
 
-std::uint32_t Phrase::entered(Code const* codes, unsigned size) {
-    std::uint32_t members = 0;
-    unsigned member = 0;
-    for (unsigned i = 0; i < size; ++i) {
-        if (is_marker(codes[i]))
-            member = marked_member(codes[i]);
-        else if (Operation(codes[i]).kind() == Kind::enter)
-            members |= 1U << member;
-    }
-    return members;
-}
-
 Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
     size_ = 0;
     active_ = 0;
@@ -151,7 +139,9 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
         return Reading::foreign;
     if (i == pending && (due > 0 || member.writes_anchor))
         return Reading::logs_end;
-    Next const next = part > 0 ? next_in(operations[i], part) : next_of(member, i);
+    Next next = part > 0 ? next_in(operations[i], part) : next_of(member, i);
+    if (!next.known && log_ends_ != nullptr)
+        next.ports = log_ends_[m];
     codes_[marker_at] |= (Code{next.ports} << 8) | (frozen ? 1U : 0U);
     parts_[part_count_++] = {&log, i, part};
     active_ |= 1U << m;
@@ -233,6 +223,13 @@ inline bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uin
 void Phrase::put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member) {
     codes_[size_++] =
         Operation::mix(ports, length, static_cast<std::uint32_t>(gaps)).code() | (Code{16U + member} << part_at);
+}
+
+void Phrase::assign(Code const* codes, unsigned size, std::uint32_t active) {
+    std::copy(codes, codes + size, codes_.begin());
+    size_ = size;
+    active_ = active;
+    part_count_ = 0;
 }
 
 void Phrase::consume() {

@@ -22,11 +22,23 @@ class Phrase {
 
     /// Takes the phrase's operations out of the logs.
     void consume();
+    /// What each member goes on with where its log ends, if that is known: ports of its next step, or null.
+    void set_log_ends(std::uint8_t const* next_ports) { log_ends_ = next_ports; }
+
+    /// Becomes a phrase that was read before, with `active` members.
+    void assign(Code const* codes, unsigned size, std::uint32_t active);
+    /// A follower answers with `length` iterations that access `ports`, and goes on in the same manner.
+    void add_part(std::uint8_t ports, std::uint32_t length, unsigned member) {
+        put_part(ports, length, 0, member);
+        active_ |= 1U << member;
+    }
 
     Code const* codes() const { return codes_.data(); }
     unsigned size() const { return size_; }
     /// Members that did something, a bit each.
     std::uint32_t active() const { return active_; }
+    /// Accesses of each anchor by the driver.
+    Group::Lanes due() const { return due_; }
 
     /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
     /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
@@ -48,9 +60,6 @@ class Phrase {
             group.members()[member].process->log().append(Operation(codes[i]));
         }
     }
-
-    /// Members that enter a loop, a bit each.
-    static std::uint32_t entered(Code const* codes, unsigned size);
 
     /// What a process does next, when it goes on from where it is.
     struct Next {
@@ -94,7 +103,8 @@ class Phrase {
     std::array<Code, most_codes + 8> codes_{};  // with room for a mark of every member
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
-    Group::Lanes due_ = 0;  // accesses of each anchor by the driver
+    Group::Lanes due_ = 0;
+    std::uint8_t const* log_ends_ = nullptr;
     std::array<Part, 8> parts_{};
     unsigned part_count_ = 0;
 };

@@ -115,52 +115,75 @@ std::int64_t RelativeState::since(Cycles cycle, Cycles base) const {
     return distance;
 }
 
-bool RelativeState::save(Words& words, bool with_logs) const {
+bool RelativeState::save(Words& words, std::uint32_t with_logs) const {
     ProcessTiming const& driver = process(0);
     if (driver.in_loop_ && !driver.plans_[driver.current_loop_].aligned &&
         (driver.pipeline_.open || driver.pipeline_.gap_left > 0))
         return false;
-    words.clear();
+    words.resize(most_words(with_logs));
+    std::int64_t* end = words.data();
     reach_ = 0;
     for (unsigned m = 0; m < group_->members().size(); ++m)
-        save_process(m, driver.time_, with_logs && m > 0, words);
+        end = save_process(m, driver.time_, m > 0 && ((with_logs >> m) & 1U) != 0, end);
     for (unsigned f = 0; f < group_->fifos().size(); ++f)
-        save_fifo(f, driver.time_, words);
+        end = save_fifo(f, driver.time_, end);
+    words.resize(static_cast<std::size_t>(end - words.data()));
     return true;
 }
 
-void RelativeState::save_process(unsigned member, Cycles base, bool with_log, Words& words) const {
+std::size_t RelativeState::most_words(std::uint32_t with_logs) const {
+    constexpr std::size_t own = 3, of_fifo = 2;
+    std::size_t words = 0;
+    for (unsigned m = 0; m < group_->members().size(); ++m) {
+        ProcessTiming const& p = process(m);
+        words += own + (((with_logs >> m) & 1U) != 0 ? p.log_.pending() : 0);
+        words += p.in_loop_ ? p.plans_[p.current_loop_].longest_lag : 0;
+    }
+    for (Group::Inner const& inner : group_->fifos())
+        words += of_fifo + inner.fifo->room_;
+    return words;
+}
+
+void RelativeState::clear_logs(std::uint32_t members) {
+    for (unsigned m = 0; m < group_->members().size(); ++m)
+        if (((members >> m) & 1U) != 0)
+            process(m).log_.clear();
+}
+
+std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool with_log, std::int64_t* words) const {
     ProcessTiming const& p = process(member);
     Outlook const& outlook = outlooks_[member];
-    words.push_back(outlook.frozen ? 0 : since(p.time_, base));
+    *words++ = outlook.frozen ? 0 : since(p.time_, base);
     std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
     std::int64_t const begun = p.in_loop_ && p.iterations_ > 0 ? 1 : 0;
-    words.push_back(loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0));
+    *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0);
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
         std::uint64_t const iteration = p.pipeline_.iteration;
         for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
-            words.push_back(iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()]);
+            *words++ = iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()];
     }
     std::size_t const left = with_log ? p.log_.pending() : 0;
-    words.push_back(static_cast<std::int64_t>(left));
+    *words++ = static_cast<std::int64_t>(left);
     for (std::size_t i = 0; i < left; ++i)
-        words.push_back(static_cast<std::int64_t>(p.log_.begin()[i].code()));
+        *words++ = static_cast<std::int64_t>(p.log_.begin()[i].code());
+    return words;
 }
 
 /// A time before the local time of who waits for it decides nothing: it could as well be that time.
-void RelativeState::save_fifo(unsigned number, Cycles base, Words& words) const {
+std::int64_t* RelativeState::save_fifo(unsigned number, Cycles base, std::int64_t* words) const {
     Group::Inner const& inner = group_->fifos()[number];
     FifoTiming const& fifo = *inner.fifo;
     Cycles const reader = not_before(inner.reader);
     Cycles const writer = not_before(inner.writer);
-    words.push_back(static_cast<std::int64_t>(fifo.known_reads()));
-    words.push_back(static_cast<std::int64_t>(fifo.max_occupancy_));
+    *words++ = static_cast<std::int64_t>(fifo.known_reads());
+    *words++ = static_cast<std::int64_t>(fifo.max_occupancy_);
     for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
-        words.push_back(since(std::max(reader, fifo.earliest_read(i)), base));
+        *words++ = since(std::max(reader, fifo.earliest_read(i)), base);
     bool const stale = outlooks_[inner.writer].frozen;
     for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
-        words.push_back(stale ? 0 : since(std::max(writer, fifo.earliest_write(i)), base));
+        *words++ = stale ? 0 : since(std::max(writer, fifo.earliest_write(i)), base);
+    return words;
 }
 
 void RelativeState::load(Words const& words, Cycles driver_time) {

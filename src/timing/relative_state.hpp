@@ -34,8 +34,10 @@ class RelativeState {
     /// cannot come earlier.
     Waiting park(unsigned member);
 
-    /// False if the driver is in the middle of an iteration. With or without what the followers' logs hold.
-    bool save(Words& words, bool with_logs) const;
+    static constexpr std::uint32_t all_logs = ~0U;
+    /// False if the driver is in the middle of an iteration. With what the logs of the followers of a mask hold.
+    bool save(Words& words, std::uint32_t with_logs) const;
+    void clear_logs(std::uint32_t members);
     /// For a group that is only a workbench: empties its logs first.
     void load(Words const& words, Cycles driver_time);
     /// Tokens read since load().
@@ -77,8 +79,9 @@ class RelativeState {
     static Cycles earliest(ProcessTiming const& process, unsigned port);
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
-    void save_process(unsigned member, Cycles base, bool with_log, Words& words) const;
-    void save_fifo(unsigned fifo, Cycles base, Words& words) const;
+    std::size_t most_words(std::uint32_t with_logs) const;
+    std::int64_t* save_process(unsigned member, Cycles base, bool with_log, std::int64_t* words) const;
+    std::int64_t* save_fifo(unsigned fifo, Cycles base, std::int64_t* words) const;
     std::int64_t since(Cycles cycle, Cycles base) const;
 
     Group const* group_;

@@ -20,6 +20,7 @@ class TransitionTable {
         Number number = none;
         Number next = none;        ///< state after the transition
         std::uint32_t cycles = 0;  ///< that it takes
+        std::uint8_t entered = 0;  ///< members that entered a loop, a bit each
         bool notable = false;      ///< something besides time to take down
     };
 

@@ -1,0 +1,113 @@
+// How long it takes to work out a recorded run with other timing: the distribution over random configurations.
+//
+//   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fmt/format.h>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "events/event_file.hpp"
+#include "retiming/retime.hpp"
+#include "support/random_stimulus.hpp"
+
+namespace {
+
+using namespace faster;
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+enum class Spread { near, wide, wild };
+
+/// near: a third of the FIFOs with depths up to 4, a quarter of the loops with a target II up to 3, a setup of 8 to 16
+/// cycles. wide: all FIFOs, depths up to 16. wild: every timing key, as the engine tests draw them. The machine's
+/// function, cores and clock as recorded. Deadlocks are none of our business.
+AcceleratorConfig drawn_from(std::uint64_t seed, Spread spread, AcceleratorConfig const& recorded) {
+    AcceleratorConfig config = recorded;
+    if (spread == Spread::wild) {
+        testing::RandomConfigOptions options;
+        options.fifo_depth = {1, 24};
+        AcceleratorConfig const drawn = testing::random_config(seed, options);
+        config.setup_depth = drawn.setup_depth;
+        config.brams = drawn.brams;
+        config.loops = drawn.loops;
+        config.fifos = drawn.fifos;
+        return config;
+    }
+    std::mt19937 random(static_cast<unsigned>(seed));
+    auto const between = [&random](unsigned low, unsigned high) { return low + random() % (high - low + 1); };
+    for (FifoConfig& fifo : config.fifos)
+        if (between(0, 2) == 0 || spread == Spread::wide)
+            fifo.depth = between(1, spread == Spread::wide ? 16 : 4);
+    for (LoopConfig& loop : config.loops)
+        if (between(0, 3) == 0)
+            loop.ii = between(1, 3);
+    config.setup_depth = between(8, 16);
+    for (FifoId const id : {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index})
+        config.fifo(id).depth = std::max<std::uint64_t>(config.fifo(id).depth, 2);
+    return config;
+}
+
+struct Measured {
+    std::uint64_t seed = 0;
+    double milliseconds = 0;
+    bool deadlocked = false;
+};
+
+template <class Run> Measured measure(Run const& run, AcceleratorConfig const& config) {
+    double const start = processor_seconds();
+    RunStatistics const retimed = retiming::retime(run, config);
+    return {0, 1e3 * (processor_seconds() - start), retimed.deadlocked()};
+}
+
+void print_distribution(char const* name, std::vector<Measured>& all) {
+    std::sort(all.begin(), all.end(), [](auto const& a, auto const& b) { return a.milliseconds < b.milliseconds; });
+    fmt::print("{}:", name);
+    for (auto const& [point, share] :
+         {std::pair{"least", 0.0}, {"10 %", 0.1}, {"median", 0.5}, {"90 %", 0.9}, {"most", 1.0}}) {
+        Measured const& at = all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1) + 0.5)];
+        fmt::print("  {} {:.2f} ms (seed {})", point, at.milliseconds, at.seed);
+    }
+    fmt::print("\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED]\n");
+        return 2;
+    }
+    std::size_t const count = argc > 2 ? std::stoul(argv[2]) : 100;
+    std::uint64_t const seed = argc > 3 ? std::stoull(argv[3]) : 1;
+    double start = processor_seconds();
+    events::EventFile const file = events::read_event_file(argv[1]);
+    AcceleratorConfig const& recorded = file.loaded.config.accelerator;
+    fmt::print("read in {:.1f} ms\n", 1e3 * (processor_seconds() - start));
+    fmt::print("as recorded, from the file: {:.2f} ms\n", measure(file.run, recorded).milliseconds);
+    start = processor_seconds();
+    retiming::ScriptedRun const scripted(file.run);
+    fmt::print("made ready in {:.1f} ms, {} phrases that differ\n", 1e3 * (processor_seconds() - start),
+               scripted.book().size());
+    fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);
+    fmt::print("made ready, {} random configurations, seeds from {}, processor time\n", count, seed);
+    for (auto const& [name, spread] :
+         {std::pair{"near", Spread::near}, {"wide", Spread::wide}, {"wild", Spread::wild}}) {
+        std::vector<Measured> all;
+        for (std::uint64_t i = seed; all.size() < count; ++i) {
+            Measured measured = measure(scripted, drawn_from(i, spread, recorded));
+            measured.seed = i;
+            if (!measured.deadlocked)
+                all.push_back(measured);
+        }
+        if (!all.empty())
+            print_distribution(name, all);
+    }
+}

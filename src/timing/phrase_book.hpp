@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "timing/phrase.hpp"
+#include "timing/transition.hpp"
+
+namespace faster::timing {
+
+/// Numbers the phrases of a group, for many uses of each. Of its supplier, which is ahead by as much as a FIFO holds,
+/// they only say how often the driver reads from it.
+class PhraseBook {
+  public:
+    using Number = std::uint32_t;
+
+    struct Entry {
+        std::uint32_t begin;  ///< of its codes
+        std::uint32_t size;
+        std::uint32_t active;  ///< members that do something, a bit each
+        std::uint32_t due;     ///< accesses by the driver of what the supplier writes
+    };
+
+    /// Of a phrase that was read with the supplier left out.
+    Number number_of(Phrase const& phrase, Group const& group);
+    std::size_t size() const { return entries_.size(); }
+    Entry const& operator[](Number number) const { return entries_[number]; }
+    Phrase::Code const* codes(Number number) const { return codes_.data() + entries_[number].begin; }
+
+  private:
+    std::vector<Phrase::Code> codes_;
+    std::vector<Entry> entries_;
+    std::unordered_multimap<std::uint64_t, Number> by_hash_;
+};
+
+/// What a group does next: phrases, by their numbers in a book. The supplier's operations are in its log.
+struct Script {
+    PhraseBook const* book = nullptr;
+    PhraseBook::Number const* next = nullptr;
+    PhraseBook::Number const* end = nullptr;
+    std::uint64_t due = 0;  ///< of all phrases left
+    /// Ports of the step that each follower goes on with; by member.
+    std::array<std::uint8_t, Transition::most_members> next_ports{};
+
+    bool done() const { return next == end; }
+};
+
+}  // namespace faster::timing

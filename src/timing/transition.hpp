@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/cycles.hpp"
+#include "timing/trail.hpp"
+
+namespace faster::timing {
+
+/// What a phrase of a group's driver does, from a relative state of the group on. Times are relative to the driver's
+/// local time at the end.
+struct Transition {
+    static constexpr unsigned most_members = 7;
+
+    struct Growth {
+        std::uint32_t counter;  ///< number in RelativeState::counters()
+        std::uint64_t amount;
+    };
+    struct Stand {  ///< of a follower, at the end
+        unsigned member;
+        std::int64_t since;
+        std::int64_t arrival;
+        unsigned port;  ///< waited for since then
+        bool arrived;
+    };
+    struct Room {  ///< cycles from which a frozen writer will find room
+        unsigned fifo;
+        bool all;
+        std::vector<std::int64_t> from;
+    };
+
+    Cycles cycles = 0;
+    std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
+    std::uint32_t froze = 0;
+    std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
+    std::vector<Growth> growth;
+    std::vector<Stand> stands;
+    std::vector<Room> rooms;
+    std::vector<TrailEvent> trail;
+
+    /// Becomes empty, and keeps its storage.
+    void clear() {
+        cycles = 0;
+        entered = froze = 0;
+        iterations.fill(0);
+        growth.clear();
+        stands.clear();
+        rooms.clear();
+        trail.clear();
+    }
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,130 @@
+#include "timing/transition_bench.hpp"
+
+#include <algorithm>
+
+#include "timing/core_timing.hpp"
+
+namespace faster::timing {
+
+namespace {
+std::unique_ptr<CoreTiming> bench_core(CoreTiming const& core, bool leaves_trails) {
+    std::unique_ptr<CoreTiming> bench = core.blank_copy();
+    if (leaves_trails)
+        bench->leave_trail(Trail::any_length);
+    return bench;
+}
+}  // namespace
+
+TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails)
+    : core_(bench_core(core, leaves_trails)),
+      group_(*core_, lead),
+      state_(group_),
+      counters_(state_.counters()),
+      leaves_trails_(leaves_trails) {}
+
+TransitionBench::~TransitionBench() = default;
+
+void TransitionBench::note_before() {
+    counters_before_.resize(counters_.size());
+    std::transform(counters_.begin(), counters_.end(), counters_before_.begin(),
+                   [](std::uint64_t const* value) { return *value; });
+}
+
+void TransitionBench::describe_growth(std::vector<Transition::Growth>& growth) const {
+    for (std::uint32_t i = 0; i < counters_.size(); ++i)
+        if (*counters_[i] != counters_before_[i])
+            growth.push_back({i, *counters_[i] - counters_before_[i]});
+}
+
+std::vector<RelativeState::Waiting> TransitionBench::park(Words const& from) {
+    state_.load(from, time);
+    note_before();
+    std::vector<RelativeState::Waiting> waitings;
+    for (unsigned m = 1; m < group_.members().size(); ++m)
+        waitings.push_back(state_.park(m));
+    parking_growth_.clear();
+    describe_growth(parking_growth_);
+    state_.save(words_, RelativeState::all_logs);
+    return waitings;
+}
+
+/// What has been left since the last call.
+std::vector<TrailEvent> TransitionBench::take_trail() {
+    return leaves_trails_ ? core_->take_trail(time) : std::vector<TrailEvent>();
+}
+
+bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transition& transition) {
+    state_.load(from, time);
+    note_before();
+    std::size_t const members = group_.members().size();
+    times_before_.clear();
+    entries_before_.clear();
+    ports_before_.clear();
+    for (unsigned m = 0; m < members; ++m) {
+        times_before_.push_back(group_.members()[m].process->local_time());
+        entries_before_.push_back(state_.entries(m));
+        ports_before_.push_back(state_.waited_for(m));
+        transition.iterations[m] = state_.iterations(m);
+    }
+    Phrase::write(phrase.codes(), phrase.size(), group_, [&](unsigned member, std::uint8_t next_ports, bool frozen) {
+        transition.froze |= frozen ? 1U << member : 0U;
+        state_.outlooks()[member] = {next_ports, frozen};
+    });
+    core_->resolve();
+    if (!group_.driver().finished()) {
+        take_trail();  // it came to nothing
+        return false;
+    }
+    for (unsigned m = 0; m < members; ++m) {
+        bool const entered = state_.entries(m) != entries_before_[m];
+        transition.entered |= entered ? 1U << m : 0U;
+        transition.iterations[m] = state_.iterations(m) - (entered ? 0 : transition.iterations[m]);
+    }
+    transition.cycles = group_.driver().local_time() - time;
+    describe(phrase, transition);
+    transition.trail = take_trail();
+    return true;
+}
+
+void TransitionBench::describe(Phrase const& phrase, Transition& transition) {
+    describe_rooms(transition);
+    describe_stands(phrase, transition);
+    state_.save(words_, RelativeState::all_logs);
+    state_.count_tokens();
+    describe_growth(transition.growth);
+}
+
+void TransitionBench::describe_stands(Phrase const& phrase, Transition& transition) {
+    Cycles const end = group_.driver().local_time();
+    auto const since_end = [end](Cycles cycle) { return static_cast<std::int64_t>(cycle - end); };
+    for (unsigned m = 1; m < times_before_.size(); ++m) {
+        bool const active = ((phrase.active() >> m) & 1U) != 0;
+        if (state_.outlooks()[m].frozen && !active)
+            continue;
+        RelativeState::Waiting const waiting = state_.park(m);
+        bool const waits_anew = waiting.waits && waiting.port != ports_before_[m];
+        if (active || waits_anew || waiting.since != times_before_[m])
+            transition.stands.push_back(
+                {m, since_end(waiting.since), since_end(waiting.arrival), waiting.port, active});
+    }
+}
+
+/// All a frozen writer needs to know later, which its state does not say.
+void TransitionBench::describe_rooms(Transition& transition) {
+    Cycles const end = group_.driver().local_time();
+    for (unsigned f = 0; f < group_.fifos().size(); ++f) {
+        Group::Inner const& inner = group_.fifos()[f];
+        if (!state_.outlooks()[inner.writer].frozen)
+            continue;
+        bool const froze = ((transition.froze >> inner.writer) & 1U) != 0;
+        std::vector<Cycles> const times = state_.room_times(f);
+        std::size_t const fresh = froze ? times.size() : std::min(times.size(), RelativeState::loaded_reads(inner));
+        Transition::Room room{f, froze, {}};
+        for (std::size_t i = times.size() - fresh; i < times.size(); ++i)
+            room.from.push_back(static_cast<std::int64_t>(times[i] - end));
+        if (froze || fresh > 0)
+            transition.rooms.push_back(std::move(room));
+    }
+}
+
+}  // namespace faster::timing

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "timing/phrase.hpp"
+#include "timing/relative_state.hpp"
+#include "timing/transition.hpp"
+
+namespace faster::timing {
+
+class CoreTiming;
+
+/// Works out transitions, operation by operation, on a core of its own.
+class TransitionBench {
+  public:
+    using Words = RelativeState::Words;
+
+    /// For cores of that shape, which leave trails or do not.
+    TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails);
+    ~TransitionBench();
+
+    /// Charges the followers that wait for the driver (RelativeState::park), from a state on. By follower.
+    std::vector<RelativeState::Waiting> park(Words const& from);
+    /// What park() made counters grow by, and left on the trail.
+    std::vector<Transition::Growth> const& parking_growth() const { return parking_growth_; }
+    std::vector<TrailEvent> take_trail();
+
+    /// Performs a phrase. False if the driver cannot finish it.
+    bool work_out(Words const& from, Phrase const& phrase, Transition& transition);
+
+    /// The state that the last call led to, and the largest distance in time in it.
+    Words const& words() const { return words_; }
+    std::int64_t reach() const { return state_.reach(); }
+    static constexpr Cycles time = Cycles{1} << 40;  ///< of the driver, at the beginning: times before stay positive
+
+  private:
+    void note_before();
+    void describe(Phrase const& phrase, Transition& transition);
+    void describe_stands(Phrase const& phrase, Transition& transition);
+    void describe_rooms(Transition& transition);
+    void describe_growth(std::vector<Transition::Growth>& growth) const;
+
+    std::unique_ptr<CoreTiming> core_;
+    Group group_;
+    RelativeState state_;
+    std::vector<std::uint64_t*> counters_;
+    bool leaves_trails_;
+    std::vector<Transition::Growth> parking_growth_;
+    Words words_;
+    // Where the members stood before a transition.
+    std::vector<std::uint64_t> counters_before_;
+    std::vector<Cycles> times_before_;
+    std::vector<std::uint64_t> entries_before_;  ///< of loops
+    std::vector<unsigned> ports_before_;         ///< waited for
+};
+
+}  // namespace faster::timing

@@ -115,7 +115,7 @@ TEST_CASE("A sweep on a full disk says so, and goes on when there is room", "[sw
 TEST_CASE("Two sweeps in one folder are refused", "[sweeps]") {
     SweepWorkspace const workspace;
     pid_t const process = start_sweep(workspace, "out", [] {});
-    while (!workspace.has("out/journal"))
+    for (int i = 0; i < 20'000 && !workspace.has("out/journal"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(process, SIGSTOP);
     CommandResult const second = workspace.sweep("out");

@@ -2,7 +2,7 @@
 //
 //   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED]
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ void print_distribution(char const* name, std::vector<Measured>& all) {
     fmt::print("{}:", name);
     for (auto const& [point, share] :
          {std::pair{"least", 0.0}, {"10 %", 0.1}, {"median", 0.5}, {"90 %", 0.9}, {"most", 1.0}}) {
-        Measured const& at = all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1) + 0.5)];
+        Measured const& at = all[static_cast<std::size_t>(std::lround(share * static_cast<double>(all.size() - 1)))];
         fmt::print("  {} {:.2f} ms (seed {})", point, at.milliseconds, at.seed);
     }
     fmt::print("\n");

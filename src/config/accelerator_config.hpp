@@ -6,6 +6,7 @@
 #include "common/edge_map_config.hpp"
 #include "common/fixed_point.hpp"
 #include "common/inlier_unit_config.hpp"
+#include "common/rasterizer_config.hpp"
 #include "config/machine.hpp"
 
 namespace faster {
@@ -40,6 +41,7 @@ struct AcceleratorConfig {
     double clock_mhz = 200.0;
     FractionBits fraction_bits;
     EdgeMapConfig edge_map;
+    RasterizerConfig rasterizer;
     InlierUnitConfig inlier_unit;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();

@@ -59,6 +59,20 @@ void check_fraction_bits(LoadedConfig const& loaded, std::vector<std::string>& c
     }
 }
 
+/// Its edge tokens lie around the triangle, where only the zigzag looks.
+void check_scan(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr char const* scan_key = "accelerator.rasterizer.scan";
+    constexpr char const* algorithm_key = "accelerator.edge_map.algorithm";
+    AcceleratorConfig const& accelerator = loaded.config.accelerator;
+    if (accelerator.edge_map.algorithm != EdgeMapAlgorithm::threshold ||
+        accelerator.rasterizer.scan == ScanPolicy::zigzag) {
+        return;
+    }
+    complaints.push_back(complaint(loaded, scan_key,
+                                   fmt::format("zigzag because of {}, whose edge tokens lie outside the triangles too",
+                                               with_value(loaded, algorithm_key))));
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -82,6 +96,7 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
         check_write_latency(loaded, FifoId{index}, complaints);
     }
     check_fraction_bits(loaded, complaints);
+    check_scan(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     return complaints;
 }

@@ -19,6 +19,8 @@ std::string why_not(std::string const& key) {
         return "is part of the workload, which was recorded";
     if (starts_with(key, "simulation."))
         return "decides how a run is simulated, and nothing is";
+    if (starts_with(key, "accelerator.rasterizer.") || starts_with(key, "accelerator.inlier_unit."))
+        return "decides which operations there are, not when";
     return "decides what is computed, not when";
 }
 

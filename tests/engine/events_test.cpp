@@ -48,6 +48,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
+    config.rasterizer = recorded.rasterizer;
     return config;
 }
 
@@ -68,6 +69,10 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     config.edge_map.clearing = number % 3 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.clearing = number % 4 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.neighbour_access = number % 4 < 2 ? NeighbourAccess::window : NeighbourAccess::direct;
+    config.inlier_unit.fragment_loop = number % 3 == 1 ? FragmentLoop::flattened : FragmentLoop::per_triangle;
+    config.rasterizer.setup_overlap = number % 5 < 2 ? 0 : number % 5 - 1;
+    if (config.edge_map.algorithm != EdgeMapAlgorithm::threshold)
+        config.rasterizer.scan = static_cast<ScanPolicy>((number / 2) % 3);
     return config;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -123,7 +124,7 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
 
 /// Traces of `stimuli` seeds, `options.samples` each, under random machines; every tenth in lockstep as well.
 void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulusOptions options,
-                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map) {
+                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map, bool any_scan = false) {
     for (std::uint64_t seed = first_seed; seed < first_seed + stimuli; ++seed) {
         CAPTURE(seed);
         options.random_fraction_bits = seed % 2 == 1;
@@ -131,6 +132,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         RandomConfigOptions machine;
         machine.cores = {1, 3};
         machine.algorithm = algorithm;
+        machine.any_scan = any_scan;
         machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map;
         AcceleratorConfig const config = random_config(seed, machine);
         check_model(config, stimulus, Engine::decoupled);
@@ -208,6 +210,36 @@ TEST_CASE("Model and reference agree with every edge map algorithm", "[golden][e
         options.triangles = {0, 60};
         check_traces(seed + 50, 2, options, algorithm);
         seed += 100;
+    }
+}
+
+TEST_CASE("Model and reference agree however triangles are prepared and scanned", "[golden][scan]") {
+    std::uint64_t seed = 41000;
+    for (std::size_t i = 0; i < 6; ++i) {
+        auto const algorithm = static_cast<EdgeMapAlgorithm>(i);
+        for (std::optional<TriangleKind> const kind :
+             {std::optional<TriangleKind>(), std::optional(TriangleKind::Sliver), std::optional(TriangleKind::Huge),
+              std::optional(TriangleKind::WholePixels)}) {
+            CAPTURE(i, kind.has_value());
+            RandomStimulusOptions options;
+            options.samples = {8, 8};
+            options.kind = kind;
+            check_traces(seed, 10, options, algorithm, true);
+            seed += 10;
+        }
+    }
+}
+
+TEST_CASE("Model and reference agree on built-in classes with every scan", "[golden][scan]") {
+    for (char const* const name : {"cracker_box", "banana", "scissors"}) {
+        Stimulus const stimulus = posed_stimulus(models::make(name), 10, 600);
+        for (ScanPolicy const scan : {ScanPolicy::zigzag, ScanPolicy::early_exit, ScanPolicy::spans}) {
+            CAPTURE(name, static_cast<int>(scan));
+            AcceleratorConfig config = machine_of_seed(1);
+            config.rasterizer = {scan, 5};
+            config.inlier_unit.fragment_loop = FragmentLoop::flattened;
+            CHECK(check_model(config, stimulus, Engine::decoupled) > 10 * 100);
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/edge_map_config.hpp"
+#include "common/rasterizer_config.hpp"
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
 
@@ -25,6 +26,7 @@ struct TwinEdgeToken {
 struct TwinScanIteration {
     bool sends_fragment = false;
     bool sends_edge_token = false;
+    int row = -1;  ///< of a visit; a flush belongs to none
 };
 
 struct TwinTriangle {
@@ -43,6 +45,7 @@ struct TwinSampleFunction {
     SampleCounters counters;
 };
 
-TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map);
+TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, EdgeMapConfig const& edge_map,
+                                   ScanPolicy scan = ScanPolicy::zigzag);
 
 }  // namespace faster::testing

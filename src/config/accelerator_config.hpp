@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "common/cycles.hpp"
 #include "common/edge_map_config.hpp"
@@ -36,6 +37,7 @@ struct BramConfig {
 
 /// The machine: keys `accelerator.*`. Defaults are the thesis's final design as SPEC section 3 times it.
 struct AcceleratorConfig {
+    std::string architecture = "faster";  ///< name of the preset that the other keys start from
     std::uint64_t raster_cores = 10;
     int window = 200;  ///< side of the square window [px]
     double clock_mhz = 200.0;

@@ -4,6 +4,7 @@
 #include "config/key_builders.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
+#include "config/presets.hpp"
 
 namespace faster {
 namespace {
@@ -216,7 +217,18 @@ void add_clock_key(Keys& keys) {
         [](auto& config) -> auto& { return config.accelerator.clock_mhz; }));
 }
 
+void add_architecture_key(Keys& keys) {
+    Key key = make_key(
+        {"accelerator.architecture", "",
+         "A design to start from: a file of configs/architectures, whose values the other keys here change.",
+         "thesis 5, 7.2; others: this project"},
+        KeyKind::choice, [](auto& config) -> auto& { return config.accelerator.architecture; });
+    key.choices = preset_names();
+    keys.push_back(std::move(key));
+}
+
 void add_machine_keys(Keys& keys) {
+    add_architecture_key(keys);
     add_cores_key(keys);
     keys.push_back(integer_key(
         {"accelerator.window", "px", "Side of the square window around a sample's centre, the thesis's bounding box.",

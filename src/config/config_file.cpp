@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 
 #include "common/input_error.hpp"
 #include "config/config_sources.hpp"
 #include "config/keys.hpp"
 #include "config/plain_text.hpp"
+#include "config/presets.hpp"
 #include "config/value_reader.hpp"
 #include "config/yaml_document.hpp"
 
@@ -12,8 +15,8 @@ namespace {
 
 class FileReader {
   public:
-    FileReader(std::filesystem::path const& path, LoadedConfig& loaded)
-        : file_(path.string()), folder_(path.parent_path()), loaded_(loaded) {}
+    FileReader(std::filesystem::path const& path, KeySource source, LoadedConfig& loaded)
+        : file_(path.string()), folder_(path.parent_path()), source_(source), loaded_(loaded) {}
 
     std::vector<std::string> read(YAML::Node const& root) {
         if (!root.IsNull() && !root.IsMap()) {
@@ -57,12 +60,13 @@ class FileReader {
     void read_key(MapEntry const& entry, Key const& key) {
         if (auto const value = read_value(key, entry.value, entry.line, folder_, faults_)) {
             key.write(loaded_.config, *value);
-            loaded_.origins.record(key.name(), {KeySource::file, fmt::format("{}:{}", file_, entry.line)});
+            loaded_.origins.record(key.name(), {source_, fmt::format("{}:{}", file_, entry.line)});
         }
     }
 
     std::string file_;
     std::filesystem::path folder_;
+    KeySource source_;
     LoadedConfig& loaded_;
     KeyFaults faults_;
 };
@@ -70,7 +74,15 @@ class FileReader {
 }  // namespace
 
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded) {
-    return FileReader(path, loaded).read(load_document(path));
+    return FileReader(path, KeySource::file, loaded).read(load_document(path));
+}
+
+std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded) {
+    auto const has_name = [&name](Preset const& preset) { return preset.name == name; };
+    auto const preset = std::find_if(presets().begin(), presets().end(), has_name);
+    if (preset == presets().end())
+        throw std::out_of_range("no preset " + name);
+    return FileReader(place_of_preset(name), KeySource::preset, loaded).read(parse_document(preset->text));
 }
 
 }  // namespace faster

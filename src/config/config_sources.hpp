@@ -9,6 +9,9 @@ namespace faster {
 
 /// The steps of load_config. Each returns its complaints, ready to print, and applies what is sound.
 
+/// `name`: one of presets().
+std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded);
+
 /// Throws InputError if there is no YAML document to read from.
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded);
 

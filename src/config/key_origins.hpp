@@ -6,11 +6,11 @@
 namespace faster {
 
 /// What gave a key its value, the strongest last.
-enum class KeySource { default_value, file, command_line, trace };
+enum class KeySource { default_value, preset, file, command_line, trace };
 
 struct KeyOrigin {
     KeySource source = KeySource::default_value;
-    std::string place;  ///< "FILE:LINE", "--set KEY=VALUE" or "trace"; empty for a default
+    std::string place;  ///< "FILE:LINE" (of a preset as well), "--set KEY=VALUE" or "trace"; empty for a default
 };
 
 /// Where every key that does not just have its default was set.

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/stimulus.hpp"
+#include "quality/sample_judge.hpp"
 #include "reference/scorer.hpp"
-#include "reference/vertex_transform.hpp"
 #include "workload/random.hpp"
 
 namespace faster::quality {
@@ -50,10 +50,6 @@ Stimulus stimulus_of(Mesh const& mesh, std::vector<Pose> const& poses) {
     return stimulus;
 }
 
-ContourSide side_of(EdgeMapAlgorithm algorithm) {
-    return algorithm == EdgeMapAlgorithm::inner_border ? ContourSide::inside : ContourSide::outside;
-}
-
 void look_at(std::size_t pose, Image<std::uint8_t> const& edge_map, Image<std::uint8_t> const& silhouette,
              PoseSurvey& row) {
     ContourSide const side = side_of(row.algorithm);
@@ -68,16 +64,6 @@ void look_at(std::size_t pose, Image<std::uint8_t> const& edge_map, Image<std::u
 }
 
 }  // namespace
-
-void PoseSurvey::add(ContourQuality const& quality) {
-    poses += 1;
-    precision += quality.precision;
-    recall += quality.recall;
-    thickness += quality.thickness;
-    closed += quality.is_closed ? 1 : 0;
-    thin += quality.is_thin ? 1 : 0;
-    closed_and_thin += quality.is_closed && quality.is_thin ? 1 : 0;
-}
 
 std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_t seed) {
     workload::Random random(seed);
@@ -96,10 +82,10 @@ std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_
 std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
                                std::vector<EdgeMapAlgorithm> const& algorithms) {
     Stimulus const stimulus = stimulus_of(mesh, poses);
-    reference::VertexTransform transform(mesh, stimulus.posed.camera, stimulus.fraction);
+    SampleJudge judge(stimulus, ContourSide::outside);
     std::vector<Image<std::uint8_t>> silhouettes;
     for (std::size_t i = 0; i < poses.size(); ++i)
-        silhouettes.push_back(silhouette(transform(poses[i]), stimulus, stimulus.samples[i]));
+        silhouettes.push_back(judge.silhouette_of(i));
     std::vector<PoseSurvey> rows;
     for (EdgeMapAlgorithm const algorithm : algorithms) {
         EdgeMapConfig config;

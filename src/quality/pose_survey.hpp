@@ -8,6 +8,7 @@
 #include "common/image.hpp"
 #include "common/mesh.hpp"
 #include "quality/contour_quality.hpp"
+#include "quality/quality_sums.hpp"
 
 namespace faster::quality {
 
@@ -21,20 +22,11 @@ struct Specimen {
 };
 
 /// What one algorithm did with many poses of one object: sums of their qualities, and two poses by F1.
-struct PoseSurvey {
+struct PoseSurvey : QualitySums {
     EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
     std::string object;
-    std::size_t poses = 0;
-    double precision = 0;  ///< sums, as all below
-    double recall = 0;
-    double thickness = 0;
-    std::size_t closed = 0;
-    std::size_t thin = 0;
-    std::size_t closed_and_thin = 0;
     Specimen best;
     Specimen worst;
-
-    void add(ContourQuality const& quality);
 };
 
 /// `count` poses of an object, turned at random (equally likely in all directions) and near the image's centre, as far

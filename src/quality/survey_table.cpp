@@ -9,19 +9,6 @@ namespace faster::quality {
 
 namespace {
 
-double mean(double sum, PoseSurvey const& row) { return row.poses > 0 ? sum / static_cast<double>(row.poses) : 0; }
-double share(std::size_t count, PoseSurvey const& row) { return mean(static_cast<double>(count), row); }
-
-void add(PoseSurvey const& row, PoseSurvey& total) {
-    total.poses += row.poses;
-    total.precision += row.precision;
-    total.recall += row.recall;
-    total.thickness += row.thickness;
-    total.closed += row.closed;
-    total.thin += row.thin;
-    total.closed_and_thin += row.closed_and_thin;
-}
-
 /// One per algorithm, in the order of their first rows.
 std::vector<PoseSurvey> totals_of(std::vector<PoseSurvey> const& rows) {
     std::vector<PoseSurvey> totals;
@@ -33,7 +20,7 @@ std::vector<PoseSurvey> totals_of(std::vector<PoseSurvey> const& rows) {
             total = totals.end() - 1;
             total->algorithm = row.algorithm;
         }
-        add(row, *total);
+        total->include(row);
     }
     return totals;
 }
@@ -46,8 +33,8 @@ std::string survey_csv(std::vector<PoseSurvey> const& rows) {
     std::string text = "algorithm,object,poses,precision,recall,thickness,closed,thin,closed_and_thin\n";
     for (PoseSurvey const& row : rows)
         text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", name_of(row.algorithm), row.object,
-                            row.poses, mean(row.precision, row), mean(row.recall, row), mean(row.thickness, row),
-                            share(row.closed, row), share(row.thin, row), share(row.closed_and_thin, row));
+                            row.poses, row.mean(row.precision), row.mean(row.recall), row.mean(row.thickness),
+                            row.share(row.closed), row.share(row.thin), row.share(row.closed_and_thin));
     return text;
 }
 
@@ -57,9 +44,9 @@ std::string survey_markdown(std::vector<PoseSurvey> const& rows) {
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (PoseSurvey const& row : totals_of(rows))
         text += fmt::format("| {} | {} | {:.1f} % | {:.1f} % | {:.2f} | {:.1f} % | {:.1f} % | {:.1f} % |\n",
-                            name_of(row.algorithm), row.poses, 100 * mean(row.precision, row),
-                            100 * mean(row.recall, row), mean(row.thickness, row), 100 * share(row.closed, row),
-                            100 * share(row.thin, row), 100 * share(row.closed_and_thin, row));
+                            name_of(row.algorithm), row.poses, 100 * row.mean(row.precision),
+                            100 * row.mean(row.recall), row.mean(row.thickness), 100 * row.share(row.closed),
+                            100 * row.share(row.thin), 100 * row.share(row.closed_and_thin));
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "report/architecture_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -42,6 +43,26 @@ double relative_time(Rows::const_iterator first, Rows::const_iterator begin, Row
     return count == 0 ? 0 : std::exp(logarithms / count);
 }
 
+bool has_quality(Rows const& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](ArchitectureRow const& row) { return row.judged_samples > 0; });
+}
+
+/// Cells with the quality of the edge maps of an architecture, every sample counting once.
+std::string quality_cells(Rows::const_iterator begin, Rows::const_iterator end) {
+    std::size_t samples = 0;
+    std::array<double, 4> sums{};
+    for (auto row = begin; row != end; ++row) {
+        std::array<double, 4> const means{row->precision, row->recall, row->closed, row->thin};
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += means[i] * static_cast<double>(row->judged_samples);
+        samples += row->judged_samples;
+    }
+    std::string cells;
+    for (double const sum : sums)
+        cells += samples > 0 ? fmt::format(" {:.1f} % |", 100 * sum / static_cast<double>(samples)) : " - |";
+    return cells;
+}
+
 std::string line_of(Rows const& rows, Rows::const_iterator begin, Rows::const_iterator end) {
     std::string line = fmt::format("| {} |", begin->architecture);
     for (auto row = begin; row != end; ++row)
@@ -51,7 +72,8 @@ std::string line_of(Rows const& rows, Rows::const_iterator begin, Rows::const_it
     Cycles conflicts = 0;
     for (auto row = begin; row != end; ++row)
         conflicts += row->port_conflict_cycles;
-    return line + fmt::format(" {} | {:g} |\n", conflicts, begin->ramb36);
+    line += fmt::format(" {} | {:g} |", conflicts, begin->ramb36);
+    return line + (has_quality(rows) ? quality_cells(begin, end) : "") + "\n";
 }
 
 }  // namespace
@@ -82,7 +104,10 @@ std::string architecture_markdown(Rows const& rows) {
         header += fmt::format(" {} |", row->workload);
         rule += " --- |";
     }
-    std::string text = header + " time, first = 1 | port conflict cycles | RAMB36 |\n" + rule + " --- | --- | --- |\n";
+    bool const judged = has_quality(rows);
+    std::string text = header + " time, first = 1 | port conflict cycles | RAMB36 |" +
+                       (judged ? " precision | recall | closed | thin |\n" : "\n") + rule + " --- | --- | --- |" +
+                       (judged ? " --- | --- | --- | --- |\n" : "\n");
     for (auto begin = rows.begin(); begin != rows.end();) {
         auto const end = end_of_architecture(rows, begin);
         text += line_of(rows, begin, end);
@@ -94,7 +119,7 @@ std::string architecture_markdown(Rows const& rows) {
 std::string architecture_csv(Rows const& rows) {
     std::string text =
         "architecture,workload,outcome,total_cycles,milliseconds,empty_stall_cycles,full_stall_cycles,"
-        "port_conflict_cycles,ramb36\n";
+        "port_conflict_cycles,ramb36,judged_samples,precision,recall,closed,thin\n";
     for (ArchitectureRow const& row : rows) {
         fmt::format_to(std::back_inserter(text), "{},{},{},", row.architecture, row.workload,
                        row.deadlocked ? "deadlock" : "finished");
@@ -103,7 +128,12 @@ std::string architecture_csv(Rows const& rows) {
         else
             fmt::format_to(std::back_inserter(text), "{},{:.6f},{},{},{}", row.total_cycles, row.milliseconds,
                            row.empty_stall_cycles, row.full_stall_cycles, row.port_conflict_cycles);
-        fmt::format_to(std::back_inserter(text), ",{:g}\n", row.ramb36);
+        fmt::format_to(std::back_inserter(text), ",{:g},{},", row.ramb36, row.judged_samples);
+        if (row.judged_samples == 0)
+            text += ",,,\n";
+        else
+            fmt::format_to(std::back_inserter(text), "{:.4f},{:.4f},{:.4f},{:.4f}\n", row.precision, row.recall,
+                           row.closed, row.thin);
     }
     return text;
 }
@@ -115,7 +145,12 @@ std::string to_text(ArchitectureRow const& row) {
                 {"empty_stall_cycles", row.empty_stall_cycles},
                 {"full_stall_cycles", row.full_stall_cycles},
                 {"port_conflict_cycles", row.port_conflict_cycles},
-                {"ramb36", row.ramb36}}
+                {"ramb36", row.ramb36},
+                {"judged_samples", row.judged_samples},
+                {"precision", row.precision},
+                {"recall", row.recall},
+                {"closed", row.closed},
+                {"thin", row.thin}}
         .dump();
 }
 
@@ -129,6 +164,11 @@ ArchitectureRow row_from_text(std::string const& text) {
     json.at("full_stall_cycles").get_to(row.full_stall_cycles);
     json.at("port_conflict_cycles").get_to(row.port_conflict_cycles);
     json.at("ramb36").get_to(row.ramb36);
+    json.at("judged_samples").get_to(row.judged_samples);
+    json.at("precision").get_to(row.precision);
+    json.at("recall").get_to(row.recall);
+    json.at("closed").get_to(row.closed);
+    json.at("thin").get_to(row.thin);
     return row;
 }
 

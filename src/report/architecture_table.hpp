@@ -18,14 +18,21 @@ struct ArchitectureRow {
     Cycles full_stall_cycles = 0;
     Cycles port_conflict_cycles = 0;
     double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores
+    /// The edge maps that were judged (docs/validation.md); the rest is means and shares over them.
+    std::size_t judged_samples = 0;
+    double precision = 0;
+    double recall = 0;
+    double closed = 0;
+    double thin = 0;
 };
 
 /// The figures of a run; names are left to the caller.
 ArchitectureRow architecture_row(AcceleratorConfig const& config, RunStatistics const& run);
 
 /// For people, as Markdown: a row per architecture with the milliseconds of every workload, the time against the first
-/// architecture's (geometric mean over the workloads that both finish), port conflicts in per cent of the lane-cycles,
-/// block RAMs. The rows of an architecture stand together, and have the same workloads in the same order.
+/// architecture's (geometric mean over the workloads that both finish), port conflicts, block RAMs, and, where edge
+/// maps were judged, their quality over all workloads. The rows of an architecture stand together, and have the same
+/// workloads in the same order.
 std::string architecture_markdown(std::vector<ArchitectureRow> const& rows);
 
 /// architectures.csv (docs/formats.md): a row per architecture and workload.

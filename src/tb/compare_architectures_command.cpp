@@ -6,12 +6,15 @@
 #include <memory>
 
 #include "common/input_error.hpp"
+#include "common/nearest_name.hpp"
 #include "config/keys.hpp"
 #include "config/load_config.hpp"
+#include "config/presets.hpp"
 #include "io/output_file.hpp"
 #include "processes/process_pool.hpp"
 #include "report/architecture_table.hpp"
 #include "simulation/simulate.hpp"
+#include "tb/edge_map_judge.hpp"
 #include "tb/progress_line.hpp"
 #include "tb/run_command.hpp"
 #include "tb/workload_source.hpp"
@@ -21,6 +24,8 @@ namespace faster {
 namespace {
 
 constexpr double time_limit_s = 3600;
+constexpr char row_mark = 'r';
+constexpr char error_mark = 'e';
 
 /// One simulation to do.
 struct Point {
@@ -31,9 +36,24 @@ struct Point {
 
 std::string name_of(std::string const& file) { return std::filesystem::path(file).stem().string(); }
 
-/// What an architecture's file sets, as settings for the command line. Checked like any configuration.
-std::vector<std::string> settings_of(std::string const& file) {
-    LoadedConfig const loaded = load_config(file);
+bool is_preset(std::string const& name) {
+    return std::any_of(presets().begin(), presets().end(),
+                       [&name](Preset const& preset) { return preset.name == name; });
+}
+
+/// Checked like any configuration.
+LoadedConfig load_architecture(std::string const& name_or_file) {
+    if (is_preset(name_or_file))
+        return load_preset(name_or_file);
+    if (!std::filesystem::exists(name_or_file))
+        throw InputError(fmt::format("{}: no such file, and no architecture{}", name_or_file,
+                                     did_you_mean(name_or_file, preset_names())));
+    return load_config(name_or_file);
+}
+
+/// What an architecture sets, as settings for the command line.
+std::vector<std::string> settings_of(std::string const& architecture) {
+    LoadedConfig const loaded = load_architecture(architecture);
     std::vector<std::string> settings;
     for (Key const& key : all_keys()) {
         if (!loaded.origins.is_explicit(key.name()))
@@ -50,7 +70,7 @@ std::vector<std::string> settings_of(std::string const& file) {
 
 std::vector<Point> points_of(CompareArchitecturesRequest const& request) {
     std::vector<Point> points;
-    for (std::string const& architecture : request.architectures) {
+    for (std::string const& architecture : request.architectures.empty() ? preset_names() : request.architectures) {
         std::vector<std::string> settings = settings_of(architecture);
         settings.insert(settings.end(), request.overrides.begin(), request.overrides.end());
         for (std::string const& workload : request.workloads)
@@ -59,26 +79,54 @@ std::vector<Point> points_of(CompareArchitecturesRequest const& request) {
     return points;
 }
 
-std::string simulate_point(Point const& point) {
+void set_quality(quality::QualitySums const& sums, report::ArchitectureRow& row) {
+    row.judged_samples = sums.poses;
+    row.precision = sums.mean(sums.precision);
+    row.recall = sums.mean(sums.recall);
+    row.closed = sums.share(sums.closed);
+    row.thin = sums.share(sums.thin);
+}
+
+report::ArchitectureRow measured(Point const& point, std::size_t judged_samples) {
     LoadedConfig loaded = point.loaded;
     Stimulus const stimulus = load_stimulus(loaded);
     AcceleratorConfig const& config = loaded.config.accelerator;
-    return to_text(report::architecture_row(config, simulate(config, stimulus, loaded.config.simulation.engine)));
+    EdgeMapJudge judge(stimulus, config.edge_map.algorithm, judged_samples);
+    SimulationOptions options;
+    if (judged_samples > 0)
+        options.probe = &judge;
+    report::ArchitectureRow row =
+        report::architecture_row(config, simulate(config, stimulus, loaded.config.simulation.engine, options));
+    set_quality(judge.sums(), row);
+    return row;
 }
 
-std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points, std::int64_t jobs) {
+/// A row as text, or what is wrong with the input: some of it shows only while the workload is built.
+std::string simulate_point(Point const& point, std::size_t judged_samples) {
+    try {
+        return std::string(1, row_mark) + to_text(measured(point, judged_samples));
+    } catch (InputError const& error) {
+        return std::string(1, error_mark) + error.what();
+    }
+}
+
+std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points,
+                                             CompareArchitecturesRequest const& request) {
+    auto const judged_samples = static_cast<std::size_t>(request.judged_samples);
     std::vector<processes::Task> tasks;
     tasks.reserve(points.size());
     for (Point const& point : points)
-        tasks.push_back({[&point] { return simulate_point(point); }, time_limit_s});
+        tasks.push_back({[&point, judged_samples] { return simulate_point(point, judged_samples); }, time_limit_s});
     processes::SignalWatch const watch;
     ProgressLine progress("simulations");
-    return processes::run_all(tasks, static_cast<std::size_t>(jobs), watch,
+    return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch,
                               [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 report::ArchitectureRow row_of(Point const& point, processes::Outcome const& outcome) {
-    report::ArchitectureRow row = report::row_from_text(outcome.output);
+    if (outcome.output.front() == error_mark)
+        throw InputError(outcome.output.substr(1));
+    report::ArchitectureRow row = report::row_from_text(outcome.output.substr(1));
     row.architecture = point.architecture;
     row.workload = point.workload;
     return row;
@@ -89,7 +137,7 @@ report::ArchitectureRow row_of(Point const& point, processes::Outcome const& out
 int compare_architectures(CompareArchitecturesRequest const& request) {
     auto const csv = io::optional_output_file(request.csv);
     std::vector<Point> const points = points_of(request);
-    std::vector<processes::Outcome> const outcomes = simulate_all(points, request.jobs);
+    std::vector<processes::Outcome> const outcomes = simulate_all(points, request);
     std::vector<report::ArchitectureRow> rows;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (outcomes[i].kind != processes::Outcome::Kind::done) {

@@ -7,11 +7,14 @@ namespace faster {
 
 /// `faster-sim compare-architectures`.
 struct CompareArchitecturesRequest {
-    std::vector<std::string> architectures;  ///< configuration files that say what an architecture changes
-    std::vector<std::string> workloads;      ///< configuration files to run them on
-    std::vector<std::string> overrides;      ///< KEY=VALUE, for all
-    std::int64_t jobs = 0;                   ///< simulations at once; 0: the host's cores
-    std::string csv;                         ///< file; empty: print only
+    /// Presets by name, or configuration files that say what an architecture changes. Empty: all presets, `faster`
+    /// first.
+    std::vector<std::string> architectures;
+    std::vector<std::string> workloads;  ///< configuration files to run them on
+    std::vector<std::string> overrides;  ///< KEY=VALUE, for all
+    std::int64_t jobs = 0;               ///< simulations at once; 0: the host's cores
+    std::int64_t judged_samples = 0;     ///< how many edge maps to judge in every run
+    std::string csv;                     ///< file; empty: print only
 };
 
 /// Runs every architecture on every workload, each in a process of its own, and prints a table. The keys an

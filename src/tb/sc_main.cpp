@@ -102,9 +102,9 @@ void add_compare_architectures(CLI::App& app, faster::CompareArchitecturesReques
         *app.add_subcommand("compare-architectures", "Run several architectures on several workloads, side by side");
     command
         .add_option("architectures", request.architectures,
-                    "Files that say what an architecture changes, e.g. configs/architectures/*.yaml; the first is 1")
-        ->required()
-        ->type_name("FILE");
+                    "Presets (accelerator.architecture), or files that say what an architecture changes; the first is "
+                    "1. None: all presets")
+        ->type_name("NAME|FILE");
     command.add_option("--workloads", request.workloads, "Configurations to run them on, e.g. configs/banana.yaml")
         ->required()
         ->type_name("CONFIG");
@@ -112,6 +112,9 @@ void add_compare_architectures(CLI::App& app, faster::CompareArchitecturesReques
     command.add_option("-j,--jobs", request.jobs, "Simulations at once (the host's cores)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    command.add_option("--quality", request.judged_samples, "Judge the edge maps of the first N samples of each run")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000));
     command.add_option("--csv", request.csv, "Write a row per architecture and workload to this file")
         ->type_name("FILE");
 }

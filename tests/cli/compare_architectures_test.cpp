@@ -23,6 +23,7 @@ class Workspace {
         folder_.write("plain.yaml", "accelerator: {}\n");
         folder_.write("quick.yaml", "accelerator: {inlier_unit: {neighbour_access: window}}\n");
         folder_.write("stuck.yaml", "accelerator: {fifos: {fragment_depth: {depth: 1}}}\n");
+        folder_.write("no_mesh.yaml", "workload: {object: none.obj}\n");
         folder_.write("wrong.yaml", "workload: {samples: {count: 3}}\n");
     }
     CommandResult compare(Words arguments) const {
@@ -80,8 +81,34 @@ TEST_CASE("compare-architectures refuses bad input in one line, and writes nothi
     std::size_t const before = workspace.files();
     check_bad_input(workspace.compare({"wrong.yaml", "--workloads", "small.yaml", "--csv", "a.csv"}),
                     {"wrong.yaml:1: workload.samples.count, expected keys of accelerator only"});
-    check_bad_input(workspace.compare({"none.yaml", "--workloads", "small.yaml"}), {"none.yaml"});
+    check_bad_input(workspace.compare({"none.yaml", "--workloads", "small.yaml"}), {"none.yaml", "no such file"});
+    check_bad_input(workspace.compare({"inner_boarder", "--workloads", "small.yaml"}),
+                    {"inner_boarder", "did you mean inner_border?"});
+    check_bad_input(workspace.compare({"plain.yaml", "--workloads", "no_mesh.yaml", "--csv", "a.csv"}), {"none.obj"});
     check_bad_input(workspace.compare({"plain.yaml", "--workloads", "small.yaml", "--set", "accelerator.cheese=1"}),
                     {"accelerator.cheese"});
     CHECK(workspace.files() == before);
+}
+
+TEST_CASE("compare-architectures knows the presets by name, and all of them without names", "[architectures]") {
+    Workspace const workspace;
+    CommandResult const named = workspace.compare({"line_buffers", "--workloads", "small.yaml", "--csv", "a.csv"});
+    require_done(named);
+    std::uint64_t const quick = workspace.cycles_of({"accelerator.inlier_unit.neighbour_access=window"});
+    CHECK_THAT(lines_of(workspace.text("a.csv")).at(1),
+               Catch::StartsWith("line_buffers,small,finished," + std::to_string(quick) + ","));
+    CommandResult const all = workspace.compare({"--workloads", "empty.yaml"});
+    require_done(all);
+    CHECK_THAT(all.out, Contains("| faster | ") && Contains("| bounded | ") && Contains("| inner_border | "));
+}
+
+TEST_CASE("compare-architectures judges edge maps", "[architectures]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.compare({"dual_map_4_1_2", "threshold", "--workloads", "small.yaml", "--set",
+                                                    "accelerator.window=160", "--quality", "2", "--csv", "a.csv"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("| RAMB36 | precision | recall | closed | thin |"));
+    CHECK_THAT(lines_of(result.out).at(2), Contains(" | 100.0 % | 99.2 % | 50.0 % | 100.0 % |"));
+    CHECK_THAT(lines_of(result.out).at(3), !Contains("100.0 %"));  // too thick, and edges inside the object
+    CHECK_THAT(lines_of(workspace.text("a.csv")).at(1), Catch::EndsWith(",2,1.0000,0.9924,0.5000,1.0000"));
 }

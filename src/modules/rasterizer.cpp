@@ -4,9 +4,8 @@
 
 #include "channels/port_binding.hpp"
 #include "config/rasterizer_design.hpp"
-#include "datapath/early_exit_scan.hpp"
-#include "datapath/span_scan.hpp"
 #include "modules/core_shapes.hpp"
+#include "modules/rasterizer_scan.hpp"
 
 namespace faster {
 
@@ -78,103 +77,6 @@ void Rasterizer::draw_one_by_one(std::uint32_t triangles) {
     }
 }
 
-/// One loop for the sample. Its first iterations read the vertices of the first triangles; then the first three of each
-/// triangle read those of another.
-void Rasterizer::draw_overlapped(std::uint32_t triangles) {
-    if (triangles == 0)
-        return;
-    ahead_.unread = triangles;
-    clock_.enter_loop(scan_loop_);
-    for (std::uint64_t i = std::min<std::uint64_t>(core_.config.rasterizer.setup_overlap, triangles); i > 0; --i) {
-        read_ahead();
-        iterate<true>(0, 3);
-    }
-    for (; triangles > 0; --triangles) {
-        datapath::TriangleSetup const setup = ahead_.setups.front();
-        ahead_.setups.pop_front();
-        begin_triangle(setup);
-        if (setup.drawn())
-            (this->*scan_)(setup);
-        iterate<true>(0, ahead_.first_iterations);
-    }
-    clock_.leave_loop();
-}
-
-/// An iteration of its own sends the area and, if drawn, the command, as soon as the triangle is set up.
-void Rasterizer::begin_triangle(datapath::TriangleSetup const& setup) {
-    clock_.await_setup();
-    read_ahead();
-    area_->await_room();
-    *area_->reserve(1) = setup.area;
-    area_->commit(1);
-    unsigned ports = area_->write_port();
-    if (setup.drawn()) {
-        command_->await_room();
-        *command_->reserve(1) = Command::Triangle;
-        command_->commit(1);
-        ports |= command_->write_port();
-    }
-    iterate<true>(static_cast<std::uint8_t>(ports), 1);
-}
-
-/// The next three iterations are a triangle's first, and read the vertices of another, if there is one left.
-void Rasterizer::read_ahead() {
-    ahead_.first_iterations = 3;
-    ahead_.reads = ahead_.unread > 0;
-    ahead_.unread -= ahead_.reads ? 1U : 0U;
-}
-
-void Rasterizer::first_iteration(std::uint8_t ports) {
-    --ahead_.first_iterations;
-    if (!ahead_.reads) {
-        clock_.iterate(ports, 1);
-        return;
-    }
-    fetch_vertex();
-    clock_.iterate(static_cast<std::uint8_t>(ports | vertex_->read_port()), 1);
-    vertex_->consume(1);
-    if (ahead_.first_iterations == 0) {
-        clock_.begin_setup();
-        ahead_.setups.push_back(set_up(ahead_.triangle));
-    }
-}
-
-void Rasterizer::fetch_vertex() {
-    vertex_->peek();
-    ahead_.triangle.vertex[2 - ahead_.first_iterations] = *vertex_->front();
-}
-
-/// Iterations of the scan. Those that a triangle begins with may have something else to do beside it.
-template <bool Ahead> void Rasterizer::iterate(std::uint8_t ports, std::uint32_t count) {
-    if constexpr (Ahead)
-        for (; ahead_.first_iterations > 0 && count > 0; --count)
-            first_iteration(ports);
-    clock_.iterate(ports, count);
-}
-
-template <bool Ahead>
-void Rasterizer::iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
-                                   std::uint32_t tail_gap) {
-    if (Ahead && ahead_.first_iterations > 0) {
-        iterate<Ahead>(ports, count);
-        iterate<Ahead>(tail_ports, 1);
-        iterate<Ahead>(0, tail_gap);
-    } else {
-        clock_.iterate_with_tail(ports, count, tail_ports, tail_gap);
-    }
-}
-
-template <bool Ahead>
-void Rasterizer::iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
-                                 std::uint32_t tail_gap) {
-    if (Ahead && ahead_.first_iterations > 0) {
-        iterate_with_tail<Ahead>(ports, 1, tail_ports, 0);
-        iterate_with_tail<Ahead>(ports, count - 1, tail_ports, tail_gap);
-    } else {
-        clock_.iterate_flanked(ports, count, tail_ports, tail_gap);
-    }
-}
-
 void Rasterizer::start_sample() {
     clock_.here();
     SampleHeader const header = sample_raster_in.read();
@@ -208,83 +110,6 @@ datapath::TriangleSetup Rasterizer::set_up(TriangleCode const& triangle) const {
     return datapath::set_up(triangle, core_.stimulus.width, core_.stimulus.height, core_.stimulus.fraction.vertex_xy);
 }
 
-template <bool Ahead> Rasterizer::Scan Rasterizer::configured_scan() const {
-    if (sends_near_edges_)
-        return &Rasterizer::scan_near_edges<Ahead>;
-    switch (core_.config.rasterizer.scan) {
-        case ScanPolicy::early_exit:
-            return &Rasterizer::scan<datapath::EarlyExitScan, Ahead>;
-        case ScanPolicy::spans:
-            return &Rasterizer::scan<datapath::SpanScan, Ahead>;
-        case ScanPolicy::zigzag:
-            break;
-    }
-    return &Rasterizer::scan<datapath::ZigzagScan, Ahead>;
-}
-
-template <class Lines, bool Ahead> void Rasterizer::scan(datapath::TriangleSetup const& setup) {
-    previous_row_ = setup.start_row;
-    previous_col_ = setup.start_col;
-    previous_inside_ = setup.starts_inside();
-    begin_burst(setup);
-    Lines lines(setup);
-    while (!lines.done())
-        send_line<Lines, Ahead>(lines.next_line());
-    end_burst();
-}
-
-/// The iterations of one line: pixels outside are silent but for the first after the inside run, which is an edge.
-template <class Lines, bool Ahead> void Rasterizer::send_line(datapath::ScanLine const& line) {
-    int silent = line.before;
-    if (previous_inside_ && silent > 0) {  // the run ended with the last line
-        send_edge<Ahead>(line.row, line.first_col);
-        previous_inside_ = false;
-        silent = Lines::skips_outside ? 0 : silent - 1;
-    }
-    if (Lines::skips_outside)
-        silent = silent > 0 && line.inside == 0 ? 1 : 0;
-    if (silent > 0)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(silent));
-    if (line.before > 0) {
-        previous_row_ = line.row;
-        previous_col_ = line.col(line.before - 1);
-    }
-    if (line.inside > 0)
-        send_run<Lines, Ahead>(line);
-    else if (line.after > 0)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.after));
-    previous_row_ = line.row;
-    previous_col_ = line.col(line.pixels() - 1);
-}
-
-/// The run of covered pixels, and the edge behind it. Where the scan comes in from outside, the pixel before is an edge
-/// as well; it is sent by an iteration of its own after the first covered pixel, unless the triangle ends there (as in
-/// A.1, which then loses it).
-template <class Lines, bool Ahead> void Rasterizer::send_run(datapath::ScanLine const& line) {
-    auto const count = static_cast<std::uint32_t>(line.inside);
-    bool const ends_here = line.last && line.inside == 1 && line.after == 0;
-    bool const flushes = !previous_inside_ && !ends_here;
-    bool const leaves = line.after > 0;
-    send_tokens(line, flushes, leaves);
-    previous_inside_ = !leaves;
-    auto const silent = static_cast<std::uint32_t>(leaves && !Lines::skips_outside ? line.after - 1 : 0);
-    if (flushes && leaves && count > 1) {
-        iterate_flanked<Ahead>(fragment_ports_, count, edge_port_, silent);
-        return;
-    }
-    if (flushes)
-        iterate_with_tail<Ahead>(fragment_ports_, 1, edge_port_, 0);
-    std::uint32_t const rest = flushes ? count - 1 : count;
-    if (leaves && rest > 0) {
-        iterate_with_tail<Ahead>(fragment_ports_, rest, edge_port_, silent);
-    } else if (leaves) {
-        iterate<Ahead>(edge_port_, 1);
-        iterate<Ahead>(0, silent);
-    } else {
-        iterate<Ahead>(fragment_ports_, rest);
-    }
-}
-
 void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves) {
     std::int64_t* depth = burst_.depth;
     FragmentIndex* index = burst_.index;
@@ -312,34 +137,6 @@ void Rasterizer::send_tokens(datapath::ScanLine const& line, bool flushes, bool 
     burst_.token = token;
     if (clock_.lockstep())
         hand_over();
-}
-
-template <bool Ahead> void Rasterizer::send_edge(int row, int col) {
-    *burst_.token++ = token_at(row, col, EdgeTokenKind::Edge);
-    if (clock_.lockstep())
-        hand_over();
-    iterate<Ahead>(edge_port_, 1);
-}
-
-/// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
-template <bool Ahead> void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {
-    begin_burst(setup);
-    datapath::NearEdgeScan scan(setup, thresholds_);
-    while (!scan.done())
-        send_near_edge_line<Ahead>(scan.next_line());
-    end_burst();
-}
-
-template <bool Ahead> void Rasterizer::send_near_edge_line(datapath::NearEdgeLine const& line) {
-    for (int pixel = 0; pixel < line.inside.pixels();) {
-        datapath::Stretch const stretch = line.stretch_from(pixel);
-        send_stretch(line.inside, stretch);
-        unsigned const fragment_ports = stretch.is_inside ? unsigned{fragment_ports_} & ~unsigned{edge_port_} : 0U;
-        unsigned const token_port = stretch.is_near ? edge_port_ : 0U;
-        iterate<Ahead>(static_cast<std::uint8_t>(fragment_ports | token_port),
-                       static_cast<std::uint32_t>(stretch.end - stretch.first));
-        pixel = stretch.end;
-    }
 }
 
 void Rasterizer::send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch) {
@@ -403,5 +200,7 @@ void Rasterizer::end_sample() {
 EdgeToken Rasterizer::token_at(int row, int col, EdgeTokenKind kind) const {
     return {static_cast<std::int16_t>(row - row_offset_), static_cast<std::int16_t>(col - col_offset_), kind};
 }
+
+template void Rasterizer::scan<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
 
 }  // namespace faster

@@ -1,13 +1,19 @@
-# Puts style and scripts into the template of the HTML report, and the whole into a C++ source file.
-#   cmake -DTEMPLATE=... -DSTYLE=... -DCHART_JS=... -DSCRIPTS=a.js;b.js -DOUTPUT=page.cpp -P JoinReportPage.cmake
+# Puts styles and scripts into the template of an HTML page, and the whole into a C++ source file.
+#   cmake -DTEMPLATE=... -DSTYLES=a.css;b.css -DCHART_JS=... -DSCRIPTS=a.js;b.js -DNAME=namespace::variable -DHEADER=page.hpp
+#         -DOUTPUT=page.cpp -P JoinReportPage.cmake
+function(read_all result)
+  set(all "")
+  foreach(file IN LISTS ARGN)
+    file(READ "${file}" text)
+    string(APPEND all "${text}\n")
+  endforeach()
+  set(${result} "${all}" PARENT_SCOPE)
+endfunction()
+
 file(READ "${TEMPLATE}" page)
-file(READ "${STYLE}" style)
 file(READ "${CHART_JS}" chart_js)
-set(scripts "")
-foreach(file IN LISTS SCRIPTS)
-  file(READ "${file}" script)
-  string(APPEND scripts "${script}\n")
-endforeach()
+read_all(style ${STYLES})
+read_all(scripts ${SCRIPTS})
 
 foreach(part style chart_js scripts)
   if("${${part}}" MATCHES "</(script|style)|<!--")
@@ -20,12 +26,15 @@ string(FIND "${page}" ")faster_page\"" delimiter)
 if(NOT delimiter EQUAL -1)
   message(FATAL_ERROR "the page contains the delimiter of the C++ string")
 endif()
-file(WRITE "${OUTPUT}" "// Joined from the files of src/report_html/page by the build.
-#include \"report_html/page.hpp\"
+string(REGEX MATCH "^(.*)::([a-z_]+)$" name "${NAME}")
+set(name_space "${CMAKE_MATCH_1}")
+set(variable "${CMAKE_MATCH_2}")
+file(WRITE "${OUTPUT}" "// Joined from the files of ${TEMPLATE}'s folder by the build.
+#include \"${HEADER}\"
 
-namespace faster::report {
+namespace ${name_space} {
 
-char const* const report_page = R\"faster_page(${page})faster_page\";
+char const* const ${variable} = R\"faster_page(${page})faster_page\";
 
-}  // namespace faster::report
+}  // namespace ${name_space}
 ")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs all tests but the long ones, and checks the format.
+# Installs what is missing, builds and runs all tests but the long ones and those that want a cluster, and checks the format.
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
 #   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, and the format check is not skipped
@@ -34,7 +34,7 @@ fi
 bash scripts/setup.sh "${setup_options[@]}"
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j2 -LE '^long$'
+ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j2 -LE '^(long|cluster)$'
 
 if command -v clang-format >/dev/null; then
     bash scripts/check-format.sh

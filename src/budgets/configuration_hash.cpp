@@ -1,15 +1,13 @@
 #include "budgets/configuration_hash.hpp"
 
-#include <cstdint>
 #include <fmt/format.h>
 #include <variant>
+
+#include "common/fnv1a.hpp"
 
 namespace faster::budgets {
 
 namespace {
-
-constexpr std::uint64_t offset_basis = 14695981039346656037U;
-constexpr std::uint64_t prime = 1099511628211U;
 
 std::string plain_text_of(KeyValue const& value) {
     auto const* const word = std::get_if<std::string>(&value);
@@ -19,14 +17,13 @@ std::string plain_text_of(KeyValue const& value) {
 }  // namespace
 
 std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
-    std::uint64_t hash = offset_basis;
+    Fnv1a hash;
     for (ResolvedKey const& key : keys) {
         if (key.key == "simulation.engine")
             continue;
-        for (char const letter : key.key + "=" + json_text(key.value) + "\n")
-            hash = (hash ^ static_cast<unsigned char>(letter)) * prime;
+        hash.add(key.key + "=" + json_text(key.value) + "\n");
     }
-    return fmt::format("fnv1a64:{:016x}", hash);
+    return fmt::format("fnv1a64:{:016x}", hash.value());
 }
 
 std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys) {

@@ -13,12 +13,13 @@ namespace faster {
 /// tokens with peek/consume and reserve/commit instead and tell their clock what they did.
 ///   order   first in, first out; one reader and one writer, both with a ProcessClock
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
+///   width   a token may be several values side by side, its lanes; such tokens move in bursts only
 ///   errors  a non-blocking access in the decoupled engine is a fatal report: its outcome would depend on run-ahead
 template <class Token>
 class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, public sc_core::sc_fifo_out_if<Token> {
   public:
-    ClockedFifo(char const* name, timing::FifoTiming& timing)
-        : FifoChannel(name, timing), host_limit_(host_limit(timing.shape())) {}
+    ClockedFifo(char const* name, timing::FifoTiming& timing, std::size_t lanes = 1)
+        : FifoChannel(name, timing), tokens_(lanes), host_limit_(host_limit(timing.shape())) {}
 
     void read(Token& token) override { token = read(); }
     Token read() override {
@@ -104,7 +105,13 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     using FifoChannel::wake_reader;
 
     std::vector<TokenField> token_fields() const override {
-        return {TokenFields<Token>::layout.begin(), TokenFields<Token>::layout.end()};
+        std::vector<TokenField> fields;
+        for (std::size_t lane = 0; lane < tokens_.width(); ++lane)
+            for (TokenField field : TokenFields<Token>::layout) {
+                field.lane = tokens_.width() > 1 ? static_cast<int>(lane) : TokenField::only_lane;
+                fields.push_back(field);
+            }
+        return fields;
     }
 
   private:
@@ -112,7 +119,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     void show(std::size_t count) {
         for (TokenTap* tap : taps_) {
             std::int64_t* at = tap->room(count);
-            for (Token const* token = tokens_.end() - count; token != tokens_.end(); ++token)
+            for (Token const* token = tokens_.end() - count * tokens_.width(); token != tokens_.end(); ++token)
                 for (std::int64_t const value : TokenFields<Token>::values(*token))
                     *at++ = value;
         }

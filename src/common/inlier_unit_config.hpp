@@ -20,6 +20,7 @@ struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
     FragmentLoop fragment_loop = FragmentLoop::per_triangle;
+    int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
 };
 
 }  // namespace faster

@@ -6,6 +6,7 @@ namespace faster {
 enum class MapClearing {
     loop,         ///< a loop of its own before the sample, a word per iteration: thesis A.2, A.3
     on_read_out,  ///< the loop that reads it out writes them behind itself, for the next sample
+    wide,         ///< a loop like the first, but a word of every bank per iteration
 };
 
 }  // namespace faster

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "common/tokens.hpp"
 
@@ -11,7 +12,14 @@ struct TokenField {
     char const* name;
     unsigned bits;
     bool is_signed = false;
+    static constexpr int only_lane = -1;
+    int lane = only_lane;  ///< of a token of several values: which of them
 };
+
+/// "depth"; of a token of several values "depth0", "depth1", ...
+inline std::string label(TokenField const& field) {
+    return field.lane == TokenField::only_lane ? field.name : field.name + std::to_string(field.lane);
+}
 
 /// The fields of each FIFO's tokens: `layout`, and a token's values in that order, sign-extended. Specialized for every
 /// token type; by FIFO where a plain number serves several.

@@ -9,6 +9,7 @@
 #include "common/inlier_unit_config.hpp"
 #include "common/rasterizer_config.hpp"
 #include "config/machine.hpp"
+#include "config/partition_config.hpp"
 
 namespace faster {
 
@@ -32,7 +33,8 @@ struct LoopConfig {
 
 /// One block RAM; keys `accelerator.brams.NAME.*`.
 struct BramConfig {
-    std::uint64_t ports = 2;  ///< accesses per cycle, >= 1
+    std::uint64_t ports = 2;  ///< accesses per cycle and bank, >= 1
+    PartitionConfig partition;
 };
 
 /// The machine: keys `accelerator.*`. Defaults are the thesis's final design as SPEC section 3 times it.

@@ -30,13 +30,13 @@ constexpr std::array<char const*, fifo_count> fifo_tokens{
 constexpr std::array<char const*, loop_count> loop_tasks{
     "transforms one vertex per iteration",
     "visits one pixel per iteration, or sends a pending edge token",
-    "clears one pixel of both maps per iteration",
+    "clears one pixel of both maps, or one of every bank, per iteration",
     "takes one edge token per iteration, or finishes the object token before it",
-    "sends one edge bit per iteration",
-    "reads one observed pixel per iteration",
-    "fills one word of the depth buffer per iteration",
+    "sends one token of edge bits per iteration",
+    "reads one token of observed pixels per iteration",
+    "fills one word of the depth buffer, or one of every bank, per iteration",
     "takes one fragment per iteration",
-    "judges one pixel of the window per iteration"};
+    "judges one token of pixels per iteration"};
 
 constexpr std::array<char const*, bram_count> bram_contents{"edge bits of the window", "object bits of the window",
                                                             "depth buffer of the window"};
@@ -73,11 +73,12 @@ template <class Field> Key threshold_key(std::string const& weight, std::string 
 }
 
 template <class Field> Key clearing_key(std::string const& module, std::string const& what, Field field) {
-    return choice_key(
-        {"accelerator." + module + ".clearing", "",
-         "How " + what + " become empty for the next sample: by a loop before it, or by the loop that reads them out.",
-         "thesis A.2, A.3; on_read_out: this project"},
-        field);
+    return choice_key({"accelerator." + module + ".clearing", "",
+                       "How " + what +
+                           " become empty for the next sample: by a loop before it (wide: a word of every bank per "
+                           "iteration), or by the loop that reads them out.",
+                       "thesis A.2, A.3; others: this project"},
+                      field);
 }
 
 void add_edge_map_keys(Keys& keys) {
@@ -130,6 +131,12 @@ void add_inlier_unit_keys(Keys& keys) {
          "Whether each triangle's fragments are a loop that drains, or all commands of a sample are one loop.",
          "thesis A.3; flattened: this project"},
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.fragment_loop; }));
+    keys.push_back(integer_key(
+        {"accelerator.inlier_unit.sweep_lanes", "px",
+         "Pixels of a row per iteration of the sweep, of the edge map's output and of the observation's read, and per "
+         "token between them; at most the window.",
+         "thesis A.3; more than 1: this project"},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_lanes; }));
 }
 
 std::string write_latency_meaning(FifoId id) {
@@ -181,8 +188,27 @@ void add_loop_keys(Keys& keys, LoopId id) {
 void add_bram_keys(Keys& keys, BramId id) {
     keys.push_back(integer_key(
         {bram_key_name(id, "ports"), "accesses per cycle",
-         fmt::format("Ports of the block RAM: {}.", bram_contents[index_of(id)]), "thesis 5.4"},
+         fmt::format("Ports of the block RAM, of each bank if it is split: {}.", bram_contents[index_of(id)]),
+         "thesis 5.4"},
         {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).ports; }));
+}
+
+/// Timing keys, but no steps of one quantity: a factor means nothing without a type.
+void add_partition_keys(Keys& keys, BramId id) {
+    std::string const memory = name_of(id);
+    keys.push_back(choice_key(
+        {bram_key_name(id, "partition.type"), "",
+         "How " + memory + " is split into banks, each with its own ports: cyclic parts neighbours, block does not.",
+         "HLS array_partition; default: thesis A.2, A.3"},
+        [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.type; }));
+    keys.push_back(integer_key(
+        {bram_key_name(id, "partition.factor"), "banks",
+         "Banks along each dimension that is split; 1024 in all at most.", "HLS array_partition"},
+        {1, 1024}, [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.factor; }));
+    keys.push_back(integer_key(
+        {bram_key_name(id, "partition.dimension"), "", "What is split: 1 the rows, 2 the columns, 0 both.",
+         "HLS array_partition"},
+        {0, 2}, [id](auto& config) -> auto& { return config.accelerator.bram(id).partition.dimension; }));
 }
 
 void add_loops_keys(Keys& keys) {
@@ -201,7 +227,12 @@ void add_timing_keys(Keys& keys) {
     add_loops_keys(keys);
     for (std::size_t index = 0; index < bram_count; ++index) {
         add_bram_keys(keys, BramId{index});
+        add_partition_keys(keys, BramId{index});
     }
+}
+
+bool is_step_by_step(Key const& key) {
+    return key.kind == KeyKind::integer && key.name().find(".partition.") == std::string::npos;
 }
 
 void add_cores_key(Keys& keys) {
@@ -250,7 +281,7 @@ Keys retiming_keys() {
 Keys timing_keys() {
     Keys keys;
     add_timing_keys(keys);
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return key.kind != KeyKind::integer; }),
+    keys.erase(std::remove_if(keys.begin(), keys.end(), [](Key const& key) { return !is_step_by_step(key); }),
                keys.end());
     return keys;
 }

@@ -42,6 +42,7 @@ void adopt_trace(LoadedConfig& loaded, int width, int height, int window, Fracti
         key.write(loaded.config, key.read(of_trace));
         loaded.origins.record(name, {KeySource::trace, "trace"});
     }
+    throw_first(cross_check(loaded));
 }
 
 }  // namespace faster

@@ -4,7 +4,9 @@
 #include <array>
 #include <limits>
 
+#include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
+#include "config/lane_rows.hpp"
 #include "config/sweep_design.hpp"
 
 namespace faster {
@@ -58,15 +60,19 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
     MemoryShape memory;
     memory.bits = bits_of(id, config);
     memory.words = memory.bits > 0 ? side * side : 0;
-    memory.ports = config.bram(id).ports;
+    BankPartition const partition(config.bram(id).partition, config.window);
+    memory.ports = config.bram(id).ports * partition.banks();
+    memory.partition = partition.banks();
+    memory.bank_words = partition.bank_words();
     return memory;
 }
 
 MemoryShape line_buffer_shape(AcceleratorConfig const& config) {
     bool const exists = sweep_design(config, config.window).has_line_buffers;
     MemoryShape memory;
-    memory.words = exists ? static_cast<std::uint64_t>(config.window) : 0;
-    memory.bits = exists ? 2 * bits_of(BramId::depth_buffer, config) : 0;
+    LaneRows const rows(config.window, config.inlier_unit.sweep_lanes);
+    memory.words = exists ? rows.tokens_per_row() : 0;
+    memory.bits = exists ? 2 * rows.lanes() * bits_of(BramId::depth_buffer, config) : 0;
     return memory;
 }
 
@@ -76,7 +82,8 @@ double ramb36_count(MemoryShape const& memory) {
     }
     std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
     double const banks = static_cast<double>(copies * memory.partition);
-    return banks * ramb36_of_bank(divided_up(memory.words, memory.partition), memory.bits);
+    std::uint64_t const words = std::max(memory.bank_words, divided_up(memory.words, memory.partition));
+    return banks * ramb36_of_bank(words, memory.bits);
 }
 
 }  // namespace faster

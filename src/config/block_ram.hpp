@@ -8,14 +8,16 @@ namespace faster {
 /// One memory of a core, as its users see it.
 struct MemoryShape {
     std::uint64_t words = 0;
-    std::uint64_t bits = 0;       ///< per word; 0: there is no such memory
-    std::uint64_t ports = 2;      ///< accesses per cycle
-    std::uint64_t partition = 1;  ///< banks that share the words evenly
+    std::uint64_t bits = 0;        ///< per word; 0: there is no such memory
+    std::uint64_t ports = 2;       ///< accesses per cycle, of all banks together
+    std::uint64_t partition = 1;   ///< banks that share the words
+    std::uint64_t bank_words = 0;  ///< of the largest bank; 0: they share evenly
 };
 
 MemoryShape memory_shape(BramId id, AcceleratorConfig const& config);
 
-/// The two last rows of the depth buffer, side by side, that `neighbour_access: window` keeps; no words otherwise.
+/// The two last rows of the depth buffer, side by side, that `neighbour_access: window` keeps, a token of the sweep per
+/// word; no words otherwise.
 MemoryShape line_buffer_shape(AcceleratorConfig const& config);
 
 /// How many block RAMs of 36 Kbit a memory takes on an UltraScale+ device; a RAMB18 is half of one.

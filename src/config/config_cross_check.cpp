@@ -11,12 +11,6 @@ constexpr char const* area_reciprocal_key = "accelerator.fraction_bits.area_reci
 constexpr char const* vertex_xy_key = "accelerator.fraction_bits.vertex_xy";
 constexpr int most_reciprocal_bits = 62;  ///< 2^(area_reciprocal + 2 * vertex_xy) and what it divides fit 63 bits
 
-/// "accelerator.x = 3", and that it was not asked for if so.
-std::string with_value(LoadedConfig const& loaded, std::string const& key) {
-    return fmt::format("{} = {}{}", key, json_text(find_key(key)->read(loaded.config)),
-                       loaded.origins.is_explicit(key) ? "" : " (default)");
-}
-
 /// The token leaves before the pipeline ends. If only the loop's depth was set, that is what the message blames.
 void check_write_latency(LoadedConfig const& loaded, FifoId fifo, std::vector<std::string>& complaints) {
     auto const loop = loop_that_writes(fifo);
@@ -73,6 +67,14 @@ void check_scan(LoadedConfig const& loaded, std::vector<std::string>& complaints
                                                with_value(loaded, algorithm_key))));
 }
 
+void check_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& config = loaded.config.accelerator;
+    if (config.inlier_unit.sweep_lanes > config.window) {
+        complaints.push_back(complaint(loaded, "accelerator.inlier_unit.sweep_lanes",
+                                       fmt::format("at most {}", with_value(loaded, "accelerator.window"))));
+    }
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -80,6 +82,11 @@ void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& c
 }
 
 }  // namespace
+
+std::string with_value(LoadedConfig const& loaded, std::string const& key) {
+    return fmt::format("{} = {}{}", key, json_text(find_key(key)->read(loaded.config)),
+                       loaded.origins.is_explicit(key) ? "" : " (default)");
+}
 
 std::string complaint(LoadedConfig const& loaded, std::string const& key, std::string const& expected) {
     KeyOrigin const origin = loaded.origins.of(key);
@@ -95,6 +102,10 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     for (std::size_t index = 0; index < fifo_count; ++index) {
         check_write_latency(loaded, FifoId{index}, complaints);
     }
+    for (std::size_t index = 0; index < bram_count; ++index) {
+        check_partition(loaded, BramId{index}, complaints);
+    }
+    check_lanes(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_neighbourhood(loaded, complaints);

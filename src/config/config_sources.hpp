@@ -21,6 +21,12 @@ std::vector<std::string> apply_override(std::string const& setting, LoadedConfig
 /// What no key can say on its own: see SPEC sections 2 (fraction bits) and 3 (write latencies).
 std::vector<std::string> cross_check(LoadedConfig const& loaded);
 
+/// Part of cross_check(): banks need words, and a factor a type.
+void check_partition(LoadedConfig const& loaded, BramId bram, std::vector<std::string>& complaints);
+
+/// "KEY = 3", with "(default)" behind it unless it was asked for.
+std::string with_value(LoadedConfig const& loaded, std::string const& key);
+
 /// "PLACE: KEY = VALUE, expected ..." for the value a key has now.
 std::string complaint(LoadedConfig const& loaded, std::string const& key, std::string const& expected);
 

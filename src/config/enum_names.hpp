@@ -18,6 +18,11 @@ template <> struct EnumNames<FifoKind> {
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
 };
 
+template <> struct EnumNames<PartitionType> {
+    static constexpr std::array<std::pair<PartitionType, char const*>, 3> all{
+        {{PartitionType::none, "none"}, {PartitionType::cyclic, "cyclic"}, {PartitionType::block, "block"}}};
+};
+
 template <> struct EnumNames<EdgeMapAlgorithm> {
     static constexpr std::array<std::pair<EdgeMapAlgorithm, char const*>, 6> all{
         {{EdgeMapAlgorithm::threshold, "threshold"},
@@ -29,8 +34,8 @@ template <> struct EnumNames<EdgeMapAlgorithm> {
 };
 
 template <> struct EnumNames<MapClearing> {
-    static constexpr std::array<std::pair<MapClearing, char const*>, 2> all{
-        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}}};
+    static constexpr std::array<std::pair<MapClearing, char const*>, 3> all{
+        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}, {MapClearing::wide, "wide"}}};
 };
 
 template <> struct EnumNames<NeighbourAccess> {

@@ -16,8 +16,8 @@ Keys const& all_keys();
 /// depths of loops, ports of block RAMs. All are integers.
 Keys timing_keys();
 
-/// Those that may be changed without running the function again: timing_keys(), the kinds of FIFOs, how many cores
-/// share the samples, the clock.
+/// Those that may be changed without running the function again: timing_keys(), the kinds of FIFOs, partitions of block
+/// RAMs, how many cores share the samples, the clock.
 Keys retiming_keys();
 
 /// The key of that dotted name, or null.

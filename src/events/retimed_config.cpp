@@ -1,12 +1,12 @@
 #include "events/retimed_config.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 #include "common/input_error.hpp"
 #include "config/config_sources.hpp"
 #include "config/key_faults.hpp"
 #include "config/keys.hpp"
+#include "config/retimable.hpp"
 
 namespace faster::events {
 
@@ -19,16 +19,16 @@ std::string why_not(std::string const& key) {
         return "is part of the workload, which was recorded";
     if (starts_with(key, "simulation."))
         return "decides how a run is simulated, and nothing is";
-    if (starts_with(key, "accelerator.rasterizer.") || starts_with(key, "accelerator.inlier_unit."))
+    if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")
         return "decides which operations there are, not when";
+    if (starts_with(key, "accelerator.brams."))
+        return "decides how many iterations a wide clearing loop has";
     return "decides what is computed, not when";
 }
 
 void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed) {
-    Keys const retimable = retiming_keys();
     for (Key const& key : all_keys()) {
-        auto const is_same = [&key](Key const& other) { return key.name() == other.name(); };
-        if (std::any_of(retimable.begin(), retimable.end(), is_same) ||
+        if (is_retimable(key, recorded.config.accelerator) ||
             json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
             continue;
         throw InputError(

@@ -7,6 +7,7 @@
 #include "channels/process_clock.hpp"
 #include "common/stimulus.hpp"
 #include "config/accelerator_config.hpp"
+#include "config/lane_rows.hpp"
 #include "timing/core_timing.hpp"
 
 namespace faster {
@@ -48,6 +49,8 @@ struct CoreContext {
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
     /// Top-left pixel of a sample's window (SPEC section 2, sample header).
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }
+    /// The window as the tokens of edge_map, observed_depth and observed_edge carry it.
+    LaneRows window_rows() const { return {stimulus.window, config.inlier_unit.sweep_lanes}; }
     std::size_t window_pixels() const {
         return static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window);
     }

@@ -2,48 +2,11 @@
 
 #include <algorithm>
 
+#include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
-#include "config/sweep_design.hpp"
+#include "config/loop_accesses.hpp"
 
 namespace faster {
-
-namespace {
-
-struct Access {
-    BramId bram;
-    std::uint64_t per_iteration;
-};
-
-std::vector<Access> to_maps(PerMap const& accesses) {
-    return {{BramId::edge_map, accesses.edge_map}, {BramId::object_map, accesses.object_map}};
-}
-
-/// SPEC section 3, "BRAM accesses per iteration": the worst branch, whatever the data.
-std::vector<Access> accesses_of(LoopId id, AcceleratorConfig const& config) {
-    EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
-    SweepDesign const sweep = sweep_design(config, config.window);
-    switch (id) {
-        case LoopId::edge_clear:
-            return to_maps(design.clear);
-        case LoopId::token:
-            return to_maps(design.token);
-        case LoopId::output:
-            return to_maps(output_accesses(config.edge_map));
-        case LoopId::depth_clear:
-            return {{BramId::depth_buffer, 1}};
-        case LoopId::fragment:
-            return {{BramId::depth_buffer, 2}};
-        case LoopId::sweep:
-            return {{BramId::depth_buffer, sweep.reads + sweep.writes}};
-        case LoopId::vertex:
-        case LoopId::scan:
-        case LoopId::read:
-            break;
-    }
-    return {};
-}
-
-}  // namespace
 
 FifoKind resolved_kind(FifoConfig const& config) {
     if (config.kind != FifoKind::automatic)
@@ -67,9 +30,11 @@ timing::FifoShape fifo_shape(FifoId id, AcceleratorConfig const& config) {
 timing::InitiationInterval initiation_interval(LoopId id, AcceleratorConfig const& config) {
     EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
     std::vector<timing::BramDemand> demands;
-    for (Access const& access : accesses_of(id, config))
-        if (access.per_iteration > 0)
-            demands.push_back({name_of(access.bram), access.per_iteration, config.bram(access.bram).ports});
+    for (MemoryAccess const& access : loop_accesses(id, config)) {
+        BramConfig const& bram = config.bram(access.bram);
+        BankPartition const partition(bram.partition, config.window);
+        demands.push_back({name_of(access.bram), partition.accesses_per_bank(access.pattern), bram.ports});
+    }
     Cycles const recurrence = id == LoopId::token ? design.token_recurrence : 1;
     return timing::schedule(config.loop(id).ii, std::max(config.loop(id).recurrence_ii, recurrence), demands);
 }

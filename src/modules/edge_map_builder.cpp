@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "config/clear_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -44,10 +45,11 @@ void EdgeMapBuilder::run() {
 
 void EdgeMapBuilder::clear() {
     maps_->clear();
-    if (core_.config.edge_map.clearing == MapClearing::on_read_out)
+    std::size_t const iterations = edge_clear_iterations(core_.config, core_.stimulus.window);
+    if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, core_.window_pixels());
+    clock_.iterate(0, iterations);
     clock_.leave_loop();
 }
 
@@ -102,16 +104,18 @@ void EdgeMapBuilder::take_last(EdgeToken const& current) {
 void EdgeMapBuilder::output() {
     constexpr std::size_t burst = 1024;
     auto& out = channel_of(edge_map_out);
-    std::size_t const pixels = core_.window_pixels();
+    LaneRows const rows = core_.window_rows();
     clock_.enter_loop(output_loop_);
-    clock_.iterate(0, maps_->output_lead());
-    for (std::size_t done = 0; done < pixels;) {
-        std::size_t const n = std::min(burst, pixels - done);
+    clock_.iterate(0, maps_->rows_read_ahead() * rows.tokens_per_row());
+    for (std::size_t done = 0; done < rows.tokens();) {
+        LaneRows::Run const run = rows.run(done, std::min(burst, rows.tokens() - done));
         out.await_room();
-        std::copy_n(maps_->edge() + done, n, out.reserve(n));
-        out.commit(n);
-        clock_.iterate(out.write_port(), n);
-        done += n;
+        std::uint8_t* const bits = out.reserve(run.tokens);
+        std::copy_n(maps_->edge() + run.first_pixel, run.pixels, bits);
+        std::fill(bits + run.pixels, bits + run.tokens * rows.lanes(), std::uint8_t{0});
+        out.commit(run.tokens);
+        clock_.iterate(out.write_port(), run.tokens);
+        done += run.tokens;
     }
     clock_.leave_loop();
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "config/clear_design.hpp"
+#include "config/edge_map_design.hpp"
 #include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
@@ -65,10 +67,11 @@ void InlierUnit::run() {
 
 void InlierUnit::clear() {
     std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
-    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+    std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
+    if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, core_.window_pixels());
+    clock_.iterate(0, iterations);
     clock_.leave_loop();
 }
 
@@ -165,21 +168,22 @@ void InlierUnit::sweep() {
     auto& edge = channel_of(edge_map_in);
     auto& observed_depth = channel_of(observed_depth_in);
     auto& observed_edge = channel_of(observed_edge_in);
-    std::size_t const pixels = core_.window_pixels();
+    LaneRows const rows = core_.window_rows();
     SweepDesign const design = sweep_design(core_.config, core_.stimulus.window);
     clock_.enter_loop(sweep_loop_);
     clock_.iterate(0, design.lead);
-    for (std::size_t done = 0; done < pixels;) {
-        std::size_t n = std::min(pixels - done, edge.peek());
+    for (std::size_t done = 0; done < rows.tokens();) {
+        std::size_t n = std::min(rows.tokens() - done, edge.peek());
         n = std::min(n, observed_depth.peek());
         n = std::min(n, observed_edge.peek());
-        window_sweep_.sweep(done, n, depth_buffer_.data(), edge.front(), observed_depth.front(), observed_edge.front(),
-                            counters_);
-        clock_.iterate(sweep_ports_, n);
-        edge.consume(n);
-        observed_depth.consume(n);
-        observed_edge.consume(n);
-        done += n;
+        LaneRows::Run const run = rows.run(done, n);
+        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer_.data(), edge.front(), observed_depth.front(),
+                            observed_edge.front(), counters_);
+        clock_.iterate(sweep_ports_, run.tokens);
+        edge.consume(run.tokens);
+        observed_depth.consume(run.tokens);
+        observed_edge.consume(run.tokens);
+        done += run.tokens;
     }
     clock_.iterate(0, design.tail);
     clock_.leave_loop();

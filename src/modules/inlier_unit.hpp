@@ -11,7 +11,8 @@ namespace faster {
 
 /// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees.
 ///   in    command_in, area_reciprocal_in, fragment_depth_in, fragment_index_in  while the sample is rasterized
-///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards
+///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards,
+///                                                               `sweep_lanes` pixels of a row per token
 ///   out   result_out  one set of counters per sample
 ///   time  loop `clear`; per triangle one step and loop `fragment`, or one loop `fragment` for all; loop `sweep`
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.

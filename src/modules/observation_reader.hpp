@@ -9,8 +9,9 @@ namespace faster {
 
 /// Reads the observed scene under a sample's window.
 ///   in    sample_observation_in  one header per sample
-///   out   observed_depth_out, observed_edge_out: W x W codes and bits per sample, row-major, together; 0 outside the
-///   image time  loop `read`, one pixel per iteration
+///   out   observed_depth_out, observed_edge_out: W x W codes and bits per sample, row-major, together, `sweep_lanes`
+///         pixels of a row per token; 0 outside the image
+///   time  loop `read`, one token per iteration
 /// Source: SPEC sections 2 and 3.
 class ObservationReader : public sc_core::sc_module {
   public:

@@ -29,7 +29,8 @@ class RasterCore : public sc_core::sc_module {
     void on_start(std::function<void()> call) { starts_.push_back(std::move(call)); }
     /// In the order of FifoId.
     std::vector<FifoChannel*> channels();
-    std::size_t window_pixels() const { return context_.window_pixels(); }
+    /// Tokens of observed_depth per sample.
+    std::size_t window_tokens() const { return context_.window_rows().tokens(); }
     /// Gives all operations logged so far their cycles, where the kernel does not do so (decoupled).
     void catch_up() {
         if (context_.time_base.engine == Engine::decoupled)
@@ -47,6 +48,7 @@ class RasterCore : public sc_core::sc_module {
     }
     timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
     timing::FifoShape fifo_shape_of(FifoId id) const;
+    std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
 
     std::vector<std::function<void()>> starts_;
     timing::CoreTiming timing_;
@@ -64,9 +66,9 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<std::int64_t> fragment_depth_{"fragment_depth", fifo_timing(FifoId::fragment_depth)};
     ClockedFifo<FragmentIndex> fragment_index_{"fragment_index", fifo_timing(FifoId::fragment_index)};
     ClockedFifo<EdgeToken> edge_token_{"edge_token", fifo_timing(FifoId::edge_token)};
-    ClockedFifo<std::uint8_t> edge_map_{"edge_map", fifo_timing(FifoId::edge_map)};
-    ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth)};
-    ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge)};
+    ClockedFifo<std::uint8_t> edge_map_{"edge_map", fifo_timing(FifoId::edge_map), sweep_lanes()};
+    ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth), sweep_lanes()};
+    ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge), sweep_lanes()};
     ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
 
   public:

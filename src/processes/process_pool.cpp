@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace faster::processes {
 
@@ -146,37 +147,60 @@ std::vector<bool> wait_for_news(Children const& children, SignalWatch const& wat
     return news;
 }
 
-void collect(Children& children, std::vector<bool> const& news, std::vector<Outcome>& outcomes) {
+using Ended = std::function<void(std::size_t, Outcome)>;
+
+void collect(Children& children, std::vector<bool> const& news, Ended const& ended) {
+    std::vector<std::pair<std::size_t, Outcome>> outcomes;
     for (std::size_t i = 0; i < children.size(); ++i) {
         Child& child = *children[i];
         if (news[i] && child.read_some())
-            outcomes[child.number()] = child.finish();
+            outcomes.emplace_back(child.number(), child.finish());
         else if (child.seconds_left() <= 0)
-            outcomes[child.number()] = child.end_at_time_limit();
+            outcomes.emplace_back(child.number(), child.end_at_time_limit());
         else
             continue;
         children[i].reset();
     }
     children.erase(std::remove(children.begin(), children.end(), nullptr), children.end());
+    for (auto& [number, outcome] : outcomes)
+        ended(number, std::move(outcome));
 }
+
+std::size_t at_once(std::size_t jobs) { return jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()); }
 
 }  // namespace
 
-std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
-                             std::function<void(std::size_t, std::size_t)> const& progress) {
-    std::size_t const at_once = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
-    std::vector<Outcome> outcomes(tasks.size());
+void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& watch) {
     Children children;
     std::size_t next = 0;
-    while (next < tasks.size() || !children.empty()) {
-        while (next < tasks.size() && children.size() < at_once) {
-            children.push_back(std::make_unique<Child>(next, tasks[next], watch));
-            ++next;
+    while (true) {
+        while (children.size() < at_once(jobs)) {
+            std::optional<Task> const task = stream.next(next);
+            if (!task)
+                break;
+            children.push_back(std::make_unique<Child>(next++, *task, watch));
         }
-        collect(children, wait_for_news(children, watch), outcomes);
-        if (progress)
-            progress(next - children.size(), tasks.size());
+        if (children.empty())
+            return;
+        collect(children, wait_for_news(children, watch), stream.ended);
     }
+}
+
+std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
+                             std::function<void(std::size_t, std::size_t)> const& progress) {
+    std::vector<Outcome> outcomes(tasks.size());
+    std::size_t done = 0;
+    TaskStream stream;
+    stream.next = [&](std::size_t number) {
+        return number < tasks.size() ? std::optional<Task>(tasks[number]) : std::nullopt;
+    };
+    stream.ended = [&](std::size_t number, Outcome outcome) {
+        outcomes[number] = std::move(outcome);
+        ++done;
+        if (progress)
+            progress(done, tasks.size());
+    };
+    run_stream(stream, jobs, watch);
     return outcomes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,18 @@ struct Outcome {
     int exit_code = 0;
     double seconds = 0;  ///< of the host
 };
+
+/// Tasks that depend on how others ended, for run_stream().
+struct TaskStream {
+    /// The task of that number (0, 1, 2, ...); none if there is none now. Then it is asked again when another has
+    /// ended.
+    std::function<std::optional<Task>(std::size_t number)> next;
+    /// That task has ended. May throw, which ends all others.
+    std::function<void(std::size_t number, Outcome outcome)> ended;
+};
+
+/// As run_all(), until there is no task left and none runs.
+void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& watch);
 
 /// Runs every task in a forked process, at most `jobs` at once (0: as many as the host has cores), and returns the
 /// outcomes in the order of the tasks. A task that hangs or crashes does not disturb the others. No process outlives

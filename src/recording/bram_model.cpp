@@ -1,21 +1,31 @@
 #include "recording/bram_model.hpp"
 
+#include <algorithm>
+
 #include "config/edge_map_design.hpp"
+#include "config/lane_rows.hpp"
 
 namespace faster::recording {
 
 using Kind = Event::Kind;
 
 BramModel::BramModel(AcceleratorConfig const& config)
-    : edge_map_(config.edge_map), sweep_(sweep_design(config, config.window)), side_(config.window) {
-    for (std::size_t i = 0; i < bram_count; ++i)
+    : edge_map_(config.edge_map),
+      depth_clearing_(config.inlier_unit.clearing),
+      sweep_(sweep_design(config, config.window)),
+      side_(config.window),
+      lanes_(config.inlier_unit.sweep_lanes),
+      tokens_per_row_(
+          static_cast<std::int64_t>(LaneRows(config.window, config.inlier_unit.sweep_lanes).tokens_per_row())) {
+    for (std::size_t i = 0; i < bram_count; ++i) {
         ports_[i] = config.brams[i].ports;
+        partitions_.emplace_back(config.brams[i].partition, config.window);
+    }
 }
 
 std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, TokenValues const& fields) {
     Event const& event = core_event.event;
     accesses_.clear();
-    used_.fill(0);
     if (event.kind == Kind::enter) {
         loop_[core_event.module] = event.item;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::edge_token)) {
@@ -35,15 +45,14 @@ void BramModel::iterate(LoopId loop, Event const& event) {
     switch (loop) {
         case LoopId::edge_clear:
             if (design_of(edge_map_.algorithm).clear.edge_map > 0)
-                add(BramId::edge_map, true, event.value, event.cycle);
+                clear_iteration(BramId::edge_map, edge_map_.clearing, event);
             if (design_of(edge_map_.algorithm).clear.object_map > 0)
-                add(BramId::object_map, true, event.value, event.cycle);
+                clear_iteration(BramId::object_map, edge_map_.clearing, event);
             return;
         case LoopId::output:
             return output_iteration(event.value, event.cycle);
         case LoopId::depth_clear:
-            add(BramId::depth_buffer, true, event.value, event.cycle);
-            return;
+            return clear_iteration(BramId::depth_buffer, depth_clearing_, event);
         case LoopId::token:
             return token_iteration(event.cycle);
         case LoopId::fragment:
@@ -55,6 +64,29 @@ void BramModel::iterate(LoopId loop, Event const& event) {
         case LoopId::read:
             return;
     }
+}
+
+/// A word, or where the loop is wide, the same word of every bank; banks with fewer words have none.
+void BramModel::clear_iteration(BramId bram, MapClearing clearing, Event const& event) {
+    if (clearing != MapClearing::wide)
+        return add(bram, true, event.value, event.cycle);
+    BankPartition const& partition = partitions_[index_of(bram)];
+    auto const word = static_cast<std::uint64_t>(event.value);
+    for (std::uint64_t bank = 0; word < partition.bank_words() && bank < partition.banks(); ++bank) {
+        PixelOffset const at = partition.word_of(bank, word);
+        if (at.row < side_ && at.col < side_ && partition.bank_of(at.row, at.col) == bank)
+            add(bram, true, at.row, at.col, event.cycle);
+    }
+}
+
+/// The pixels of the window in the iteration's token.
+std::vector<std::int64_t> BramModel::pixels_of(std::int64_t iteration) const {
+    std::int64_t const row = iteration / tokens_per_row_;
+    std::int64_t const col = iteration % tokens_per_row_ * lanes_;
+    std::vector<std::int64_t> pixels;
+    for (std::int64_t lane = 0; iteration >= 0 && row < side_ && lane < lanes_ && col + lane < side_; ++lane)
+        pixels.push_back(row * side_ + col + lane);
+    return pixels;
 }
 
 /// An iteration that reads the next token consumes the one before; the one behind it is that token's second.
@@ -115,19 +147,18 @@ void BramModel::dual_map_token(bool is_first, Cycles cycle) {
     }
 }
 
-/// Iteration i sends pixel i; where the contour is taken from the object map, it reads a row ahead of what it sends.
+/// Iteration i sends token i; where the contour is taken from the object map, it reads a row ahead of what it sends.
 /// What it has read it may clear.
 void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
-    if (iteration >= side_ * side_)
-        return;
     EdgeMapDesign const& design = design_of(edge_map_.algorithm);
-    add(design.output.edge_map > 0 ? BramId::edge_map : BramId::object_map, false, iteration, cycle);
-    if (edge_map_.clearing != MapClearing::on_read_out)
-        return;
-    if (design.bits.edge_map > 0)
-        add(BramId::edge_map, true, iteration, cycle);
-    if (design.bits.object_map > 0)
-        add(BramId::object_map, true, iteration, cycle);
+    bool const clears = edge_map_.clearing == MapClearing::on_read_out;
+    for (std::int64_t const pixel : pixels_of(iteration)) {
+        add(design.output.edge_map > 0 ? BramId::edge_map : BramId::object_map, false, pixel, cycle);
+        if (clears && design.bits.edge_map > 0)
+            add(BramId::edge_map, true, pixel, cycle);
+        if (clears && design.bits.object_map > 0)
+            add(BramId::object_map, true, pixel, cycle);
+    }
 }
 
 void BramModel::fragment_iteration(Cycles cycle) {
@@ -140,11 +171,12 @@ void BramModel::fragment_iteration(Cycles cycle) {
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
 /// neighbours, the border skipped; a word is cleared when its last neighbour has been judged.
 void BramModel::sweep_iteration(std::int64_t iteration, Cycles cycle) {
-    if (iteration < side_ * side_)
-        sweep_.reads == 1 ? sweep_word(iteration, cycle) : sweep_neighbours(iteration, cycle);
-    std::int64_t const cleared = iteration - static_cast<std::int64_t>(sweep_.tail);
-    if (sweep_.writes > 0 && cleared >= 0 && cleared < side_ * side_)
-        add(BramId::depth_buffer, true, cleared, cycle);
+    bool const reads_neighbours = sweep_.accesses.reads.size() > static_cast<std::size_t>(lanes_);
+    for (std::int64_t const pixel : pixels_of(iteration))
+        reads_neighbours ? sweep_neighbours(pixel, cycle) : sweep_word(pixel, cycle);
+    if (!sweep_.accesses.writes.empty())
+        for (std::int64_t const pixel : pixels_of(iteration - static_cast<std::int64_t>(sweep_.tail)))
+            add(BramId::depth_buffer, true, pixel, cycle);
 }
 
 void BramModel::sweep_word(std::int64_t pixel, Cycles cycle) {
@@ -158,7 +190,14 @@ void BramModel::sweep_neighbours(std::int64_t pixel, Cycles cycle) {
     if (!is_inner(pixel))
         return;
     for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
-        add(BramId::depth_buffer, false, r, c, cycle);
+        if (!is_read(BramId::depth_buffer, r * side_ + c))  // by another lane
+            add(BramId::depth_buffer, false, r, c, cycle);
+}
+
+bool BramModel::is_read(BramId bram, std::int64_t address) const {
+    return std::any_of(accesses_.begin(), accesses_.end(), [&](BramAccess const& access) {
+        return !access.writes && access.bram == index_of(bram) && access.address == static_cast<std::uint64_t>(address);
+    });
 }
 
 bool BramModel::is_inner(std::int64_t pixel) const {
@@ -174,9 +213,17 @@ void BramModel::add(BramId bram, bool writes, std::int64_t row, std::int64_t col
 
 void BramModel::add(BramId bram, bool writes, std::int64_t address, Cycles cycle) {
     std::size_t const i = index_of(bram);
-    auto const ports = static_cast<unsigned>(ports_[i]);
-    unsigned const number = used_[i]++;
-    accesses_.push_back({i, number % ports, cycle + number / ports, writes, static_cast<std::uint64_t>(address)});
+    std::uint64_t const bank = partitions_[i].bank_of(address / side_, address % side_);
+    std::uint64_t const number = accesses_so_far(i, bank);
+    accesses_.push_back({i, bank * ports_[i] + number % ports_[i], cycle + number / ports_[i], writes,
+                         static_cast<std::uint64_t>(address)});
+}
+
+std::uint64_t BramModel::accesses_so_far(std::size_t bram, std::uint64_t bank) const {
+    auto const is_in_bank = [&](BramAccess const& access) {
+        return access.bram == bram && access.port / ports_[bram] == bank;
+    };
+    return static_cast<std::uint64_t>(std::count_if(accesses_.begin(), accesses_.end(), is_in_bank));
 }
 
 }  // namespace faster::recording

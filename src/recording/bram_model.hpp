@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "config/accelerator_config.hpp"
+#include "config/bank_partition.hpp"
 #include "config/sweep_design.hpp"
 #include "recording/event_merge.hpp"
 
@@ -10,7 +11,7 @@ namespace faster::recording {
 /// One access of a block RAM port, as the static schedule of a loop iteration has it.
 struct BramAccess {
     std::size_t bram = 0;
-    unsigned port = 0;
+    std::uint64_t port = 0;  ///< of all banks: bank b has ports b * ports .. (b + 1) * ports - 1
     Cycles cycle = 0;
     bool writes = false;  ///< the slot of a write; whether the data let it happen is not looked at
     std::uint64_t address = 0;
@@ -18,7 +19,7 @@ struct BramAccess {
 
 /// Which addresses the iterations of one core access, from the tokens its processes read (thesis chapter 5,
 /// A.2, A.3). Accesses of
-/// one iteration to one block RAM take its ports in turn, a cycle later where there are not enough.
+/// one iteration to one bank take its ports in turn, a cycle later where there are not enough.
 class BramModel {
   public:
     explicit BramModel(AcceleratorConfig const& config);
@@ -29,6 +30,8 @@ class BramModel {
 
   private:
     void iterate(LoopId loop, Event const& event);
+    void clear_iteration(BramId bram, MapClearing clearing, Event const& event);
+    std::vector<std::int64_t> pixels_of(std::int64_t iteration) const;
     void token_iteration(Cycles cycle);
     void single_map_token(Cycles cycle);
     void dual_map_token(bool is_first, Cycles cycle);
@@ -37,14 +40,20 @@ class BramModel {
     void sweep_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_word(std::int64_t pixel, Cycles cycle);
     void sweep_neighbours(std::int64_t pixel, Cycles cycle);
+    bool is_read(BramId bram, std::int64_t address) const;
     bool is_inner(std::int64_t pixel) const;
     void add(BramId bram, bool writes, std::int64_t row, std::int64_t col, Cycles cycle);
     void add(BramId bram, bool writes, std::int64_t address, Cycles cycle);
+    std::uint64_t accesses_so_far(std::size_t bram, std::uint64_t bank) const;
 
     EdgeMapConfig edge_map_;
+    MapClearing depth_clearing_;
     SweepDesign sweep_;
     std::int64_t side_;
-    std::array<std::uint64_t, bram_count> ports_{};
+    std::int64_t lanes_;
+    std::int64_t tokens_per_row_;
+    std::array<std::uint64_t, bram_count> ports_{};  ///< of a bank
+    std::vector<BankPartition> partitions_;          ///< [BramId]
     std::array<std::size_t, module_count> loop_{};
     struct Token {
         std::int64_t row = 0;
@@ -56,7 +65,6 @@ class BramModel {
     Token fragment_;  ///< read last
     Cycles token_read_ = 0;
     Cycles fragment_read_ = ~Cycles{0};
-    std::array<unsigned, bram_count> used_{};
     std::vector<BramAccess> accesses_;
 };
 

@@ -98,7 +98,7 @@ void CoreRecorder::drop_checkpoints(std::size_t i) {
 std::size_t CoreRecorder::longest_lead() const {
     auto const& fifos = core_.timing().fifos();
     std::uint64_t const headers = fifos[index_of(FifoId::sample_observation)].shape().capacity;
-    std::uint64_t const observed = fifos[index_of(FifoId::observed_depth)].shape().capacity / core_.window_pixels();
+    std::uint64_t const observed = fifos[index_of(FifoId::observed_depth)].shape().capacity / core_.window_tokens();
     return headers + observed + 4;
 }
 

@@ -27,9 +27,9 @@ void take(Source& source, CoreEvent& event, TokenValues& fields) {
     source.has_event = source.stream.get(source.event);
     if (event.event.kind != Event::Kind::write)
         return;
-    fields = {event.event.value};
-    for (std::size_t i = 1; source.has_event && source.event.kind == Event::Kind::field; ++i) {
-        fields.at(i) = source.event.value;
+    fields.assign(1, event.event.value);
+    while (source.has_event && source.event.kind == Event::Kind::field) {
+        fields.push_back(source.event.value);
         source.has_event = source.stream.get(source.event);
     }
     event.fields = &fields;

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -8,8 +7,8 @@
 
 namespace faster::recording {
 
-/// The fields of a token, in the order of its layout; those it does not have are 0.
-using TokenValues = std::array<std::int64_t, 5>;
+/// The fields of a token, in the order of its layout.
+using TokenValues = std::vector<std::int64_t>;
 
 /// An event, and whose it is. A write has all fields of its token.
 struct CoreEvent {

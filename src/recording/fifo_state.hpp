@@ -1,8 +1,7 @@
 #pragma once
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <vector>
 
 #include "config/accelerator_config.hpp"
 #include "recording/event_merge.hpp"
@@ -16,14 +15,16 @@ class FifoState {
   public:
     explicit FifoState(timing::FifoShape const& shape) : shape_(&shape) {}
 
-    void write(TokenValues const& fields) { tokens_.push_back(fields); }
+    void write(TokenValues const& fields) {
+        fields_ = static_cast<std::ptrdiff_t>(fields.size());
+        values_.insert(values_.end(), fields.begin(), fields.end());
+    }
     void arrive() { ++arrived_; }
     /// Takes the oldest token out.
-    TokenValues read() {
-        TokenValues const token = tokens_.front();
-        tokens_.pop_front();
+    void read(TokenValues& fields) {
+        fields.assign(values_.begin(), values_.begin() + fields_);
+        values_.erase(values_.begin(), values_.begin() + fields_);
         --arrived_;
-        return token;
     }
     /// Tokens written and not read (SPEC section 3: at most the capacity).
     std::uint64_t occupancy() const { return std::min<std::uint64_t>(arrived_, shape_->capacity); }
@@ -31,7 +32,8 @@ class FifoState {
 
   private:
     timing::FifoShape const* shape_;
-    std::deque<TokenValues> tokens_;
+    std::ptrdiff_t fields_ = 0;        ///< of a token
+    std::deque<std::int64_t> values_;  ///< field by field, token by token
     std::uint64_t arrived_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "common/input_error.hpp"
+#include "recording/bram_ports.hpp"
 
 namespace faster::recording {
 
@@ -69,16 +70,16 @@ void add_fifo(SaveText& save, std::string const& path, RecordedCore const& core,
         save.signal(binary, fmt::format("{}.{}", path, name), 1);
     for (char const* const side : {"written", "read"})
         for (TokenField const& field : core.token_layouts[fifo])
-            save.signal(field.is_signed ? signed_decimal : decimal, fmt::format("{}.{}_{}", path, side, field.name),
+            save.signal(field.is_signed ? signed_decimal : decimal, fmt::format("{}.{}_{}", path, side, label(field)),
                         field.bits);
 }
 
 void add_bram(SaveText& save, std::string const& path, AcceleratorConfig const& config, std::size_t bram) {
     auto const side = static_cast<std::uint64_t>(config.window);
-    for (std::uint64_t port = 0; port < config.brams[bram].ports; ++port) {
-        save.signal(binary, fmt::format("{}.port{}_enable", path, port), 1);
-        save.signal(binary, fmt::format("{}.port{}_write_enable", path, port), 1);
-        save.signal(decimal, fmt::format("{}.port{}_address", path, port), bits_for(side * side - 1));
+    for (std::string const& port : bram_port_names(static_cast<BramId>(bram), config)) {
+        save.signal(binary, fmt::format("{}.{}_enable", path, port), 1);
+        save.signal(binary, fmt::format("{}.{}_write_enable", path, port), 1);
+        save.signal(decimal, fmt::format("{}.{}_address", path, port), bits_for(side * side - 1));
     }
 }
 

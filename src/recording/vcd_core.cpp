@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "recording/bram_ports.hpp"
+
 namespace faster::recording {
 
 using Kind = Event::Kind;
@@ -51,9 +53,9 @@ void VcdCore::declare_fifo(std::size_t fifo, SignalFilter const& filter, std::si
     signals.full = vcd_.add("full", 1, domain);
     signals.empty = vcd_.add("empty", 1, domain);
     for (TokenField const& field : core_.token_layouts[fifo])
-        signals.written.push_back(vcd_.add(fmt::format("written_{}", field.name), field.bits, domain));
+        signals.written.push_back(vcd_.add("written_" + label(field), field.bits, domain));
     for (TokenField const& field : core_.token_layouts[fifo])
-        signals.taken.push_back(vcd_.add(fmt::format("read_{}", field.name), field.bits, domain));
+        signals.taken.push_back(vcd_.add("read_" + label(field), field.bits, domain));
     vcd_.close_scope();
 }
 
@@ -63,11 +65,10 @@ void VcdCore::declare_bram(std::size_t bram, AcceleratorConfig const& config, Si
         return;
     auto const side = static_cast<std::uint64_t>(config.window);
     vcd_.open_scope(fmt::format("bram_{}", bram_names[bram]));
-    for (std::uint64_t port = 0; port < config.brams[bram].ports; ++port)
-        bram_signals_[bram].push_back(
-            {vcd_.add(fmt::format("port{}_enable", port), 1, domain),
-             vcd_.add(fmt::format("port{}_write_enable", port), 1, domain),
-             vcd_.add(fmt::format("port{}_address", port), bits_for(side * side - 1), domain)});
+    for (std::string const& port : bram_port_names(static_cast<BramId>(bram), config))
+        bram_signals_[bram].push_back({vcd_.add(port + "_enable", 1, domain),
+                                       vcd_.add(port + "_write_enable", 1, domain),
+                                       vcd_.add(port + "_address", bits_for(side * side - 1), domain)});
     vcd_.close_scope();
 }
 
@@ -147,7 +148,7 @@ void VcdCore::take_write(CoreEvent const& event) {
 
 void VcdCore::take_read(CoreEvent const& event) {
     std::size_t const fifo = event.event.item;
-    token_read_ = fifos_[fifo].read();
+    fifos_[fifo].read(token_read_);
     show_token(fifo_signals_[fifo].taken, token_read_);
     if (fifo_signals_[fifo].read != hidden)
         vcd_.pulse(fifo_signals_[fifo].read);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "config/bank_partition.hpp"
 #include "config/rasterizer_design.hpp"
 
 namespace faster::report {
@@ -12,11 +13,19 @@ std::string share(Cycles part, Diagnosis const& diagnosis) {
     return fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(diagnosis.cycles));
 }
 
-std::uint64_t ports_of(std::string const& bram, AcceleratorConfig const& config) {
-    for (std::size_t i = 0; i < bram_count; ++i)
-        if (bram == bram_names[i])
-            return config.brams[i].ports;
-    return 0;
+BramConfig const& bram_named(std::string const& name, AcceleratorConfig const& config) {
+    std::size_t i = 0;
+    while (name != bram_names[i])
+        ++i;
+    return config.brams[i];
+}
+
+/// "depth_buffer has 5 accesses per iteration on 2 ports"
+std::string crowding(LoopStatistics const& loop, AcceleratorConfig const& config) {
+    BramConfig const& bram = bram_named(loop.bram, config);
+    bool const is_split = BankPartition(bram.partition, config.window).banks() > 1;
+    return fmt::format("{}{} has {} accesses per iteration on {} port{}", is_split ? "a bank of " : "", loop.bram,
+                       loop.bram_accesses, bram.ports, bram.ports == 1 ? "" : "s");
 }
 
 std::string why(LoopStatistics const& loop, AcceleratorConfig const& config) {
@@ -24,8 +33,7 @@ std::string why(LoopStatistics const& loop, AcceleratorConfig const& config) {
         return fmt::format("at II {}", loop.ii);
     if (loop.limited_by == "recurrence")
         return fmt::format("at II {}, because a recurrence demands it", loop.ii);
-    return fmt::format("at II {}, because {} has {} accesses per iteration on {} port{}", loop.ii, loop.bram,
-                       loop.bram_accesses, ports_of(loop.bram, config), ports_of(loop.bram, config) == 1 ? "" : "s");
+    return fmt::format("at II {}, because {}", loop.ii, crowding(loop, config));
 }
 
 std::string loop_sentence(Cause const& cause, Diagnosis const& diagnosis, AcceleratorConfig const& config,

@@ -63,20 +63,29 @@ class Replay {
 
 }  // namespace
 
+std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
+                                                std::size_t core, std::shared_ptr<timing::Automaton> automaton,
+                                                bool leaves_trail) {
+    std::unique_ptr<timing::CoreTiming> timing = core_variant(*run.blueprint, config);
+    timing->let_follow(rasterizer_and_followers(), std::move(automaton));
+    if (leaves_trail)
+        timing->leave_trail();
+    CoreShare const share = share_of(core, config.raster_cores, run.tape.samples());
+    Replay replay(run.tape, *timing);
+    for (std::size_t i = 0; i < share.count; ++i)
+        replay.feed(share.first + i);
+    timing->resolve();
+    return timing;
+}
+
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) {
     auto const automaton = std::make_shared<timing::Automaton>();
     std::vector<std::unique_ptr<timing::CoreTiming>> timings;
     std::vector<FinishedCore> cores;
     for (std::size_t k = 0; k < config.raster_cores; ++k) {
-        timings.push_back(core_variant(*run.blueprint, config));
-        timing::CoreTiming& core = *timings.back();
-        core.let_follow(rasterizer_and_followers(), automaton);
+        timings.push_back(retime_core(run, config, k, automaton));
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
-        Replay replay(run.tape, core);
-        for (std::size_t i = 0; i < share.count; ++i)
-            replay.feed(share.first + i);
-        core.resolve();
-        cores.push_back({share, core, run.counters.data() + share.first});
+        cores.push_back({share, *timings.back(), run.counters.data() + share.first});
     }
     return collect(cores, config);
 }

@@ -9,7 +9,6 @@
 #include "common/input_error.hpp"
 #include "config/load_config.hpp"
 #include "config/resolved_config.hpp"
-#include "events/event_file.hpp"
 #include "io/output_file.hpp"
 #include "io/trace.hpp"
 #include "report/summary.hpp"
@@ -18,6 +17,7 @@
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/progress_line.hpp"
+#include "tb/recorded_events.hpp"
 #include "tb/results_folder.hpp"
 #include "tb/sample_pictures.hpp"
 #include "tb/workload_source.hpp"
@@ -36,16 +36,6 @@ std::vector<Sensitivity> work_out_sensitivities(retiming::RecordedRun const& rec
     ProgressLine progress("retimings");
     return retiming::sensitivities(recorded, loaded,
                                    [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
-}
-
-/// Without what was asked for besides: an event file says what the run did and how long it took.
-void write_events(io::OutputFile const& file, LoadedConfig const& loaded, retiming::RecordedRun const& recorded,
-                  RunStatistics run) {
-    run.sensitivities.clear();
-    run.critical_path.reset();
-    events::write_event_file(
-        file, loaded.config, recorded, run,
-        report::summary_json(resolved_keys(loaded.config), loaded.config.accelerator, run, report::HostTime{}));
 }
 
 void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,

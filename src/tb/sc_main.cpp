@@ -14,6 +14,9 @@
 #include "tb/run_command.hpp"
 #include "tb/sensitivities_command.hpp"
 #include "tb/show_command.hpp"
+#include "tb/size_fifos_command.hpp"
+#include "tb/sweep_command.hpp"
+#include "tb/sweep_merge_command.hpp"
 #include "tb/whatif_command.hpp"
 
 namespace {
@@ -188,6 +191,58 @@ void add_sensitivities(CLI::App& app, faster::SensitivitiesRequest& request) {
     command.add_option("--json", request.json, "Write the same as JSON to this file")->type_name("FILE");
 }
 
+void add_sweep_merge(CLI::App& sweep, faster::SweepMergeRequest& request) {
+    CLI::App& command = *sweep.add_subcommand("merge", "Join the folders of a sweep's shards");
+    command.add_option("folders", request.folders, "Output folders of the shards")->required()->type_name("DIR");
+    command.add_option("--out", request.out, "Folder of the whole sweep")->required()->type_name("DIR");
+}
+
+void add_sweep(CLI::App& app, faster::SweepRequest& request, faster::SweepMergeRequest& merge) {
+    CLI::App& command =
+        *app.add_subcommand("sweep", "Run a configuration in many variants; goes on where it was (docs/sweeps.md)");
+    command.add_option("sweep", request.sweep, "Sweep file (YAML)")->type_name("SWEEP");
+    command.add_option("--out", request.out, "Folder of the results")->type_name("DIR");
+    command.add_option("-j,--jobs", request.jobs, "Processes at once (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--shard", request.shard, "Only part I of N parts of the same size; join them with sweep merge")
+        ->type_name("I/N");
+    command.add_option("--time-limit", request.time_limit_s, "Give up a point after this time (86400)")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.001, 1e9));
+    command.add_flag("--retry-failed", request.retry_failed, "Do points that failed before again");
+    command.add_flag("--keep-events", request.keep_events, "Keep the event files, in case points are added later");
+    add_sweep_merge(command, merge);
+}
+
+void add_size_fifos(CLI::App& app, faster::SizeFifosRequest& request) {
+    CLI::App& command = *app.add_subcommand(
+        "size-fifos",
+        "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones");
+    command.add_option("events", request.events, "Event file of faster-sim run --events")
+        ->required()
+        ->type_name("EVENTS");
+    command.add_option("--within", request.within_percent, "How much longer than with unbounded FIFOs, in per cent")
+        ->required()
+        ->type_name("PERCENT")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--out", request.out, "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
+        ->type_name("DIR");
+    command.add_option("--ramb36-luts", request.luts_per_ramb36, "LUTs that a block RAM of 36 Kbit is worth (300.53)")
+        ->type_name("LUTS")
+        ->check(CLI::Range(0.01, 1e6));
+    command.add_option("--points", request.front_points, "Bounds at which cost is weighed against cycles; 0: none")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1000));
+    command.add_option("-j,--jobs", request.jobs, "Threads (the host's cores)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    add_overrides(command, request.overrides);
+    command.footer("Only depths are searched; kinds stay as configured, auto being a memory above depth 2.");
+}
+
 int one_line_error(std::string text) {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -197,9 +252,9 @@ int one_line_error(std::string text) {
 
 /// The parser would only say that some subcommand is missing.
 std::string unknown_subcommand(int argc, char** argv) {
-    std::vector<std::string> const known{
-        "run",          "check", "record", "whatif", "sensitivities", "compare", "compare-architectures",
-        "edge-quality", "show",  "keys"};
+    std::vector<std::string> const known{"run",           "check",        "record",  "whatif",
+                                         "sensitivities", "size-fifos",   "compare", "compare-architectures",
+                                         "sweep",         "edge-quality", "show",    "keys"};
     std::string const given = argc > 1 ? argv[1] : "";
     if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
         return "";
@@ -229,6 +284,11 @@ int run_tool(int argc, char** argv) {
     add_whatif(app, whatif_request);
     faster::SensitivitiesRequest sensitivities_request;
     add_sensitivities(app, sensitivities_request);
+    faster::SizeFifosRequest size_fifos_request;
+    add_size_fifos(app, size_fifos_request);
+    faster::SweepRequest sweep_request;
+    faster::SweepMergeRequest sweep_merge_request;
+    add_sweep(app, sweep_request, sweep_merge_request);
     faster::ShowRequest show_request;
     add_show(app, show_request);
     app.add_subcommand("keys", "Print every configuration key with meaning, unit, range and default (Markdown)");
@@ -249,6 +309,14 @@ int run_tool(int argc, char** argv) {
         return whatif(whatif_request);
     if (app.got_subcommand("sensitivities"))
         return print_sensitivities(sensitivities_request);
+    if (app.got_subcommand("size-fifos"))
+        return print_fifo_sizes(size_fifos_request);
+    if (app.got_subcommand("sweep") && app.get_subcommand("sweep")->got_subcommand("merge"))
+        return merge_sweeps(sweep_merge_request);
+    if (app.got_subcommand("sweep") && (sweep_request.sweep.empty() || sweep_request.out.empty()))
+        return one_line_error("sweep: expected a sweep file and --out DIR (see faster-sim sweep --help)");
+    if (app.got_subcommand("sweep"))
+        return sweep(sweep_request);
     if (app.got_subcommand("compare"))
         return compare(compare_request);
     if (app.got_subcommand("compare-architectures"))

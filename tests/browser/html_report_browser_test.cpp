@@ -3,10 +3,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
-#include <sstream>
 
 #include "report_html/html_report.hpp"
-#include "support/command.hpp"
+#include "support/browser.hpp"
 #include "support/example_run.hpp"
 #include "support/report_page.hpp"
 #include "support/temp_folder.hpp"
@@ -17,52 +16,6 @@ using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 namespace {
-
-/// Where Debian's package chromium puts it; empty without.
-std::string chromium() {
-    std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (std::filesystem::exists(folder + "/chromium"))
-            return folder + "/chromium";
-    return "";
-}
-
-/// CTest reports a test that prints this as skipped.
-bool browser_is_missing() {
-    if (!chromium().empty())
-        return false;
-    WARN("skipped: chromium is not installed (scripts/setup.sh --dev installs it)");
-    return true;
-}
-
-/// The page of a file in `folder` after its script ran. Anything on the console is an error: the page writes nothing.
-std::string drawn_page(TempFolder const& folder, std::string const& file, Words const& options = {}) {
-    Words arguments{"--headless=new",
-                    "--no-sandbox",  // CI is root in a container
-                    "--disable-gpu",
-                    "--disable-dev-shm-usage",
-                    "--allow-file-access-from-files",
-                    "--enable-logging=stderr",
-                    "--virtual-time-budget=10000",
-                    "--window-size=1280,2400",
-                    "--user-data-dir=" + (folder / "profile").string()};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    arguments.insert(arguments.end(), {"--dump-dom", "file://" + (folder / file).string()});
-    CommandResult const result = run_command(chromium(), arguments, folder.path());
-    INFO(result.err);
-    REQUIRE(result.exit_code == 0);
-    REQUIRE(result.err.find(":CONSOLE") == std::string::npos);
-    return result.out;
-}
-
-/// What the page found out about itself.
-Json self_check(TempFolder const& folder, std::string const& file, Words const& options = {}) {
-    Json check = json_element(drawn_page(folder, file + "#self-check", options), "self-check");
-    CHECK(check["errors"] == Json::array());
-    CHECK(check["painted"] == check["charts"]);
-    CHECK(check["page_width"] <= check["window_width"]);  // nothing makes the page itself scroll sideways
-    return check;
-}
 
 std::string png_of(int side) {
     std::vector<unsigned char> bytes;

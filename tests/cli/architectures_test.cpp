@@ -69,7 +69,9 @@ TEST_CASE("The presets beyond the thesis read and clear the depth buffer as they
     };
     for (Beyond const& preset :
          {Beyond{"faster", 3, true, false}, Beyond{"line_buffers", 1, true, true},
-          Beyond{"clear_on_read_out", 3, false, false}, Beyond{"line_buffers_clear_on_read_out", 1, false, true}}) {
+          Beyond{"clear_on_read_out", 3, false, false}, Beyond{"line_buffers_clear_on_read_out", 1, false, true},
+          Beyond{"banked_depth_buffer", 1, true, false}, Beyond{"wide_clearing", 2, true, false},
+          Beyond{"sweep_lanes_4", 1, false, true}}) {
         CAPTURE(preset.file);
         nlohmann::json const summary = summary_of({preset.file, "", 0, 0, 0});
         CHECK(row_of(summary["loops"], "loop", "sweep")["ii"] == preset.sweep_ii);

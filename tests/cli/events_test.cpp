@@ -42,6 +42,8 @@ TEST_CASE("whatif writes what a run with the same keys writes") {
     Words const settings{"--set", "accelerator.fifos.edge_token.depth=16",
                          "--set", "accelerator.fifos.command.kind=memory",
                          "--set", "accelerator.brams.depth_buffer.ports=3",
+                         "--set", "accelerator.brams.edge_map.partition.type=cyclic",
+                         "--set", "accelerator.brams.edge_map.partition.factor=2",
                          "--set", "accelerator.raster_cores=3",
                          "--set", "accelerator.clock_mhz=150"};
     Words run{"run", "config.yaml", "--out", "run"};
@@ -80,6 +82,7 @@ TEST_CASE("whatif refuses keys that decide about more than time, by name") {
     check("accelerator.inlier_unit.fragment_loop=flattened",
           "accelerator.inlier_unit.fragment_loop decides which operations there are");
     check("accelerator.edge_map.flush_last=true", "accelerator.edge_map.flush_last decides what is computed");
+    check("accelerator.inlier_unit.sweep_lanes=2", "accelerator.inlier_unit.sweep_lanes decides what is computed");
     check("workload.samples.count=4", "workload.samples.count is part of the workload");
     check("simulation.engine=lockstep", "simulation.engine decides how a run is simulated");
     check_bad_input(workspace.whatif({"--set", "accelerator.fifos.edge_tokn.depth=3"}), {"edge_token"});
@@ -124,6 +127,20 @@ TEST_CASE("whatif takes a matrix of configurations") {
     std::string const cycles = std::to_string(workspace.summary("run")["total_cycles"].get<std::uint64_t>());
     CHECK_THAT(rows[1], Contains("finished," + cycles + ","));
     CHECK_THAT(result.out, Contains(cycles));
+}
+
+TEST_CASE("whatif refuses to count the words of other banks where they are cleared side by side") {
+    Workspace const workspace;
+    Words const wide{"--set", "accelerator.inlier_unit.clearing=wide"};
+    Words record{"run", "config.yaml", "--events", "wide.events"};
+    record.insert(record.end(), wide.begin(), wide.end());
+    require_done(workspace.tool(record));
+    std::string const type = "accelerator.brams.depth_buffer.partition.type=cyclic";
+    std::string const factor = "accelerator.brams.depth_buffer.partition.factor=2";
+    check_bad_input(workspace.tool({"whatif", "wide.events", "--set", type, "--set", factor}),
+                    {"--set " + type, "decides how many iterations a wide clearing loop has", "use faster-sim run"});
+    require_done(workspace.tool({"whatif", "wide.events", "--set", "accelerator.brams.edge_map.partition.type=cyclic",
+                                 "--set", "accelerator.brams.edge_map.partition.factor=2"}));
 }
 
 TEST_CASE("A bad matrix is refused with its line") {

@@ -36,7 +36,8 @@ TrialOptions small_windows() {
 Trial run_trial(std::uint64_t seed, TrialOptions options) {
     options.stimulus.random_fraction_bits = seed % 3 == 0;
     Stimulus const stimulus = random_stimulus(seed, options.stimulus);
-    AcceleratorConfig const config = random_config(seed, options.config);
+    AcceleratorConfig config = random_config(seed, options.config);
+    config.window = stimulus.window;
     return {run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
             run_forked(config, stimulus, Engine::decoupled).statistics};
 }
@@ -158,6 +159,24 @@ TEST_CASE("Engines and twin agree: any way to clear the maps and to read neighbo
         options.config.algorithm = algorithm;
         options.config.any_clearing = true;
         check_seeds(seed, 30, options);
+        seed += 100;
+    }
+}
+
+TEST_CASE("Engines and twin agree: any banks, clearings and lanes", "[engine_vs_twin][partition][lanes]") {
+    std::uint64_t seed = 8000;
+    for (EdgeMapAlgorithm const algorithm : {EdgeMapAlgorithm::dual_map, EdgeMapAlgorithm::bounded,
+                                             EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        TrialOptions options = small_windows();
+        options.config.algorithm = algorithm;
+        options.config.any_clearing = true;
+        options.config.any_partition = true;
+        options.config.max_lanes = seed % 200 == 0 ? 3 : 9;
+        options.config.is_deadlock_free = seed != 8200;
+        options.stimulus.window = {9, 24};
+        options.config.max_ports = 2;
+        check_seeds(seed, 20, options);
         seed += 100;
     }
 }

@@ -45,6 +45,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     RandomConfigOptions options;
     options.fifo_depth = {1, 24};
     options.is_deadlock_free = seed % 3 != 0;
+    options.any_partition = true;
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
@@ -73,6 +74,7 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     config.rasterizer.setup_overlap = number % 5 < 2 ? 0 : number % 5 - 1;
     if (config.edge_map.algorithm != EdgeMapAlgorithm::threshold)
         config.rasterizer.scan = static_cast<ScanPolicy>((number / 2) % 3);
+    config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
     return config;
 }
 

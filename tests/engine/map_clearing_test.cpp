@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "config/block_ram.hpp"
 #include "modules/core_shapes.hpp"
@@ -10,7 +11,8 @@ namespace {
 
 AcceleratorConfig machine(NeighbourAccess access, MapClearing clearing) {
     AcceleratorConfig config = with_cores(1);
-    config.inlier_unit = {access, clearing};
+    config.inlier_unit.neighbour_access = access;
+    config.inlier_unit.clearing = clearing;
     config.edge_map.clearing = clearing;
     return config;
 }
@@ -63,6 +65,62 @@ TEST_CASE("Without triangles, line buffers and clearing on read-out take W^2 + W
             CHECK(loop_of(run, LoopId::sweep).iterations == static_cast<Cycles>(samples) * (side * side + side + 1));
         }
     }
+}
+
+TEST_CASE("Without triangles, lanes divide the sweep of line buffers and clearing on read-out",
+          "[map_clearing][lanes]") {
+    Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
+    for (int const window : {8, 33, 200})
+        for (int const lanes : {1, 3, 4, window}) {
+            AcceleratorConfig config = machine(NeighbourAccess::window, MapClearing::on_read_out);
+            config.window = window;
+            config.inlier_unit.sweep_lanes = lanes;
+            auto const side = static_cast<Cycles>(window);
+            auto const row = (side + static_cast<Cycles>(lanes) - 1) / static_cast<Cycles>(lanes);
+            for (BramConfig& bram : config.brams)
+                bram.partition = {PartitionType::cyclic, static_cast<std::uint64_t>(lanes), 2};
+            Cycles const sweep = side * row + row + 8;
+            // The line buffers fill from cycle 6 to 6 + row; the first edge bits are there in cycle 10.
+            Cycles const wait = row < 3 ? 3 - row : 0;
+            CAPTURE(engine, window, lanes);
+            for (int const samples : {1, 3}) {
+                RunStatistics const run = run_forked(config, empty_stimulus(window, samples), engine).statistics;
+                CHECK(run.total_cycles == sweep + 8 + wait + static_cast<Cycles>(samples - 1) * (sweep + 4));
+                CHECK(run.cores.at(0).fifos[index_of(FifoId::edge_map)].writes ==
+                      static_cast<Cycles>(samples) * side * row);
+            }
+        }
+}
+
+TEST_CASE("Lanes need banks, for themselves and for their neighbours", "[map_clearing][lanes]") {
+    AcceleratorConfig config = machine(NeighbourAccess::direct, MapClearing::loop);
+    config.inlier_unit.sweep_lanes = 4;
+    CHECK(sweep_ii(config) == 7);  // 14 words
+    CHECK(initiation_interval(LoopId::output, config).achieved == 2);
+    config.bram(BramId::depth_buffer).partition = {PartitionType::cyclic, 4, 2};
+    CHECK(sweep_ii(config) == 2);
+    config.inlier_unit.neighbour_access = NeighbourAccess::window;
+    CHECK(sweep_ii(config) == 1);
+    config.inlier_unit.clearing = MapClearing::on_read_out;
+    CHECK(sweep_ii(config) == 1);
+    CHECK(line_buffer_shape(config).words == 50);
+    CHECK(line_buffer_shape(config).bits == 88);
+}
+
+TEST_CASE("Wide clearing takes as long as the largest bank has words", "[map_clearing][partition]") {
+    AcceleratorConfig config = machine(NeighbourAccess::direct, MapClearing::wide);
+    auto const iterations = [&config] {
+        RunStatistics const run = run_forked(config, empty_stimulus(10, 2), Engine::decoupled).statistics;
+        return std::pair{loop_of(run, LoopId::edge_clear).iterations, loop_of(run, LoopId::depth_clear).iterations};
+    };
+    config.window = 10;
+    CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{200, 200});
+    config.bram(BramId::edge_map).partition = {PartitionType::cyclic, 3, 2};
+    CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{200, 200});  // the object map is one bank still
+    config.bram(BramId::object_map).partition = {PartitionType::block, 4, 0};
+    config.bram(BramId::depth_buffer).partition = {PartitionType::cyclic, 10, 1};
+    CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{80, 20});
+    CHECK(initiation_interval(LoopId::edge_clear, config).achieved == 1);
 }
 
 TEST_CASE("How maps are cleared and read changes no result", "[map_clearing]") {

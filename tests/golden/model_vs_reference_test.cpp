@@ -134,7 +134,10 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         machine.algorithm = algorithm;
         machine.any_scan = any_scan;
         machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map;
-        AcceleratorConfig const config = random_config(seed, machine);
+        machine.any_partition = machine.any_clearing;
+        machine.max_lanes = machine.any_clearing ? std::min(stimulus.window, 9) : 1;
+        AcceleratorConfig config = random_config(seed, machine);
+        config.window = stimulus.window;
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)
             check_model(config, stimulus, Engine::lockstep);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "support/twin_function.hpp"
 #include "support/twin_programs.hpp"
 
 namespace faster::testing {
@@ -91,9 +94,17 @@ Fifos make_fifos(AcceleratorConfig const& config) {
     return fifos;
 }
 
+/// A word, seen from the pixel of the iteration.
+using Word = TwinPixel;
+
+constexpr Word own{0, 0};
+constexpr Word above{-1, 0};
+constexpr Word below{1, 0};
+
+/// Words of one memory that an iteration touches in its worst branch; one that is read and written stands there twice.
 struct BramUse {
     BramId bram;
-    std::uint64_t accesses;
+    std::vector<Word> words;
 };
 
 /// Reads and writes of the worst branch, counted from the thesis's pseudo code.
@@ -101,17 +112,17 @@ std::vector<BramUse> token_uses(EdgeMapAlgorithm algorithm) {
     switch (algorithm) {
         case EdgeMapAlgorithm::threshold:
         case EdgeMapAlgorithm::transition:
-            return {{BramId::edge_map, 2}};
+            return {{BramId::edge_map, {own, own}}};
         case EdgeMapAlgorithm::bounded:
-            return {{BramId::edge_map, 5}};
+            return {{BramId::edge_map, {own, below, below, above, above}}};
         case EdgeMapAlgorithm::dual_map:
             break;
         case EdgeMapAlgorithm::dual_map_4_1_2:
-            return {{BramId::edge_map, 2}, {BramId::object_map, 3}};
+            return {{BramId::edge_map, {below, above}}, {BramId::object_map, {own, below, above}}};
         case EdgeMapAlgorithm::inner_border:
-            return {{BramId::object_map, 1}};
+            return {{BramId::object_map, {own}}};
     }
-    return {{BramId::edge_map, 2}, {BramId::object_map, 2}};
+    return {{BramId::edge_map, {below, above}}, {BramId::object_map, {below, above}}};
 }
 
 bool has_one_map(EdgeMapAlgorithm algorithm) {
@@ -119,19 +130,50 @@ bool has_one_map(EdgeMapAlgorithm algorithm) {
            algorithm == EdgeMapAlgorithm::bounded;
 }
 
-std::uint64_t sweep_accesses(AcceleratorConfig const& config) {
-    bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
-                      config.inlier_unit.neighbour_access == NeighbourAccess::window;
-    return (once ? 1U : 5U) + (config.inlier_unit.clearing == MapClearing::on_read_out ? 1U : 0U);
+/// What as many iterations side by side as there are lanes read or write together.
+std::vector<Word> side_by_side(std::vector<Word> const& words, AcceleratorConfig const& config) {
+    std::set<std::pair<int, int>> places;
+    for (Word const& word : words) {
+        for (int lane = 0; lane < config.inlier_unit.sweep_lanes; ++lane) {
+            places.insert({word.row, word.col + lane});
+        }
+    }
+    std::vector<Word> together;
+    for (auto const& [row, col] : places) {
+        together.push_back({row, col});
+    }
+    return together;
 }
 
-std::vector<BramUse> output_uses(EdgeMapConfig const& edge_map) {
+void append(std::vector<Word>& words, std::vector<Word> const& more) {
+    words.insert(words.end(), more.begin(), more.end());
+}
+
+/// The words cleared behind a sweep that reads neighbours are those of the token above to the left.
+std::vector<Word> sweep_words(AcceleratorConfig const& config) {
+    bool const once = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
+                      config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    std::vector<Word> words =
+        side_by_side(once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}}, config);
+    if (config.inlier_unit.clearing == MapClearing::on_read_out) {
+        append(words, side_by_side({once ? own : Word{-1, -config.inlier_unit.sweep_lanes}}, config));
+    }
+    return words;
+}
+
+std::vector<BramUse> output_uses(AcceleratorConfig const& config) {
+    EdgeMapConfig const& edge_map = config.edge_map;
     bool const clears = edge_map.clearing == MapClearing::on_read_out;
+    std::vector<Word> const once = side_by_side({own}, config);
+    std::vector<Word> sent = once;
+    if (clears) {
+        append(sent, once);
+    }
     if (edge_map.algorithm == EdgeMapAlgorithm::inner_border)
-        return {{BramId::object_map, clears ? 2U : 1U}};
-    std::vector<BramUse> uses{{BramId::edge_map, clears ? 2U : 1U}};
+        return {{BramId::object_map, sent}};
+    std::vector<BramUse> uses{{BramId::edge_map, sent}};
     if (clears && !has_one_map(edge_map.algorithm))
-        uses.push_back({BramId::object_map, 1});
+        uses.push_back({BramId::object_map, once});
     return uses;
 }
 
@@ -141,26 +183,61 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
     switch (loop) {
         case LoopId::edge_clear:
             if (is_inner)
-                return {{BramId::object_map, 1}};
+                return {{BramId::object_map, {own}}};
             if (has_one_map(algorithm))
-                return {{BramId::edge_map, 1}};
-            return {{BramId::edge_map, 1}, {BramId::object_map, 1}};
+                return {{BramId::edge_map, {own}}};
+            return {{BramId::edge_map, {own}}, {BramId::object_map, {own}}};
         case LoopId::token:
             return token_uses(algorithm);
         case LoopId::output:
-            return output_uses(config.edge_map);
+            return output_uses(config);
         case LoopId::depth_clear:
-            return {{BramId::depth_buffer, 1}};
+            return {{BramId::depth_buffer, {own}}};
         case LoopId::fragment:
-            return {{BramId::depth_buffer, 2}};
+            return {{BramId::depth_buffer, {own, own}}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, sweep_accesses(config)}};
+            return {{BramId::depth_buffer, sweep_words(config)}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
             break;
     }
     return {};
+}
+
+/// How many stretches of the dimension have banks of their own.
+int banks_of(PartitionConfig const& partition, std::uint64_t dimension) {
+    bool const is_spared = partition.dimension != 0 && partition.dimension != dimension;
+    return partition.type != PartitionType::none && !is_spared ? static_cast<int>(partition.factor) : 1;
+}
+
+/// The bank along one dimension of a coordinate >= 0.
+int bank_along(int at, PartitionType type, int banks, int side) {
+    if (banks == 1) {
+        return 0;
+    }
+    return type == PartitionType::cyclic ? at % banks : at / ((side + banks - 1) / banks);
+}
+
+/// Tries every place of the pixel, in a plane so large that no word is at its border.
+std::uint64_t most_in_a_bank(std::vector<Word> const& words, PartitionConfig const& partition, int side) {
+    int const rows = banks_of(partition, 1);
+    int const cols = banks_of(partition, 2);
+    std::uint64_t most = 0;
+    for (int row = side; row < 2 * side + 1; ++row) {
+        for (int col = side; col < 2 * side + 1; ++col) {
+            std::map<std::pair<int, int>, std::uint64_t> counts;
+            for (Word const& word : words) {
+                std::pair<int, int> const bank{bank_along(row + word.row, partition.type, rows, side),
+                                               bank_along(col + word.col, partition.type, cols, side)};
+                most = std::max(most, ++counts[bank]);
+            }
+            if (rows == 1 && cols == 1) {
+                return most;
+            }
+        }
+    }
+    return most;
 }
 
 /// What SPEC section 3 says of one loop before anything runs.
@@ -174,11 +251,15 @@ struct LoopRules {
 LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
     LoopConfig const& loop = config.loop(id);
     Cycles ports_ii = 0;
+    double largest_quotient = 0;
     std::string tightest;
     for (BramUse const& use : bram_uses(id, config)) {
-        Cycles const demanded = ceil_div(use.accesses, config.bram(use.bram).ports);
-        if (demanded > ports_ii) {
-            ports_ii = demanded;
+        BramConfig const& bram = config.bram(use.bram);
+        std::uint64_t const accesses = most_in_a_bank(use.words, bram.partition, config.window);
+        ports_ii = std::max(ports_ii, ceil_div(accesses, bram.ports));
+        double const quotient = static_cast<double>(accesses) / static_cast<double>(bram.ports);
+        if (quotient > largest_quotient) {
+            largest_quotient = quotient;
             tightest = name_of(use.bram);
         }
     }

@@ -371,12 +371,23 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     config.fifo(FifoId::area_reciprocal).write_latency = static_cast<Cycles>(dice.between(0, dice.one_in(2) ? 1 : 40));
     config.edge_map.algorithm = options.algorithm;
     if (options.any_clearing) {
-        config.edge_map.clearing = static_cast<MapClearing>(dice.between(0, 1));
-        config.inlier_unit.clearing = static_cast<MapClearing>(dice.between(0, 1));
+        int const last = options.any_partition ? 2 : 1;
+        config.edge_map.clearing = static_cast<MapClearing>(dice.between(0, last));
+        config.inlier_unit.clearing = static_cast<MapClearing>(dice.between(0, last));
         config.inlier_unit.neighbour_access = static_cast<NeighbourAccess>(dice.between(0, 1));
     }
     if (options.any_scan) {
         draw_scan(dice, config);
+    }
+    if (options.max_lanes > 1) {
+        config.inlier_unit.sweep_lanes = dice.between(1, options.max_lanes);
+    }
+    for (BramConfig& bram : config.brams) {
+        if (options.any_partition) {
+            bram.partition = {static_cast<PartitionType>(dice.between(0, 2)),
+                              static_cast<std::uint64_t>(dice.between(1, 4)),
+                              static_cast<std::uint64_t>(dice.between(0, 2))};
+        }
     }
     for (double& threshold : config.edge_map.thresholds) {
         threshold = dice.one_in(4) ? 0.0 : dice.between(0, 120) / 8.0;

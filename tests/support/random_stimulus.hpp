@@ -52,8 +52,10 @@ struct RandomConfigOptions {
     Cycles max_recurrence_ii = 4;
     std::uint64_t max_ports = 3;
     EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
-    bool any_scan = false;      ///< draws how triangles are prepared and scanned, and how their fragments are taken
-    bool any_clearing = false;  ///< draws how maps are cleared, and how the sweep reads
+    bool any_scan = false;       ///< draws how triangles are prepared and scanned, and how their fragments are taken
+    bool any_clearing = false;   ///< draws how maps are cleared, and how the sweep reads
+    bool any_partition = false;  ///< draws banks of block RAMs, for windows of at least 4; and clearings that use them
+    int max_lanes = 1;           ///< of the sweep, at most the window
     /// Makes the FIFOs that are written and read side by side (command, fragment_depth, fragment_index; observed_depth,
     /// observed_edge) deep enough for their write latencies; else many a configuration deadlocks, as it should.
     bool is_deadlock_free = true;

@@ -376,7 +376,7 @@ Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, 
             return build_first_write(tokens, window, config.flush_last, result.token_iteration_reads);
         case EdgeMapAlgorithm::inner_border:
             result.token_iteration_reads.assign(tokens.size(), true);
-            result.output_lead = static_cast<std::size_t>(window);
+            result.output_reads_ahead = true;
             return build_inner_border(tokens, window);
         case EdgeMapAlgorithm::threshold:
         case EdgeMapAlgorithm::transition:

@@ -41,7 +41,7 @@ struct TwinTriangle {
 struct TwinSampleFunction {
     std::vector<TwinTriangle> triangles;
     std::vector<bool> token_iteration_reads;  ///< one per iteration of the token loop; false for second iterations
-    std::size_t output_lead = 0;              ///< iterations of the output loop before it sends the first bit
+    bool output_reads_ahead = false;          ///< the output loop has read a row when it sends the first bit
     SampleCounters counters;
 };
 

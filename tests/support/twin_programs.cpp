@@ -151,12 +151,54 @@ TwinProgram area_reciprocal(TwinSampleFunction const& sample) {
     return program;
 }
 
-TwinProgram edge_map_builder(TwinSampleFunction const& sample, EdgeMapConfig const& config, std::size_t pixels) {
+std::size_t ceil_div(std::size_t dividend, std::size_t divisor) { return (dividend + divisor - 1) / divisor; }
+
+/// Tokens of a row of the window.
+std::size_t row_tokens(AcceleratorConfig const& config, std::size_t side) {
+    return ceil_div(side, static_cast<std::size_t>(config.inlier_unit.sweep_lanes));
+}
+
+/// Words of the largest bank.
+std::size_t words_of_bank(BramConfig const& bram, std::size_t side) {
+    PartitionConfig const& partition = bram.partition;
+    if (partition.type == PartitionType::none) {
+        return side * side;
+    }
+    std::size_t const share = ceil_div(side, partition.factor);
+    return partition.dimension == 0 ? share * share : share * side;
+}
+
+/// A loop of as many iterations as the clearing of these memories takes, if it is a loop.
+void clearing_loop(TwinProgram& program, LoopId id, MapClearing clearing, std::vector<BramConfig> const& brams,
+                   std::size_t side) {
+    std::size_t words = clearing == MapClearing::loop ? side * side : 0;
+    for (BramConfig const& bram : brams) {
+        words = clearing == MapClearing::wide ? std::max(words, words_of_bank(bram, side)) : words;
+    }
+    if (clearing != MapClearing::on_read_out) {
+        uniform_loop(program, id, {}, words);
+    }
+}
+
+std::vector<BramConfig> maps_of(AcceleratorConfig const& config) {
+    switch (config.edge_map.algorithm) {
+        case EdgeMapAlgorithm::threshold:
+        case EdgeMapAlgorithm::transition:
+        case EdgeMapAlgorithm::bounded:
+            return {config.bram(BramId::edge_map)};
+        case EdgeMapAlgorithm::inner_border:
+            return {config.bram(BramId::object_map)};
+        case EdgeMapAlgorithm::dual_map:
+        case EdgeMapAlgorithm::dual_map_4_1_2:
+            break;
+    }
+    return {config.bram(BramId::edge_map), config.bram(BramId::object_map)};
+}
+
+TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
-    if (config.clearing == MapClearing::loop) {
-        uniform_loop(program, LoopId::edge_clear, {}, pixels);
-    }
+    clearing_loop(program, LoopId::edge_clear, config.edge_map.clearing, maps_of(config), side);
     step(program, {read_of(FifoId::edge_token)});
     if (sample.token_iteration_reads.empty()) {
         pass(program, 1);
@@ -168,29 +210,30 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, EdgeMapConfig con
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
     pass(program, 1);
-    std::vector<std::uint8_t> output(sample.output_lead, 0);
-    output.insert(output.end(), pixels, 1);
+    std::vector<std::uint8_t> output(sample.output_reads_ahead ? row_tokens(config, side) : 0, 0);
+    output.insert(output.end(), side * row_tokens(config, side), 1);
     loop(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
     return program;
 }
 
-TwinProgram observation_reader(std::size_t pixels) {
+TwinProgram observation_reader(std::size_t tokens) {
     TwinProgram program;
     step(program, {read_of(FifoId::sample_observation)});
-    uniform_loop(program, LoopId::read, {write_of(FifoId::observed_depth), write_of(FifoId::observed_edge)}, pixels);
+    uniform_loop(program, LoopId::read, {write_of(FifoId::observed_depth), write_of(FifoId::observed_edge)}, tokens);
     return program;
 }
 
-/// A row and a pixel more: before the first pixel while line buffers fill, or after the last to clear what is left.
+/// A row and a token more: before the first pixel while line buffers fill, or after the last to clear what is left.
 std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std::size_t side) {
     bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
     bool const has_neighbours = config.edge_map.algorithm != EdgeMapAlgorithm::inner_border;
     bool const is_window = config.inlier_unit.neighbour_access == NeighbourAccess::window;
-    std::vector<std::uint8_t> iterations(side * side, 0b111);
+    std::size_t const row = row_tokens(config, side);
+    std::vector<std::uint8_t> iterations(side * row, 0b111);
     if (has_neighbours && is_window) {
-        iterations.insert(iterations.begin(), side + 1, 0);
+        iterations.insert(iterations.begin(), row + 1, 0);
     } else if (has_neighbours && clears) {
-        iterations.insert(iterations.end(), side + 1, 0);
+        iterations.insert(iterations.end(), row + 1, 0);
     }
     return iterations;
 }
@@ -231,9 +274,7 @@ void take_in_one_loop(TwinProgram& program, TwinSampleFunction const& sample) {
 TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
-    if (config.inlier_unit.clearing == MapClearing::loop) {
-        uniform_loop(program, LoopId::depth_clear, {}, side * side);
-    }
+    clearing_loop(program, LoopId::depth_clear, config.inlier_unit.clearing, {config.bram(BramId::depth_buffer)}, side);
     step(program, {read_of(FifoId::command)});
     if (config.inlier_unit.fragment_loop == FragmentLoop::flattened) {
         take_in_one_loop(program, sample);
@@ -259,7 +300,6 @@ TwinProgram result_collector() {
 TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample) {
     TwinSampleFunction const function = evaluate_sample(stimulus, sample, config.edge_map, config.rasterizer.scan);
     std::size_t const side = static_cast<std::size_t>(stimulus.window);
-    std::size_t const pixels = side * side;
 
     TwinSamplePrograms result;
     result.counters = function.counters;
@@ -270,8 +310,8 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::vertex_transform, vertex_transform(function));
     set(ModuleId::rasterizer, rasterizer(function, config));
     set(ModuleId::area_reciprocal, area_reciprocal(function));
-    set(ModuleId::edge_map_builder, edge_map_builder(function, config.edge_map, pixels));
-    set(ModuleId::observation_reader, observation_reader(pixels));
+    set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
+    set(ModuleId::observation_reader, observation_reader(side * row_tokens(config, side)));
     set(ModuleId::inlier_unit, inlier_unit(function, config, side));
     set(ModuleId::result_collector, result_collector());
     return result;

@@ -226,6 +226,39 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
 }
 
+TEST_CASE("A partition needs a type, words for its banks, and no more banks than there can be", "[config][errors]") {
+    CHECK(set_error("accelerator.brams.edge_map.partition.factor=4") ==
+          "--set accelerator.brams.edge_map.partition.factor=4: expected 1, or "
+          "accelerator.brams.edge_map.partition.type = \"none\" (default) to be cyclic or block");
+    CHECK(set_error("accelerator.brams.object_map.partition.dimension=2") ==
+          "--set accelerator.brams.object_map.partition.dimension=2: expected 0, or "
+          "accelerator.brams.object_map.partition.type = \"none\" (default) to be cyclic or block");
+    CHECK(
+        file_error("accelerator:\n  window: 8\n  brams:\n    depth_buffer: {partition: {type: block, factor: 9}}\n") ==
+        "test.yaml:4: accelerator.brams.depth_buffer.partition.factor = 9, expected at most accelerator.window = 8");
+    CHECK(file_error("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 33}}\n") ==
+          "test.yaml:3: accelerator.brams.edge_map.partition.factor = 33, expected at most 1024 banks in all, with "
+          "accelerator.brams.edge_map.partition.dimension = 0 (default)");
+    CHECK(set_error("accelerator.brams.edge_map.partition.type=cyclc") ==
+          "--set accelerator.brams.edge_map.partition.type=cyclc: expected one of none, cyclic, block");
+    RunConfig const config =
+        loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n").config;
+    CHECK(config.accelerator.bram(faster::BramId::edge_map).partition.factor == 32);
+}
+
+TEST_CASE("A trace's window bounds the banks as well", "[config][errors]") {
+    LoadedConfig config = loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n");
+    CHECK(error_of([&] { faster::adopt_trace(config, 64, 64, 16, {}); }) ==
+          "test.yaml:3: accelerator.brams.edge_map.partition.factor = 32, expected at most accelerator.window = 16");
+}
+
+TEST_CASE("There are no more lanes than columns", "[config][errors]") {
+    CHECK(set_error("accelerator.inlier_unit.sweep_lanes=201") ==
+          "--set accelerator.inlier_unit.sweep_lanes=201: expected at most accelerator.window = 200 (default)");
+    CHECK(set_error("accelerator.inlier_unit.sweep_lanes=0") ==
+          "--set accelerator.inlier_unit.sweep_lanes=0: expected an integer from 1 to 4096");
+}
+
 TEST_CASE("An override of an unknown key names the nearest valid one", "[config][errors]") {
     CHECK(set_error("accelerator.fifo.command.depth=4") ==
           "--set accelerator.fifo.command.depth=4: unknown key, did you mean accelerator.fifos.command.depth?");

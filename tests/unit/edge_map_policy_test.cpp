@@ -165,8 +165,8 @@ TEST_CASE("Only the inner border is known a row late", "[edge_map]") {
     for (EdgeMapAlgorithm const algorithm :
          {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition, EdgeMapAlgorithm::bounded,
           EdgeMapAlgorithm::dual_map, EdgeMapAlgorithm::dual_map_4_1_2})
-        CHECK(make_edge_map_policy(algorithm, 9)->output_lead() == 0);
-    CHECK(make_edge_map_policy(EdgeMapAlgorithm::inner_border, 9)->output_lead() == 9);
+        CHECK(make_edge_map_policy(algorithm, 9)->rows_read_ahead() == 0);
+    CHECK(make_edge_map_policy(EdgeMapAlgorithm::inner_border, 9)->rows_read_ahead() == 1);
 }
 
 namespace {

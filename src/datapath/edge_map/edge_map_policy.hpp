@@ -34,8 +34,8 @@ class EdgeMapPolicy {
     /// Called once after all tokens, before anybody looks at the maps.
     virtual void finish() {}
 
-    /// Iterations of the output loop before the one that sends the first bit.
-    virtual std::size_t output_lead() const { return 0; }
+    /// Rows that the output loop has read when it sends the first bit.
+    virtual std::size_t rows_read_ahead() const { return 0; }
 
     /// W x W bytes, 0 or 1, row by row: the contour, which leaves; and the pixels known to be no contour because the
     /// object covers them.

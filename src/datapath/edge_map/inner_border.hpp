@@ -35,7 +35,7 @@ class InnerBorder final : public EdgeMapPolicy {
                 edge_[index(row, col)] = is_border(row, col) ? 1 : 0;
     }
 
-    std::size_t output_lead() const override { return static_cast<std::size_t>(side()); }
+    std::size_t rows_read_ahead() const override { return 1; }
 
     std::uint8_t const* edge() const override { return edge_.data(); }
     std::uint8_t const* object() const override { return object_.data(); }

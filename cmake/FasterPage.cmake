@@ -1,0 +1,23 @@
+# An HTML page made of real files: template, style, scripts, and Debian's Chart.js. The build joins them to one C++ string.
+find_file(FASTER_CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH
+  DOC "Minified Chart.js 3.9 (Debian: libjs-chart.js)")
+if(NOT FASTER_CHART_JS)
+  message(FATAL_ERROR "Chart.js not found: install libjs-chart.js, or set FASTER_CHART_JS to chart.min.js 3.9")
+endif()
+set(FASTER_PAGE_JOINER ${CMAKE_CURRENT_LIST_DIR}/JoinReportPage.cmake)
+
+# faster_join_page(OUTPUT TEMPLATE file STYLES files... SCRIPTS files... NAME namespace::variable HEADER header)
+# OUTPUT is set to the C++ source; HEADER declares the variable, of type char const* const.
+function(faster_join_page output)
+  cmake_parse_arguments(ARG "" "TEMPLATE;NAME;HEADER" "STYLES;SCRIPTS" ${ARGN})
+  cmake_path(GET ARG_TEMPLATE STEM stem)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/page_of_${stem}.cpp)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DTEMPLATE=${ARG_TEMPLATE} "-DSTYLES=${ARG_STYLES}" -DCHART_JS=${FASTER_CHART_JS}
+      "-DSCRIPTS=${ARG_SCRIPTS}" -DNAME=${ARG_NAME} -DHEADER=${ARG_HEADER} -DOUTPUT=${source} -P ${FASTER_PAGE_JOINER}
+    DEPENDS ${ARG_TEMPLATE} ${ARG_STYLES} ${ARG_SCRIPTS} ${FASTER_CHART_JS} ${FASTER_PAGE_JOINER}
+    COMMENT "Joining the page ${stem}.html"
+    VERBATIM)
+  set(${output} ${source} PARENT_SCOPE)
+endfunction()

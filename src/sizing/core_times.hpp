@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "retiming/recorded_run.hpp"
+#include "sizing/cut.hpp"
+
+namespace faster::sizing {
+
+/// How long the cores of a recorded run would take with other FIFOs. Remembers what it has worked out. May be asked by
+/// several threads at once.
+class CoreTimes {
+  public:
+    /// A run and its configuration, of which all but the FIFOs' depths and kinds counts.
+    CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config);
+
+    /// Those that have samples.
+    std::size_t cores() const { return cores_; }
+
+    /// Whether cycles() has nothing to work out.
+    bool is_known(std::size_t core, Choice const& choice) const;
+    /// One past a core's last result read, or Cut::deadlock.
+    Cycles cycles(std::size_t core, Choice const& choice);
+    /// The same for several cores at once, on up to `jobs` threads: the largest. That is total_cycles, or
+    /// Cut::deadlock.
+    Cycles total_cycles(Choice const& choice, unsigned jobs);
+    /// Why a core takes as long as it does, or never ends: the FIFOs where its critical path turns, or those that are
+    /// full in the deadlock.
+    Cut explain(std::size_t core, Choice const& choice);
+
+    /// Tokens that go through each FIFO, of the core that has most, among those that were seen to end.
+    std::array<std::uint64_t, fifo_count> const& tokens() const { return tokens_; }
+    /// How many cores were retimed so far.
+    std::size_t retimed_cores() const { return retimed_; }
+
+  private:
+    using Place = std::pair<std::size_t, Choice>;
+
+    std::unique_ptr<timing::CoreTiming> retime(std::size_t core, Choice const& choice,
+                                               std::shared_ptr<timing::Automaton> automaton, bool leaves_trail);
+    void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
+    Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
+    void enter(Place const& place, timing::CoreTiming& core);
+
+    retiming::RecordedRun const& run_;
+    AcceleratorConfig const config_;
+    std::size_t cores_;
+    std::array<std::uint64_t, fifo_count> tokens_{};
+    std::map<Place, Cycles> known_;
+    std::size_t retimed_ = 0;
+    mutable std::mutex mutex_;
+};
+
+}  // namespace faster::sizing

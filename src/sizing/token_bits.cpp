@@ -1,0 +1,61 @@
+#include "sizing/token_bits.hpp"
+
+namespace faster::sizing {
+
+namespace {
+
+constexpr unsigned vertex_xy_bits = 16;
+constexpr unsigned vertex_z_bits = 16;
+constexpr unsigned depth_bits = 11;
+constexpr unsigned header_bits = 4 * 32;  // sample, centre_row, centre_col, triangles
+constexpr unsigned pixel_bits = 2 * 16;   // row and column relative to the window, which may lie outside it
+/// A triangle's doubled area is no more than its bounding box: x range times y range, both below 2^16.
+constexpr unsigned magnitude_of_area = 2 * vertex_xy_bits;
+
+constexpr unsigned bits_for(std::uint64_t largest) {
+    unsigned bits = 0;
+    for (; largest > 0; largest /= 2)
+        ++bits;
+    return bits;
+}
+
+/// Four counters count pixels of the window once; valid_raster counts redraws too.
+unsigned result_bits(AcceleratorConfig const& config) {
+    auto const side = static_cast<std::uint64_t>(config.window);
+    return 4 * bits_for(side * side) + 32;
+}
+
+}  // namespace
+
+unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
+    switch (id) {
+        case FifoId::sample_vertex:
+        case FifoId::sample_raster:
+        case FifoId::sample_observation:
+            return header_bits;
+        case FifoId::vertex:
+            return 2 * vertex_xy_bits + vertex_z_bits;
+        case FifoId::area:
+            return magnitude_of_area + 1;  // signed
+        case FifoId::area_reciprocal:      // up to 2^(recip + 2 xy), that of an area of code 1
+            return static_cast<unsigned>(config.fraction_bits.area_reciprocal + 2 * config.fraction_bits.vertex_xy) + 1;
+        case FifoId::command:
+            return 2;
+        case FifoId::fragment_depth:  // weights of a point inside add up to the area
+            return magnitude_of_area + vertex_z_bits;
+        case FifoId::fragment_index:
+            return pixel_bits;
+        case FifoId::edge_token:
+            return pixel_bits + 2;  // edge, object or end
+        case FifoId::observed_depth:
+            return depth_bits;
+        case FifoId::edge_map:
+        case FifoId::observed_edge:
+            return 1;
+        case FifoId::result:
+            break;
+    }
+    return result_bits(config);
+}
+
+}  // namespace faster::sizing

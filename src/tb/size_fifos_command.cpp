@@ -1,0 +1,76 @@
+#include "tb/size_fifos_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+#include <thread>
+
+#include "common/input_error.hpp"
+#include "events/event_file.hpp"
+#include "events/retimed_config.hpp"
+#include "io/atomic_folder.hpp"
+#include "io/text_file.hpp"
+#include "report_html/sizing_html.hpp"
+#include "sizing/sizing_files.hpp"
+#include "sizing/sizing_text.hpp"
+#include "tb/progress_line.hpp"
+#include "tb/run_command.hpp"
+
+namespace faster {
+
+namespace {
+
+io::FolderKind const sizing_folder{"sizing", "sizing.json", {"pareto.csv", "depths.yaml", "sizing.html"}};
+
+sizing::SizingOptions options_of(SizeFifosRequest const& request) {
+    sizing::SizingOptions options;
+    options.within_percent = request.within_percent;
+    options.weights.luts_per_ramb36 = request.luts_per_ramb36;
+    options.front_points = request.front_points;
+    options.jobs = request.jobs > 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency());
+    return options;
+}
+
+sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile const& recorded,
+                          AcceleratorConfig const& config) {
+    ProgressLine line("steps");
+    auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
+    try {
+        return sizing::size_fifos(recorded.run, config, options_of(request), progress);
+    } catch (InputError const& error) {
+        throw InputError(request.events + ": " + error.what());
+    }
+}
+
+void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, io::AtomicFolder& folder) {
+    std::string const title =
+        fmt::format("faster-sim size-fifos {} --within {}", std::filesystem::path(request.events).filename().string(),
+                    request.within_percent);
+    std::string const json = sizing::sizing_json(sizing);
+    io::write_file(folder.path() / "sizing.json", json);
+    io::write_file(folder.path() / "sizing.html", report::sizing_html(title, json));
+    io::write_file(folder.path() / "pareto.csv", sizing::pareto_csv(sizing));
+    io::write_file(folder.path() / "depths.yaml", sizing::depths_yaml(sizing, title));
+    folder.commit();
+}
+
+}  // namespace
+
+int print_fifo_sizes(SizeFifosRequest const& request) {
+    events::EventFile const recorded = events::read_event_file(request.events);
+    LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
+    auto const folder = request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, sizing_folder);
+    auto const start = std::chrono::steady_clock::now();
+    sizing::Sizing const sizing = worked_out(request, recorded, changed.config.accelerator);
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (folder)
+        write_files(request, sizing, *folder);
+    fmt::print("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores,
+               seconds);
+    if (folder)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+}  // namespace faster

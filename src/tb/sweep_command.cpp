@@ -1,0 +1,86 @@
+#include "tb/sweep_command.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "common/input_error.hpp"
+#include "config/plain_text.hpp"
+#include "processes/process_pool.hpp"
+#include "sweeps/journal.hpp"
+#include "sweeps/manifest.hpp"
+#include "sweeps/point_identity.hpp"
+#include "sweeps/shard.hpp"
+#include "sweeps/sweep_file.hpp"
+#include "sweeps/sweep_folder.hpp"
+#include "tb/sweep_outputs.hpp"
+#include "tb/sweeper.hpp"
+
+namespace faster {
+
+namespace {
+
+using sweeps::PointResult;
+
+sweeps::Shard shard_of(std::string const& text) {
+    if (text.empty())
+        return {};
+    std::size_t const slash = text.find('/');
+    auto const index = parse_integer(text.substr(0, slash));
+    auto const count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+    if (!index || !count || *index < 1 || *index > *count)
+        throw InputError(fmt::format("--shard {}: expected I/N with I from 1 to N, such as 2/8", shortened(text)));
+    return {static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+std::vector<sweeps::PointIdentity> identities_of(sweeps::Sweep const& sweep) {
+    sweeps::Identifier identifier;
+    std::vector<sweeps::PointIdentity> identities;
+    for (std::size_t i = 0; i < sweep.points(); ++i)
+        identities.push_back(identifier.identity(sweep.configuration(i).config));
+    return identities;
+}
+
+sweeps::Manifest manifest_of(sweeps::Sweep const& sweep, std::vector<sweeps::PointIdentity> const& identities) {
+    sweeps::Manifest manifest;
+    manifest.sweep = std::filesystem::path(sweep.file).filename().string();
+    manifest.version = FASTER_VERSION;
+    manifest.columns = sweep.columns();
+    for (std::size_t i = 0; i < identities.size(); ++i)
+        manifest.points.push_back({identities[i].point, sweep.values(i)});
+    return manifest;
+}
+
+bool has_failed(PointResult const& result) { return result.status == PointResult::Status::failed; }
+bool is_wanted(PointResult const&) { return false; }
+
+void say_what_is_there(sweeps::Journal const& journal, std::size_t points, std::size_t pending) {
+    if (journal.damaged() > 0)
+        fmt::print("{} rows of the journal were cut off or damaged: their points are done again\n", journal.damaged());
+    if (pending < points)
+        fmt::print("{} of {} points are done already\n", points - pending, points);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int sweep(SweepRequest const& request) {
+    sweeps::Shard const shard = shard_of(request.shard);
+    sweeps::Sweep const sweep = sweeps::read_sweep_file(request.sweep);
+    std::vector<sweeps::PointIdentity> const identities = identities_of(sweep);
+    sweeps::Manifest const manifest = manifest_of(sweep, identities);
+    sweeps::SweepFolder folder(request.out);
+    folder.adopt(manifest);
+    folder.prepare_events();
+    sweeps::Journal journal(folder.journal(), request.retry_failed ? has_failed : is_wanted);
+    std::vector<std::size_t> const points = points_of_shard(identities, shard);
+    {
+        processes::SignalWatch const watch;
+        Sweeper sweeper(request, sweep, identities, points, folder, journal);
+        say_what_is_there(journal, points.size(), sweeper.pending());
+        sweeper.work(watch);
+    }
+    return write_sweep_outputs(folder, manifest, journal.results());
+}
+
+}  // namespace faster

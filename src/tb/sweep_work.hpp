@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sweeps/point_result.hpp"
+#include "sweeps/schedule.hpp"
+#include "sweeps/sweep.hpp"
+
+namespace faster {
+
+/// What a process that works on a sweep has to say.
+struct SweepReply {
+    std::vector<std::pair<std::size_t, sweeps::PointResult>> results;  ///< by point
+    bool has_events = false;                                           ///< the event file is there
+    bool lost_events = false;                                          ///< the event file is no good
+    std::string trouble;  ///< why nothing can be written, say because the disk is full; empty: all is well
+};
+
+/// Does an assignment, in a process of its own: it may simulate. Whatever is wrong with a point is its result.
+SweepReply work_on(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep,
+                   std::filesystem::path const& events);
+
+/// A reply for another process, and back.
+std::string to_text(SweepReply const& reply);
+SweepReply reply_from_text(std::string const& text);
+
+}  // namespace faster

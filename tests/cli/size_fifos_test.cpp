@@ -1,0 +1,133 @@
+#include <catch2/catch.hpp>
+
+#include "support/command.hpp"
+#include "support/report_page.hpp"
+#include "support/small_workspace.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// The event file of a run of config.yaml on a window that is small enough to be sized quickly.
+class Workspace {
+  public:
+    Workspace() {
+        require_done(tool({"run", "config.yaml", "--events", "events", "--set", "accelerator.window=24", "--set",
+                           "workload.samples.count=2"}));
+    }
+
+    CommandResult tool(Words const& words) const { return run_command(FASTER_SIM_BINARY, words, folder().path()); }
+    CommandResult size(Words words) const {
+        words.insert(words.begin(), {"size-fifos", "events"});
+        return tool(words);
+    }
+    std::string text(std::string const& name) const { return small_.text(name); }
+    Json json(std::string const& name) const { return Json::parse(text(name)); }
+    bool has(std::string const& name) const { return std::filesystem::exists(folder() / name); }
+    TempFolder const& folder() const { return small_.folder(); }
+
+  private:
+    SmallWorkspace small_;
+};
+
+}  // namespace
+
+TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
+    Workspace const workspace;
+    CommandResult const result = workspace.size({"--within", "2", "--out", "sizes", "--points", "3"});
+    require_done(result);
+    Json const sizing = workspace.json("sizes/sizing.json");
+    CHECK(sizing["format"] == "faster-sizing");
+    CHECK(sizing["proven"] == true);
+    auto const unbounded = sizing["unbounded"]["total_cycles"].get<std::uint64_t>();
+    auto const answer = sizing["answer"]["total_cycles"].get<std::uint64_t>();
+    CHECK(sizing["bound_cycles"].get<std::uint64_t>() == unbounded + unbounded * 2 / 100);
+    CHECK(answer <= sizing["bound_cycles"].get<std::uint64_t>());
+    CHECK_THAT(result.out, Contains("Proven: no depths within the bound cost less."));
+    CHECK_THAT(result.out, Contains(std::to_string(answer)));
+
+    require_done(workspace.tool({"compare-architectures", "sizes/depths.yaml", "--workloads", "config.yaml", "--set",
+                                 "accelerator.window=24", "--set", "workload.samples.count=2", "--csv", "run.csv"}));
+    CHECK_THAT(workspace.text("run.csv"), Contains(",finished," + std::to_string(answer) + ","));
+
+    REQUIRE(sizing["certificate"].size() > 0);
+    for (Json const& row : sizing["certificate"]) {
+        CAPTURE(row.dump());
+        Words words{"whatif", "events"};
+        for (Json const& fifo : sizing["fifos"]) {
+            auto const name = fifo["fifo"].get<std::string>();
+            Json const& depth = name == row["fifo"] ? row["shallower_depth"] : fifo["depth"];
+            words.insert(words.end(), {"--set", "accelerator.fifos." + name + ".depth=" + depth.dump()});
+        }
+        CommandResult const shallower = workspace.tool(words);
+        if (row["total_cycles"].is_null())
+            CHECK(shallower.exit_code == 3);
+        else
+            CHECK_THAT(shallower.out, Contains("total  " + row["total_cycles"].dump() + " cycles"));
+    }
+}
+
+TEST_CASE("The files of size-fifos agree, and are the same on any number of threads") {
+    Workspace const workspace;
+    require_done(workspace.size({"--within", "5", "--out", "one", "-j", "1", "--points", "4"}));
+    require_done(workspace.size({"--within", "5", "--out", "three", "-j", "3", "--points", "4"}));
+    for (std::string const file : {"/sizing.json", "/pareto.csv", "/depths.yaml", "/sizing.html"})
+        CHECK(workspace.text("one" + file) == workspace.text("three" + file));
+    Json const sizing = workspace.json("one/sizing.json");
+    CHECK(json_element(workspace.text("one/sizing.html"), "data") == sizing);
+    std::vector<std::string> const rows = lines_of(workspace.text("one/pareto.csv"));
+    REQUIRE(rows.size() == sizing["front"].size() + 1);
+    CHECK_THAT(rows[0], Contains("cost_luts,luts,ramb36,total_cycles,milliseconds,proven,sample_vertex,"));
+    for (std::size_t i = 0; i < sizing["front"].size(); ++i)
+        CHECK_THAT(rows[i + 1], Contains("," + sizing["front"][i]["total_cycles"].dump() + ","));
+    require_done(workspace.size({"--within", "9", "--out", "one", "--points", "0"}));  // an older one is replaced
+    CHECK(workspace.json("one/sizing.json")["front"].empty());
+}
+
+TEST_CASE("size-fifos keeps the kinds of a configuration, and weighs block RAM as it is told") {
+    Workspace const workspace;
+    require_done(
+        workspace.size({"--within", "0", "--out", "a", "--points", "0", "--set",
+                        "accelerator.fifos.command.kind=shift_register", "--set", "accelerator.raster_cores=1"}));
+    Json const a = workspace.json("a/sizing.json");
+    CHECK(a["raster_cores"] == 1);
+    CHECK(a["fifos"][6]["fifo"] == "command");
+    CHECK(a["fifos"][6]["kind"] == "shift_register");
+    require_done(workspace.size({"--within", "0", "--out", "b", "--points", "0", "--ramb36-luts", "20"}));
+    Json const b = workspace.json("b/sizing.json");
+    CHECK(b["luts_per_ramb36"] == 20);
+    CHECK(b["answer"]["ramb36"].get<double>() > 0);
+    require_done(workspace.size({"--within", "0", "--out", "c", "--points", "0", "--ramb36-luts", "1000000"}));
+    CHECK(workspace.json("c/sizing.json")["answer"]["ramb36"] == 0);
+}
+
+TEST_CASE("size-fifos refuses what is no good with one line, and leaves nothing") {
+    Workspace const workspace;
+    check_bad_input(workspace.size({}), {"--within"});
+    check_bad_input(workspace.size({"--within", "-1"}), {"--within"});
+    check_bad_input(workspace.size({"--within", "much"}), {"--within"});
+    check_bad_input(workspace.size({"--within", "1", "--ramb36-luts", "0"}), {"--ramb36-luts"});
+    check_bad_input(workspace.size({"--within", "1", "-j", "0"}), {"--jobs"});
+    check_bad_input(workspace.size({"--within", "1", "--out", "out", "--set", "accelerator.window=30"}),
+                    {"accelerator.window", "use faster-sim run"});
+    check_bad_input(workspace.size({"--within", "1", "--out", "out", "--set", "accelerator.fifos.comand.kind=memory"}),
+                    {"command"});
+    CHECK_FALSE(workspace.has("out"));
+    workspace.folder().write("file", "text");
+    check_bad_input(workspace.size({"--within", "1", "--out", "file"}), {"file"});
+    check_bad_input(workspace.tool({"size-fifos", "config.yaml", "--within", "1"}), {"is no event file"});
+    check_bad_input(workspace.tool({"size-fifos", "missing", "--within", "1"}), {"missing"});
+    check_bad_input(workspace.tool({"size-fifo"}), {"did you mean size-fifos"});
+}
+
+TEST_CASE("The help of size-fifos tells its options") {
+    Workspace const workspace;
+    CommandResult const result = workspace.tool({"size-fifos", "--help"});
+    require_done(result);
+    for (std::string const option : {"--within", "--out", "--ramb36-luts", "--points", "--jobs", "--set", "EVENTS"})
+        CHECK_THAT(result.out, Contains(option));
+}

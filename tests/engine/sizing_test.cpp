@@ -1,0 +1,335 @@
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "events/event_file.hpp"
+#include "retiming/retime.hpp"
+#include "sizing/size_fifos.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/small_stimulus.hpp"
+#include "support/temp_folder.hpp"
+
+namespace faster::sizing {
+namespace {
+
+using Random = std::mt19937_64;
+
+/// A recorded run of a small random workload on a small random machine, which is printed if a check fails.
+struct Case {
+    Stimulus stimulus;
+    AcceleratorConfig config;
+    events::EventFile file;
+
+    Case(Stimulus of, AcceleratorConfig on) : stimulus(std::move(of)), config(std::move(on)) {
+        test::TempFolder const folder;
+        testing::ForkOptions options;
+        options.events = folder / "events";
+        REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
+        file = events::read_event_file(folder / "events");
+        config = file.loaded.config.accelerator;
+    }
+
+    Cycles cycles(Choice const& choice) const {
+        RunStatistics const run = retiming::retime(file.run, with_choice(config, choice));
+        return run.deadlocked() ? Cut::deadlock : run.total_cycles;
+    }
+};
+
+/// `free_fifos` of the FIFOs have random kinds, the others are shift registers, whose price steps are large: few
+/// combinations cost less than an answer.
+Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
+    testing::RandomStimulusOptions workload;
+    workload.width = {24, 48};
+    workload.height = {24, 48};
+    workload.window = {4, 12};
+    workload.samples = {1, 6};
+    workload.triangles = {0, 8};
+    testing::RandomConfigOptions machine;
+    machine.cores = {1, 3};
+    AcceleratorConfig config = testing::random_config(seed, machine);
+    Random random(seed);
+    for (FifoConfig& fifo : config.fifos)
+        fifo.kind = FifoKind::shift_register;
+    for (std::size_t i = 0; i < free_fifos; ++i)
+        config.fifos[free_fifos == fifo_count ? i : random() % fifo_count].kind = std::array<FifoKind, 4>{
+            FifoKind::automatic, FifoKind::automatic, FifoKind::shift_register, FifoKind::memory}[random() % 4];
+    return {testing::random_stimulus(seed, workload), config};
+}
+
+FifoChoice random_fifo(Random& random) {
+    return {random() % 2 == 0 ? FifoKind::shift_register : FifoKind::memory,
+            1 + random() % (random() % 4 == 0 ? 40 : 4)};
+}
+
+Choice random_choice(Random& random) {
+    Choice choice;
+    for (FifoChoice& fifo : choice)
+        fifo = random_fifo(random);
+    return choice;
+}
+
+bool is_no_better(FifoChoice const& a, FifoChoice const& b) {
+    return a.capacity() <= b.capacity() && a.read_latency() >= b.read_latency();
+}
+
+SizingOptions within(double percent) {
+    SizingOptions options;
+    options.within_percent = percent;
+    options.front_points = 0;
+    return options;
+}
+
+/// Whether some combination of levels that costs less is within the bound: tries them all.
+class BruteForce {
+  public:
+    BruteForce(Case const& of, Sizing const& sizing) : case_(of), sizing_(sizing) {
+        for (std::size_t i = 0; i < fifo_count; ++i) {
+            std::uint64_t const depth = std::max<std::uint64_t>(3, sizing.unbounded.choice[i].depth);
+            levels_[i] = levels_of(of.config.fifos[i].kind, sizing.bits[i], depth, sizing.options.weights);
+        }
+        for (std::size_t i = fifo_count; i-- > 0;)
+            least_[i] = least_[i + 1] + levels_[i].front().cost;
+    }
+
+    /// How many combinations cost less; too many are not counted to the end.
+    std::size_t cheaper() {
+        only_counts_ = true;
+        tried_ = 0;
+        try_all(0, 0);
+        return tried_;
+    }
+    std::size_t cheaper_within() {
+        only_counts_ = false;
+        try_all(0, 0);
+        return found_;
+    }
+    static constexpr std::size_t most = 400;
+
+  private:
+    void try_all(std::size_t fifo, double cost) {
+        if (cost + least_[fifo] >= sizing_.answer.cost - 1e-6 || (only_counts_ && tried_ > most))
+            return;
+        if (fifo == fifo_count) {
+            ++tried_;
+            found_ += !only_counts_ && case_.cycles(choice_) <= sizing_.bound ? 1U : 0U;
+            return;
+        }
+        for (Level const& level : levels_[fifo]) {
+            choice_[fifo] = level.choice;
+            try_all(fifo + 1, cost + level.cost);
+        }
+    }
+
+    Case const& case_;
+    Sizing const& sizing_;
+    Levels levels_;
+    std::array<double, fifo_count + 1> least_{};
+    Choice choice_{};
+    bool only_counts_ = false;
+    std::size_t tried_ = 0;
+    std::size_t found_ = 0;
+};
+
+void check_certificate(Case const& of, Sizing const& sizing) {
+    CHECK(sizing.is_proven);
+    CHECK(sizing.answer.total_cycles <= sizing.bound);
+    CHECK(of.cycles(sizing.answer.choice) == sizing.answer.total_cycles);
+    std::size_t steps = 0;
+    for (CertificateRow const& row : sizing.certificate) {
+        CAPTURE(name_of(row.fifo), row.shallower.depth);
+        Choice shallower = sizing.answer.choice;
+        shallower[index_of(row.fifo)] = row.shallower;
+        CHECK(row.shallower.depth < sizing.answer.choice[index_of(row.fifo)].depth);
+        CHECK(of.cycles(shallower) == row.total_cycles);
+        CHECK(row.total_cycles > sizing.bound);
+        steps += row.is_token_step ? 1U : 0U;
+    }
+    auto const is_deep = [](FifoChoice const& fifo) { return fifo.depth > 1; };
+    CHECK(steps ==
+          static_cast<std::size_t>(std::count_if(sizing.answer.choice.begin(), sizing.answer.choice.end(), is_deep)));
+}
+
+}  // namespace
+
+TEST_CASE("More room or less latency never makes a run longer", "[sizing]") {
+    std::size_t changed = 0;
+    for (std::uint64_t seed = 40; seed < 52; ++seed) {
+        Case const one = random_case(seed);
+        Random random(seed);
+        for (int i = 0; i < 60; ++i) {
+            CAPTURE(seed, i);
+            Choice const worse = random_choice(random);
+            Choice better = worse;
+            for (std::size_t fifo = 0; fifo < fifo_count; ++fifo)
+                if (FifoChoice const other = random_fifo(random); is_no_better(worse[fifo], other))
+                    better[fifo] = other;
+            Cycles const before = one.cycles(worse);
+            Cycles const after = one.cycles(better);
+            CHECK(after <= before);
+            changed += after < before ? 1U : 0U;
+        }
+    }
+    CHECK(changed > 100);
+}
+
+TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]") {
+    std::size_t tried = 0;
+    for (std::uint64_t seed = 60; seed < 70; ++seed) {
+        Case const one = random_case(seed);
+        CoreTimes times(one.file.run, one.config);
+        Random random(seed);
+        for (int i = 0; i < 20; ++i) {
+            Cut const cut = times.explain(0, random_choice(random));
+            for (int k = 0; k < 10; ++k) {
+                CAPTURE(seed, i, k);
+                Choice choice = random_choice(random);
+                for (FifoChoice& fifo : choice)
+                    if (random() % 3 > 0)
+                        fifo = {FifoKind::shift_register, 300};
+                for (Cut::Member const& member : cut.members)
+                    if (member.lets_escape(choice[index_of(member.fifo)])) {
+                        std::uint64_t const capacity = member.capacity > 0 ? member.capacity : 300;
+                        choice[index_of(member.fifo)] = member.is_slow ? FifoChoice{FifoKind::memory, capacity - 1}
+                                                                       : FifoChoice{FifoKind::shift_register, capacity};
+                    }
+                REQUIRE_FALSE(cut.is_escaped(choice));
+                CHECK(times.cycles(0, choice) >= cut.total_cycles);
+                ++tried;
+            }
+        }
+    }
+    CHECK(tried == 2000);
+}
+
+TEST_CASE("Unbounded FIFOs are as fast as those with room for everything", "[sizing]") {
+    for (std::uint64_t seed = 80; seed < 90; ++seed) {
+        CAPTURE(seed);
+        Case const one = random_case(seed);
+        Sizing const sizing = size_fifos(one.file.run, one.config, within(0));
+        Choice everything = sizing.unbounded.choice;
+        for (FifoChoice& fifo : everything)
+            fifo.depth = 5000;  // tokens; none of these workloads has more in a FIFO
+        CHECK(one.cycles(everything) == sizing.unbounded.total_cycles);
+    }
+}
+
+TEST_CASE("No combination of depths that costs less is within the bound: all are tried", "[sizing]") {
+    std::size_t tried = 0;
+    std::size_t cases = 0;
+    for (std::uint64_t seed = 100; seed < 120; ++seed) {
+        Case const one = random_case(seed, 5);
+        for (double const percent : {0.0, 4.0, 15.0}) {
+            CAPTURE(seed, percent);
+            Sizing const sizing = size_fifos(one.file.run, one.config, within(percent));
+            CHECK(sizing.is_proven);
+            BruteForce brute_force(one, sizing);
+            std::size_t const combinations = brute_force.cheaper();
+            if (combinations == 0 || combinations > BruteForce::most)
+                continue;
+            CHECK(brute_force.cheaper_within() == 0);
+            tried += combinations;
+            ++cases;
+        }
+    }
+    CAPTURE(tried, cases);
+    CHECK(tried > 1000);
+    CHECK(cases > 10);
+}
+
+TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes what the answer says", "[sizing]") {
+    for (std::uint64_t seed = 200; seed < 212; ++seed) {
+        Case const one = random_case(seed);
+        double const percent = static_cast<double>(seed % 4) * 2.5;
+        CAPTURE(seed, percent);
+        Sizing const sizing = size_fifos(one.file.run, one.config, within(percent));
+        check_certificate(one, sizing);
+        AcceleratorConfig config = with_choice(one.config, sizing.answer.choice);
+        for (std::size_t i = 0; i < fifo_count; ++i)
+            config.fifos[i].kind = one.config.fifos[i].kind;  // auto is decided by the depth
+        RunStatistics const run = testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;
+        REQUIRE_FALSE(run.deadlocked());
+        CHECK(run.total_cycles == sizing.answer.total_cycles);
+    }
+}
+
+TEST_CASE("Where block RAM is nearly free, a memory may be cheaper than a shift register", "[sizing]") {
+    std::size_t memories = 0;
+    for (std::uint64_t seed = 220; seed < 226; ++seed) {
+        CAPTURE(seed);
+        Case const one = random_case(seed);
+        SizingOptions options = within(5);
+        options.weights.luts_per_ramb36 = 20;
+        Sizing const sizing = size_fifos(one.file.run, one.config, options);
+        CHECK(sizing.is_proven);
+        CHECK(one.cycles(sizing.answer.choice) <= sizing.bound);
+        for (CertificateRow const& row : sizing.certificate)
+            CHECK(row.breaks(sizing.bound));
+        for (std::size_t i = 0; i < fifo_count; ++i)
+            memories += one.config.fifos[i].kind == FifoKind::automatic &&
+                                sizing.answer.choice[i] == FifoChoice{FifoKind::memory, 3}
+                            ? 1U
+                            : 0U;
+    }
+    CHECK(memories > 0);
+}
+
+TEST_CASE("A search that is given up says what it does not know", "[sizing]") {
+    std::size_t given_up = 0;
+    for (std::uint64_t seed = 205; seed < 213; ++seed) {
+        CAPTURE(seed);
+        Case const one = random_case(seed);
+        SizingOptions options = within(0);
+        double const proven = size_fifos(one.file.run, one.config, options).answer.cost;
+        options.most_retimings = 1;
+        Sizing const sizing = size_fifos(one.file.run, one.config, options);
+        CHECK(sizing.answer.total_cycles <= sizing.bound);
+        CHECK(sizing.least_cost <= proven + 1e-6);
+        CHECK(sizing.answer.cost >= proven - 1e-6);
+        for (CertificateRow const& row : sizing.certificate)
+            CHECK(row.breaks(sizing.bound));
+        given_up += sizing.is_proven ? 0U : 1U;
+    }
+    CHECK(given_up > 2);
+}
+
+TEST_CASE("Points of the front get faster as they cost more, and none is beaten by the answer", "[sizing]") {
+    Case const one = random_case(207);
+    SizingOptions options = within(3);
+    options.front_points = 6;
+    Sizing const sizing = size_fifos(one.file.run, one.config, options);
+    REQUIRE_FALSE(sizing.front.empty());
+    for (std::size_t i = 0; i < sizing.front.size(); ++i) {
+        FrontPoint const& point = sizing.front[i];
+        CHECK(one.cycles(point.found.choice) == point.found.total_cycles);
+        CHECK(point.found.is_proven);
+        CHECK_FALSE((sizing.answer.cost < point.cost - 1e-6 && sizing.answer.total_cycles <= point.bound));
+        if (i > 0) {
+            CHECK(point.cost > sizing.front[i - 1].cost);
+            CHECK(point.found.total_cycles < sizing.front[i - 1].found.total_cycles);
+        }
+    }
+    CHECK(sizing.front.back().found.total_cycles <= sizing.unbounded.total_cycles);
+}
+
+TEST_CASE("Threads change nothing about a sizing, and a run without samples needs next to nothing", "[sizing]") {
+    Case const one = random_case(209);
+    SizingOptions options = within(1);
+    Sizing const alone = size_fifos(one.file.run, one.config, options);
+    options.jobs = 4;
+    CHECK(size_fifos(one.file.run, one.config, options).answer.choice == alone.answer.choice);
+    Case const nothing(testing::empty_stimulus(4, 0), testing::with_cores(2));
+    Sizing const sizing = size_fifos(nothing.file.run, nothing.config, within(0));
+    CHECK(sizing.is_proven);
+    CHECK(sizing.answer.total_cycles == 0);
+    CHECK(sizing.certificate.empty());
+}
+
+TEST_CASE("A bound is a whole number of cycles, percent above", "[sizing]") {
+    CHECK(bound_within(0, 11552965) == 11552965);
+    CHECK(bound_within(5, 100) == 105);
+    CHECK(bound_within(0.1, 3000) == 3003);
+    CHECK(bound_within(7, 100) == 107);
+    CHECK(bound_within(1, 99) == 99);
+}
+
+}  // namespace faster::sizing

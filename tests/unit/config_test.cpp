@@ -478,8 +478,8 @@ TEST_CASE("The reciprocal and the area fit 62 bits together", "[config][errors]"
 TEST_CASE("The edge tokens of threshold lie where only the zigzag looks", "[config][errors]") {
     char const* const threshold = "accelerator: {edge_map: {algorithm: threshold}, rasterizer: {scan: ";
     CHECK(error_of([&] { loaded(threshold + std::string("spans}}")); }) ==
-          "test.yaml:1: accelerator.rasterizer.scan = spans, expected zigzag because of "
-          "accelerator.edge_map.algorithm = threshold, whose edge tokens lie outside the triangles too");
+          "test.yaml:1: accelerator.rasterizer.scan = \"spans\", expected zigzag because of "
+          "accelerator.edge_map.algorithm = \"threshold\", whose edge tokens lie outside the triangles too");
     CHECK(error_of([&] { loaded(threshold + std::string("early_exit}}")); }) != "(no error)");
     CHECK(error_of([&] { loaded(threshold + std::string("zigzag, setup_overlap: 3}}")); }) == "(no error)");
 }

@@ -30,10 +30,13 @@ void ProcessClock::connect_writes(FifoChannel& fifo) {
     fifo.connect_writer(*this, static_cast<std::uint8_t>(1U << timing_.add_writes(fifo.timing())));
 }
 
-unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written) {
+unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written,
+                                std::vector<FifoChannel*> const& read_as_well) {
     for (FifoChannel const* fifo : written)
         shape.writes.push_back(
             {static_cast<unsigned>(__builtin_ctz(fifo->write_port())), fifo->timing().shape().write_latency});
+    for (FifoChannel const* fifo : read_as_well)
+        shape.reads.push_back(static_cast<unsigned>(__builtin_ctz(fifo->read_port())));
     return timing_.add_loop(std::move(shape));
 }
 

@@ -30,9 +30,10 @@ class ProcessClock {
     /// The process's end of a FIFO, in the program order of a step. Once, before simulation starts.
     void connect_reads(FifoChannel& fifo);
     void connect_writes(FifoChannel& fifo);
-    /// A pipelined loop of the process, and the FIFOs it writes (connected before). Returns its number for
-    /// enter_loop().
-    unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {});
+    /// A pipelined loop of the process, the FIFOs it writes, and those that it reads as well (connected before).
+    /// Returns its number for enter_loop().
+    unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {},
+                      std::vector<FifoChannel*> const& read_as_well = {});
 
     /// T += cycles.
     void advance(Cycles cycles) {
@@ -47,6 +48,13 @@ class ProcessClock {
     void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
     void set_up() {
         say([](OperationLog& log) { log.setup(); });
+    }
+    /// Between iterations of a loop: a setup begins; the loop waits until the oldest one not awaited yet is done.
+    void begin_setup() {
+        say([](OperationLog& log) { log.begin_setup(); });
+    }
+    void await_setup() {
+        say([](OperationLog& log) { log.await_setup(); });
     }
     /// Where the next access outside loops stands in the source. Deadlock reports name it, or the begin of a loop.
     void here(SourceSite site = SourceSite::here()) { site_ = site; }

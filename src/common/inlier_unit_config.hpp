@@ -9,10 +9,17 @@ enum class NeighbourAccess {
     window,  ///< reads each pixel once, and keeps the last two rows in line buffers
 };
 
-/// The inlier unit's memory accesses; keys `accelerator.inlier_unit.*`. None of them changes a result.
+/// How many loops take the fragments of a sample; key `accelerator.inlier_unit.fragment_loop`.
+enum class FragmentLoop {
+    per_triangle,  ///< one for each triangle, which drains before the next reciprocal is read: thesis A.3
+    flattened,     ///< one over all commands: an iteration whose command is Triangle reads the reciprocal
+};
+
+/// The inlier unit's loops and memory accesses; keys `accelerator.inlier_unit.*`. None of them changes a result.
 struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
+    FragmentLoop fragment_loop = FragmentLoop::per_triangle;
     int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
 };
 

@@ -9,6 +9,7 @@
 #include "common/fixed_point.hpp"
 #include "common/flow.hpp"
 #include "common/inlier_unit_config.hpp"
+#include "common/rasterizer_config.hpp"
 #include "config/machine.hpp"
 #include "config/partition_config.hpp"
 
@@ -48,6 +49,7 @@ struct AcceleratorConfig {
     Flow flow = Flow::faster;
     EdgeMapConfig edge_map;
     EdgeExtractionConfig edge_extraction;
+    RasterizerConfig rasterizer;
     InlierUnitConfig inlier_unit;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();

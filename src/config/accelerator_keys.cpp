@@ -104,6 +104,27 @@ void add_edge_map_keys(Keys& keys) {
         "w2", "0 and 1", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[2]; }));
 }
 
+void add_rasterizer_keys(Keys& keys) {
+    keys.push_back(choice_key(
+        {"accelerator.rasterizer.scan", "",
+         "Which pixels of a triangle's box the scan visits: all, those before its covered runs have ended, or only the "
+         "runs.",
+         "thesis A.1; early_exit, spans: this project"},
+        [](auto& config) -> auto& { return config.accelerator.rasterizer.scan; }));
+    keys.push_back(integer_key(
+        {"accelerator.rasterizer.setup_overlap", "triangles",
+         "Triangles that are prepared while others are scanned, by one scan loop per sample; 0: each is prepared, then "
+         "scanned by a loop of its own.",
+         "thesis A.1; 1 or more: this project"},
+        {0, 1024}, [](auto& config) -> auto& { return config.accelerator.rasterizer.setup_overlap; }));
+    keys.push_back(choice_key(
+        {"accelerator.rasterizer.edge_tokens", "",
+         "Whether the edge map builder gets tokens of the pixels beside a triangle too, or of covered pixels only; the "
+         "latter will do for inner_border.",
+         "thesis A.1; object: this project"},
+        [](auto& config) -> auto& { return config.accelerator.rasterizer.edge_tokens; }));
+}
+
 void add_inlier_unit_keys(Keys& keys) {
     keys.push_back(choice_key(
         {"accelerator.inlier_unit.neighbour_access", "",
@@ -113,6 +134,11 @@ void add_inlier_unit_keys(Keys& keys) {
     keys.push_back(clearing_key(
         "inlier_unit", "the depth buffer's words",
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.clearing; }));
+    keys.push_back(choice_key(
+        {"accelerator.inlier_unit.fragment_loop", "",
+         "Whether each triangle's fragments are a loop that drains, or all commands of a sample are one loop.",
+         "thesis A.3; flattened: this project"},
+        [](auto& config) -> auto& { return config.accelerator.inlier_unit.fragment_loop; }));
     keys.push_back(integer_key(
         {"accelerator.inlier_unit.sweep_lanes", "px",
          "Pixels of a row per iteration of the sweep, of the edge map's output and of the observation's read, and per "
@@ -318,6 +344,7 @@ Keys accelerator_keys() {
     add_flow_key(keys);
     add_fraction_keys(keys);
     add_edge_map_keys(keys);
+    add_rasterizer_keys(keys);
     add_inlier_unit_keys(keys);
     add_edge_extraction_keys(keys);
     add_timing_keys(keys);

@@ -54,6 +54,31 @@ void check_fraction_bits(LoadedConfig const& loaded, std::vector<std::string>& c
     }
 }
 
+/// Its edge tokens lie around the triangle, where only the zigzag looks.
+void check_scan(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr char const* scan_key = "accelerator.rasterizer.scan";
+    constexpr char const* algorithm_key = "accelerator.edge_map.algorithm";
+    AcceleratorConfig const& accelerator = loaded.config.accelerator;
+    if (accelerator.edge_map.algorithm != EdgeMapAlgorithm::threshold ||
+        accelerator.rasterizer.scan == ScanPolicy::zigzag) {
+        return;
+    }
+    complaints.push_back(complaint(loaded, scan_key,
+                                   fmt::format("zigzag because of {}, whose edge tokens lie outside the triangles too",
+                                               with_value(loaded, algorithm_key))));
+}
+
+/// All other algorithms build their contours of the pixels beside the triangles.
+void check_edge_tokens(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& accelerator = loaded.config.accelerator;
+    if (accelerator.rasterizer.edge_tokens == EdgeTokens::all ||
+        accelerator.edge_map.algorithm == EdgeMapAlgorithm::inner_border)
+        return;
+    complaints.push_back(
+        complaint(loaded, "accelerator.rasterizer.edge_tokens",
+                  fmt::format("all because of {}", with_value(loaded, "accelerator.edge_map.algorithm"))));
+}
+
 void check_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     AcceleratorConfig const& config = loaded.config.accelerator;
     if (config.inlier_unit.sweep_lanes > config.window) {
@@ -116,6 +141,8 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     }
     check_lanes(loaded, complaints);
     check_fraction_bits(loaded, complaints);
+    check_scan(loaded, complaints);
+    check_edge_tokens(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     check_edge_extraction(loaded, complaints);
     check_flow(loaded, complaints);

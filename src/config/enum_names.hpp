@@ -48,6 +48,21 @@ template <> struct EnumNames<NeighbourAccess> {
         {{NeighbourAccess::direct, "direct"}, {NeighbourAccess::window, "window"}}};
 };
 
+template <> struct EnumNames<FragmentLoop> {
+    static constexpr std::array<std::pair<FragmentLoop, char const*>, 2> all{
+        {{FragmentLoop::per_triangle, "per_triangle"}, {FragmentLoop::flattened, "flattened"}}};
+};
+
+template <> struct EnumNames<EdgeTokens> {
+    static constexpr std::array<std::pair<EdgeTokens, char const*>, 2> all{
+        {{EdgeTokens::all, "all"}, {EdgeTokens::object, "object"}}};
+};
+
+template <> struct EnumNames<ScanPolicy> {
+    static constexpr std::array<std::pair<ScanPolicy, char const*>, 3> all{
+        {{ScanPolicy::zigzag, "zigzag"}, {ScanPolicy::early_exit, "early_exit"}, {ScanPolicy::spans, "spans"}}};
+};
+
 template <> struct EnumNames<Engine> {
     static constexpr std::array<std::pair<Engine, char const*>, 2> all{
         {{Engine::lockstep, "lockstep"}, {Engine::decoupled, "decoupled"}}};

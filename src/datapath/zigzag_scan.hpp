@@ -27,6 +27,9 @@ struct ScanLine {
 /// wall.
 class ZigzagScan {
   public:
+    /// Whether pixels outside that send no edge token take no iteration, but for one in a line that has nothing else.
+    static constexpr bool skips_outside = false;
+
     explicit ZigzagScan(TriangleSetup const& setup);
     bool done() const { return done_; }
     ScanLine next_line();

@@ -29,6 +29,8 @@ Json loops_json(timing::ProcessTiming const& process) {
         loops.push_back({{"loop", process.loops()[i].name},
                          {"writes", std::move(writes)},
                          {"source", site_json(process.loop_site(i))}});
+        if (!process.loops()[i].reads.empty())
+            loops.back()["reads"] = process.loops()[i].reads;
     }
     return loops;
 }
@@ -84,6 +86,12 @@ class MachineReader {
             if (port >= process.port_count() || !process.writes(port))
                 throw std::invalid_argument("loop " + shape.name + " writes no such port");
             shape.writes.push_back({port, 0});
+        }
+        for (Json const& read : json.value("reads", Json::array())) {
+            auto const port = read.get<unsigned>();
+            if (port >= process.port_count() || process.writes(port))
+                throw std::invalid_argument("loop " + shape.name + " reads no such port");
+            shape.reads.push_back(port);
         }
         unsigned const loop = process.add_loop(shape);
         process.note_loop_site(loop, read_site(json.at("source")));

@@ -19,6 +19,8 @@ std::string why_not(std::string const& key) {
         return "is part of the workload, which was recorded";
     if (starts_with(key, "simulation."))
         return "decides how a run is simulated, and nothing is";
+    if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")
+        return "decides which operations there are, not when";
     if (starts_with(key, "accelerator.brams."))
         return "decides how many iterations a wide clearing loop has";
     if (starts_with(key, "accelerator.inlier_unit.") || key == "accelerator.edge_map.clearing")

@@ -22,13 +22,14 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
 }
 
 void InlierUnit::end_of_elaboration() {
+    area_reciprocal_ = &channel_of(area_reciprocal_in);
     fragment_depth_ = &channel_of(fragment_depth_in);
     fragment_index_ = &channel_of(fragment_index_in);
     command_ = &channel_of(command_in);
     edge_map_ = channel_of(edge_map_in);
     // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
     // three.
-    clock_.connect_reads(channel_of(area_reciprocal_in));
+    clock_.connect_reads(*area_reciprocal_);
     clock_.connect_reads(*fragment_depth_);
     clock_.connect_reads(*fragment_index_);
     clock_.connect_reads(*command_);
@@ -42,6 +43,7 @@ void InlierUnit::end_of_elaboration() {
     sweep_loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
     if (edge_extractor_)
         edge_extractor_->add_loop();
+    triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
     fragment_ports_ =
         static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port());
     unsigned const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : 0U;
@@ -55,7 +57,7 @@ void InlierUnit::run() {
         counters_ = SampleCounters{};
         clock_.advance(1);
         clear();
-        draw_triangles();
+        core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
         if (core_.probe != nullptr)
             core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
         clock_.advance(1);
@@ -103,15 +105,46 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
         return command;
     }
     clock_.enter_loop(fragment_loop_);
-    while (command == Command::Fragment) {
-        std::size_t const drawn = draw_burst(reciprocal, command);
-        clock_.iterate(fragment_ports_, drawn);
-        fragment_depth_->consume(drawn);
-        fragment_index_->consume(drawn);
-        command_->consume(drawn);
-    }
+    while (command == Command::Fragment)
+        take_fragments(reciprocal, command);
     clock_.leave_loop();
     return command;
+}
+
+/// All commands of the sample: an iteration that has a Triangle reads the reciprocal, and the command of the next.
+void InlierUnit::draw_in_one_loop() {
+    clock_.here();
+    Command command = command_in.read();
+    clock_.advance(1);
+    if (command == Command::End)
+        return;
+    std::uint64_t reciprocal = 0;
+    clock_.enter_loop(fragment_loop_);
+    while (command != Command::End) {
+        if (command == Command::Triangle)
+            take_triangle(reciprocal, command);
+        else
+            take_fragments(reciprocal, command);
+    }
+    clock_.leave_loop();
+}
+
+void InlierUnit::take_triangle(std::uint64_t& reciprocal, Command& command) {
+    area_reciprocal_->peek();
+    command_->peek();
+    reciprocal = *area_reciprocal_->front();
+    command = *command_->front();
+    clock_.iterate(triangle_ports_, 1);
+    area_reciprocal_->consume(1);
+    command_->consume(1);
+}
+
+void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
+    std::size_t const drawn = draw_burst(reciprocal, command);
+    clock_.iterate(fragment_ports_, drawn);
+    fragment_depth_->consume(drawn);
+    fragment_index_->consume(drawn);
+    command_->consume(drawn);
 }
 
 /// Draws the fragments at hand, each reading the command of the next. Returns their number.

@@ -17,7 +17,9 @@ namespace faster {
 ///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards,
 ///                                                               `sweep_lanes` pixels of a row per token
 ///   out   result_out  one set of counters per sample
-///   time  loop `clear`; per triangle one step and loop `fragment`; in flow fpga_grip loop `extract`; loop `sweep`
+///   time  loop `clear`; per triangle one step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip
+///   loop
+///         `extract`; loop `sweep`
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
 class InlierUnit : public sc_core::sc_module {
   public:
@@ -39,6 +41,9 @@ class InlierUnit : public sc_core::sc_module {
     void run();
     void clear();
     void draw_triangles();
+    void draw_in_one_loop();
+    void take_triangle(std::uint64_t& reciprocal, Command& command);
+    void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);
     std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
     void sweep();
@@ -50,10 +55,12 @@ class InlierUnit : public sc_core::sc_module {
     std::optional<EdgeExtractor> edge_extractor_;  ///< flow fpga_grip
     std::vector<std::uint16_t> depth_buffer_;      ///< W x W, row-major
     SampleCounters counters_;
+    ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
     ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
     ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
+    std::uint8_t triangle_ports_ = 0;
     std::uint8_t fragment_ports_ = 0;
     std::uint8_t sweep_ports_ = 0;
     unsigned clear_loop_ = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
@@ -20,8 +21,8 @@ namespace faster {
 ///         End per
 ///                             sample
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
-///   iteration
-/// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3.
+///   iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce triangles
+/// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3; setup_overlap and the scans but zigzag: this project.
 class Rasterizer : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};
@@ -41,31 +42,52 @@ class Rasterizer : public sc_core::sc_module {
     void end_of_elaboration() override;
     void run();
     void start_sample();
+    void draw_one_by_one(std::uint32_t triangles);
     TriangleCode receive_triangle();
     void announce(datapath::TriangleSetup const& setup);
-    void draw(datapath::TriangleSetup const& setup);
-    void scan(datapath::TriangleSetup const& setup);
-    void send_line(datapath::ScanLine const& line);
-    void send_run(datapath::ScanLine const& line);
+
+    /// Draws a triangle's box in a loop; `Lines` is how it walks, `Ahead` whether its iterations do more than that.
+    using Scan = void (Rasterizer::*)(datapath::TriangleSetup const& setup);
+    template <bool Ahead> Scan configured_scan() const;
+    template <class Lines, bool Ahead> void scan(datapath::TriangleSetup const& setup);
+    template <class Lines, bool Ahead> void send_line(datapath::ScanLine const& line);
+    template <class Lines, bool Ahead> void send_run(datapath::ScanLine const& line);
     void send_tokens(datapath::ScanLine const& line, bool flushes, bool leaves);
-    void send_edge(int row, int col);
-    void scan_fragments(datapath::TriangleSetup const& setup);
-    void send_fragments(datapath::ScanLine const& line);
-    void scan_near_edges(datapath::TriangleSetup const& setup);
-    void send_near_edge_line(datapath::NearEdgeLine const& line);
+    template <bool Ahead> void send_edge(int row, int col);
+    template <bool Ahead> void scan_near_edges(datapath::TriangleSetup const& setup);
+    template <bool Ahead> void send_near_edge_line(datapath::NearEdgeLine const& line);
+    template <class Lines, bool Ahead> void scan_covered(datapath::TriangleSetup const& setup);
+    template <class Lines, bool Ahead> void send_covered(datapath::ScanLine const& line);
+    template <class Lines, bool Ahead> Scan scan_along() const;
     void send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch);
     void begin_burst(datapath::TriangleSetup const& setup);
     void hand_over();
     void end_burst();
     void end_sample();
+
+    void draw_overlapped(std::uint32_t triangles);
+    void begin_triangle(datapath::TriangleSetup const& setup);
+    void read_ahead();
+    void first_iteration(std::uint8_t ports);
+    void fetch_vertex();
+    template <bool Ahead> void iterate(std::uint8_t ports, std::uint32_t count);
+    template <bool Ahead>
+    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap);
+    template <bool Ahead>
+    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap);
+
+    datapath::TriangleSetup set_up(TriangleCode const& triangle) const;
     EdgeToken token_at(int row, int col, EdgeTokenKind kind) const;
 
     CoreContext const& core_;
     ProcessClock clock_;
     bool sends_near_edges_;                   ///< thesis 5.1's edge tokens, not A.1's
     std::array<std::int64_t, 3> thresholds_;  ///< in codes of edge values
+    Scan scan_;
     unsigned scan_loop_ = 0;
     // The clocked FIFOs behind the ports, for the scan's bursts.
+    ClockedFifo<VertexCode>* vertex_ = nullptr;
+    ClockedFifo<std::int64_t>* area_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
     ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
@@ -83,6 +105,16 @@ class Rasterizer : public sc_core::sc_module {
         EdgeToken* token = nullptr;
     };
     Burst burst_;
+
+    /// Triangles on their way to the scan, with setup_overlap.
+    struct Fetching {
+        std::uint32_t unread = 0;       ///< triangles of the sample whose vertices are still to be read
+        unsigned first_iterations = 0;  ///< left of a triangle's first three
+        bool reads = false;             ///< they read a vertex each
+        TriangleCode triangle;          ///< vertices read so far
+        std::deque<datapath::TriangleSetup> setups;
+    };
+    Fetching ahead_;
 
     int row_offset_ = 0;  ///< of the window, kept within 16 bits
     int col_offset_ = 0;

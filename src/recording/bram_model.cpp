@@ -36,6 +36,7 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         token_read_ = event.cycle;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::fragment_index)) {
         fragment_ = {fields[0], fields[1], 0};
+        fragment_read_ = event.cycle;
     } else if (event.kind == Kind::iterate) {
         iterate(static_cast<LoopId>(loop_[core_event.module]), event);
     }
@@ -165,6 +166,8 @@ void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
 }
 
 void BramModel::fragment_iteration(Cycles cycle) {
+    if (fragment_read_ != cycle)  // a triangle's, in a flattened loop
+        return;
     add(BramId::depth_buffer, false, fragment_.row, fragment_.col, cycle);
     add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
 }

@@ -68,6 +68,7 @@ class BramModel {
     Token next_;      ///< read ahead
     Token fragment_;  ///< read last
     Cycles token_read_ = 0;
+    Cycles fragment_read_ = ~Cycles{0};
     std::vector<BramAccess> accesses_;
 };
 

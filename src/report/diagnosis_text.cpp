@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "config/bank_partition.hpp"
+#include "config/rasterizer_design.hpp"
 
 namespace faster::report {
 
@@ -61,8 +62,10 @@ std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, Accelera
         case Cause::Kind::stall:
             return stall_sentence(cause, diagnosis);
         case Cause::Kind::setup:
-            return fmt::format("{} is {} setting up triangles, {} cycles each.", share(cause.cycles, diagnosis), module,
-                               config.setup_depth);
+            return fmt::format(
+                "{} is {} {}, {} cycles each.", share(cause.cycles, diagnosis), module,
+                config.rasterizer.setup_overlap > 0 ? "waiting for triangles to be set up" : "setting up triangles",
+                setup_cycles(config));
         case Cause::Kind::fill_drain:
             return fmt::format("{} is {} filling and draining pipelines.", share(cause.cycles, diagnosis), module);
         case Cause::Kind::idle:

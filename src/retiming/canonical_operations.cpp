@@ -104,4 +104,18 @@ std::vector<Operation> canonical(Operation const* first, std::size_t count) {
     return operations;
 }
 
+void return_tails(std::vector<Operation>& operations) {
+    for (std::size_t i = 0; i + 1 < operations.size(); ++i) {
+        Operation& operation = operations[i];
+        Operation& next = operations[i + 1];
+        bool const both_iterate =
+            operation.kind() == Operation::Kind::iterate && next.kind() == Operation::Kind::iterate;
+        if (!both_iterate || operation.own_tail_ports() == 0 || operation.own_tail_ports() != next.ports() ||
+            operation.tail_gap() != 0 || next.gap() != 0 || next.count() == Operation::longest_count)
+            continue;
+        operation = Operation(Operation::Kind::iterate, operation.ports(), operation.gap(), operation.count());
+        next.add(1);
+    }
+}
+
 }  // namespace faster::retiming

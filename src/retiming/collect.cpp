@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/rasterizer_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster::retiming {
@@ -91,10 +92,13 @@ ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycle
     return row;
 }
 
-/// Cycles in which a process of a core prepares triangles: the rasterizer, one area each.
-Cycles setup_cycles(std::size_t process, timing::CoreTiming const& core, AcceleratorConfig const& config) {
-    bool const sets_up = process == index_of(ModuleId::rasterizer);
-    return sets_up ? core.fifos()[index_of(FifoId::area)].writes() * config.setup_depth : 0;
+/// Cycles in which a process of a core does nothing but prepare triangles: the rasterizer, one area each.
+Cycles cycles_of_setups(std::size_t process, timing::CoreTiming const& core, AcceleratorConfig const& config) {
+    if (process != index_of(ModuleId::rasterizer))
+        return 0;
+    if (config.rasterizer.setup_overlap > 0)
+        return core.processes()[process].awaited_setup_cycles();
+    return core.fifos()[index_of(FifoId::area)].writes() * setup_cycles(config);
 }
 
 std::vector<Cycles> const& stamps_of(ModuleId module, timing::CoreTiming const& core) {
@@ -142,7 +146,7 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig 
         for (std::size_t i = 0; i < module_count; ++i) {
             timing::CoreTiming const& core = cores[k].timing;
             run.cores[k].processes[i] =
-                process_statistics(core.processes()[i], setup_cycles(i, core, config), run.total_cycles);
+                process_statistics(core.processes()[i], cycles_of_setups(i, core, config), run.total_cycles);
         }
     return run;
 }

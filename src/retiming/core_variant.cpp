@@ -1,5 +1,6 @@
 #include "retiming/core_variant.hpp"
 
+#include "config/rasterizer_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster::retiming {
@@ -11,6 +12,7 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
     timing::LoopShape shape = loop_shape(loop_named(static_cast<ModuleId>(variant.index()), loop.name), config);
     for (timing::LoopWrite const& write : loop.writes)
         shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
+    shape.reads = loop.reads;
     return shape;
 }
 
@@ -37,7 +39,7 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
         for (timing::LoopShape const& loop : process.loops())
             variant.add_loop(variant_of(loop, variant, config));
         copy_sites(process, variant);
-        variant.set_setup_cycles(config.setup_depth);
+        variant.set_setup_cycles(setup_cycles(config));
     }
     return core;
 }

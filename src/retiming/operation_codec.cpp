@@ -193,8 +193,8 @@ class ProcessDecoder {
         for (Operation& operation : operations)
             if (!read(operation))
                 return false;
-        return bytes_.good() && !in_loop_ && numbers_.done() && counts_.done() && gaps_.done() && tail_gaps_.done() &&
-               mixes_.done();
+        return bytes_.good() && !in_loop_ && setups_ == 0 && numbers_.done() && counts_.done() && gaps_.done() &&
+               tail_gaps_.done() && mixes_.done();
     }
 
   private:
@@ -251,7 +251,7 @@ class ProcessDecoder {
             return false;
         switch (operation.kind()) {
             case Kind::wait:
-                return !in_loop_ && operation.ports() == 0;
+                return operation.ports() == 0 && makes_sense_as_setup(operation);
             case Kind::step:
                 return !in_loop_ && operation.ports() != 0;
             case Kind::enter:
@@ -272,6 +272,16 @@ class ProcessDecoder {
         return false;
     }
 
+    /// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun.
+    bool makes_sense_as_setup(Operation const& operation) {
+        if (operation.gap() <= Operation::whole_setup)
+            return !in_loop_;
+        if (operation.gap() > Operation::setup_end)
+            return false;
+        setups_ += operation.gap() == Operation::setup_begin ? 1 : -1;
+        return in_loop_ && setups_ >= 0;
+    }
+
     Reader& bytes_;
     timing::ProcessTiming const& process_;
     std::vector<Shape> shapes_;
@@ -281,6 +291,7 @@ class ProcessDecoder {
     Reader tail_gaps_{{}};
     Reader mixes_{{}};
     bool in_loop_ = false;
+    std::int64_t setups_ = 0;  // begun and not awaited
     bool is_stamped_ = false;  // once per sample at most
 };
 

@@ -58,7 +58,7 @@ template <class Run> class Pool {
 void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done) {
     constexpr std::size_t worth_scripting = 3;  // to make a run ready takes as long as to retime it once
     if (configs.size() >= worth_scripting)
-        retime_many(ScriptedRun(run), configs, done);
+        retime_many(ScriptedRun(run, configs.front().flow), configs, done);
     else
         Pool(run, configs, done).work();
 }

@@ -90,7 +90,7 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);
         searches.emplace_back(loaded, keys[i], 1, total_cycles, rows[i].up);
     }
-    ScriptedRun const scripted(run);
+    ScriptedRun const scripted(run, loaded.config.accelerator.flow);
     for (std::size_t done = 0;;) {
         std::vector<AcceleratorConfig> configs;
         std::vector<Search*> open;

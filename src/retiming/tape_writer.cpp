@@ -1,5 +1,6 @@
 #include "retiming/tape_writer.hpp"
 
+#include "config/machine.hpp"
 #include "retiming/canonical_operations.hpp"
 
 namespace faster::retiming {
@@ -55,6 +56,8 @@ void TapeWriter::work() {
 void TapeWriter::write(std::size_t sample, SampleOperations operations) {
     try {
         for (std::size_t i = 0; i < operations.size(); ++i) {
+            if (i == index_of(ModuleId::inlier_unit))
+                return_tails(operations[i]);
             operations[i] = canonical(operations[i].data(), operations[i].size());
             for (timing::Operation const& operation : operations[i])
                 if (operation.kind() == timing::Operation::Kind::step)

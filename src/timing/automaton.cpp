@@ -19,6 +19,9 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     return hash ^ (hash >> 29);
 }
 
+/// A loop that reads and writes carries setups along, which no state tells.
+bool is_known(LoopShape const& loop) { return loop.reads.empty() && loop.depth >= loop.interval.achieved; }
+
 bool is_regular(LoopShape const& loop) {
     for (LoopWrite const& write : loop.writes)
         if (write.write_latency != loop.writes.front().write_latency)
@@ -34,7 +37,7 @@ bool can_follow(Group const& group) {
         return false;
     for (Group::Member const& member : group.members())
         for (LoopShape const& loop : member.process->loops())
-            if (loop.depth < loop.interval.achieved || (&member != &group.members().front() && !is_regular(loop)))
+            if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
                 return false;
     return true;
 }

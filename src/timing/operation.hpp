@@ -11,7 +11,7 @@ namespace faster::timing {
 class Operation {
   public:
     enum class Kind : std::uint8_t {
-        wait,     ///< T += count; with a gap: setup() `count` times
+        wait,     ///< T += count; with a gap: setup(), begin_setup() or await_setup()
         step,     ///< the accesses of `ports` together, then T += count
         enter,    ///< enter pipelined loop number `count`
         iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing;
@@ -74,7 +74,9 @@ class Operation {
         head.add_tail(tail_ports(), 0);
         return head;
     }
-    bool is_setup() const { return gap() != 0; }  ///< of a wait
+    /// What a wait with a gap does: its gap.
+    enum Setup : std::uint32_t { no_setup, whole_setup, setup_begin, setup_end };
+    bool is_setup() const { return gap() != no_setup; }
     Operation rest() const {
         Operation rest(Kind::iterate, ports(), 0, count() - 1);
         rest.add_tail(tail_ports(), tail_gap());
@@ -110,7 +112,11 @@ class OperationLog {
     }
     void step(std::uint8_t ports, std::uint32_t cycles_after) { append(Operation(Kind::step, ports, 0, cycles_after)); }
     /// T += what a setup of this process takes, whatever that is.
-    void setup() { append(Operation(Kind::wait, 0, 1, 1)); }
+    void setup() { append(Operation(Kind::wait, 0, Operation::whole_setup, 1)); }
+    /// Between iterations of a loop: a setup begins, and takes its time beside the loop.
+    void begin_setup() { append(Operation(Kind::wait, 0, Operation::setup_begin, 1)); }
+    /// Between iterations: the loop stands still until the oldest setup begun, and not awaited yet, is done.
+    void await_setup() { append(Operation(Kind::wait, 0, Operation::setup_end, 1)); }
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }

@@ -35,7 +35,13 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     for (LoopWrite const& write : shape.writes)
         shortest = std::min(shortest, write.write_latency);
     std::map<Cycles, Phase> phases;
-    for (LoopWrite const& write : shape.writes) {
+    std::vector<LoopWrite> accesses = shape.writes;
+    for (unsigned const port : shape.reads) {
+        shortest = 0;
+        plan.aligned = false;  // never all in one direction
+        accesses.push_back({port, 0});
+    }
+    for (LoopWrite const& write : accesses) {
         Cycles const behind = write.write_latency - shortest;
         plan.aligned = plan.aligned && behind == 0;
         plan.longest_lag = std::max(plan.longest_lag, behind / plan.ii);
@@ -129,6 +135,26 @@ void ProcessTiming::set_up() {
     mark(Region(), time_);
 }
 
+void ProcessTiming::prepare(Operation const& operation) {
+    if (operation.gap() == Operation::setup_begin)
+        setups_done_.push_back(time_ + setup_cycles_);
+    else if (operation.gap() == Operation::setup_end)
+        await_setup();
+    else
+        set_up();
+}
+
+void ProcessTiming::await_setup() {
+    Cycles const done = setups_done_.front();
+    setups_done_.pop_front();
+    if (done <= time_)
+        return;
+    mark(Region::setup(), time_);
+    awaited_setup_cycles_ += done - time_;
+    time_ = done;
+    mark(Region::of_loop(current_loop_, Region::Part::iterations), time_);
+}
+
 void ProcessTiming::note_first_access(std::uint8_t ports, Cycles arrival) {
     has_accessed_ = true;
     by_steps_ = observer_ != nullptr;
@@ -209,7 +235,7 @@ bool ProcessTiming::find_step() {
         switch (operation.kind()) {
             case Operation::Kind::wait:
                 if (operation.is_setup())
-                    set_up();
+                    prepare(operation);
                 else
                     time_ += operation.count();
                 log_.consume();

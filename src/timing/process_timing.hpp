@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,13 @@ struct LoopWrite {
     Cycles write_latency = 0;  ///< Lw, below the loop's depth
 };
 
-/// One pipelined loop of a process (SPEC section 3). A loop that writes reads nothing: no loop of the machine does
-/// both.
+/// One pipelined loop of a process (SPEC section 3).
 struct LoopShape {
     std::string name;
     InitiationInterval interval;
     Cycles depth = 1;               ///< L
     std::vector<LoopWrite> writes;  ///< empty: the loop only reads, each iteration in its first step
+    std::vector<unsigned> reads;    ///< ports read by a loop that writes as well, each iteration in its first step
 };
 
 struct LoopCounters {
@@ -61,6 +62,8 @@ class ProcessTiming {
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
     void set_setup_cycles(Cycles cycles) { setup_cycles_ = cycles; }
     Cycles setup_cycles() const { return setup_cycles_; }
+    /// What loops stood still for setups that had begun and were not done.
+    Cycles awaited_setup_cycles() const { return awaited_setup_cycles_; }
 
     OperationLog& log() { return log_; }
     /// Logs besides log() that take down everything the process says.
@@ -202,6 +205,8 @@ class ProcessTiming {
             trail_->marked(index_, region, from);
     }
     void set_up();
+    void prepare(Operation const& operation);
+    void await_setup();
     void leave_trail(unsigned port);
     void note_first_access(std::uint8_t ports, Cycles arrival);
     void end_iterations(Operation& operation, std::uint32_t count) {
@@ -241,6 +246,8 @@ class ProcessTiming {
     Cycles empty_stall_cycles_ = 0;
     Cycles full_stall_cycles_ = 0;
     Cycles setup_cycles_ = 0;
+    std::deque<Cycles> setups_done_;  ///< when those begun, and not awaited yet, will be
+    Cycles awaited_setup_cycles_ = 0;
     StepObserver* observer_ = nullptr;
     Trail* trail_ = nullptr;
     bool by_steps_ = true;  ///< until the first access; always when observed

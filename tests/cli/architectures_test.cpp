@@ -79,3 +79,26 @@ TEST_CASE("The presets beyond the thesis read and clear the depth buffer as they
         CHECK(row_of(summary["brams"], "bram", "line_buffers").is_null() != preset.has_line_buffers);
     }
 }
+
+TEST_CASE("The presets of faster rasterizers run, with fewer iterations or loops each", "[architectures]") {
+    auto const iterations = [](nlohmann::json const& summary, char const* loop) {
+        return row_of(summary["loops"], "loop", loop)["iterations"].get<int>();
+    };
+    auto const summary = [](char const* preset) { return summary_of({preset, "", 0, 0, 0}); };
+    nlohmann::json const thesis = summary("line_buffers_clear_on_read_out");
+    nlohmann::json const overlap = summary("setup_overlap");
+    nlohmann::json const early = summary("early_exit");
+    nlohmann::json const spans = summary("spans");
+    nlohmann::json const flattened = summary("flattened_fragments");
+    // docs/modules/rasterizer.md: 5 x 6 pixels and 2 flushes; 15 fragments, 5 edge tokens. One loop for all: three more
+    // read the vertices, one announces the triangle.
+    CHECK(iterations(thesis, "scan") == 32);
+    CHECK(iterations(overlap, "scan") == 4 + 32);
+    CHECK(iterations(spans, "scan") == 4 + 15 + 5);
+    // Rows 20 and 21 run from wall to wall; row 22 turns at column 33, two behind the run of row 23; row 24 ends at 31.
+    CHECK(iterations(early, "scan") == 4 + 6 + 6 + 4 + 4 + 2 + 2);
+    CHECK(iterations(spans, "fragment") == 15);
+    CHECK(iterations(flattened, "fragment") == 1 + 15);
+    for (nlohmann::json const& faster : {overlap, early, spans, flattened})
+        CHECK(faster["total_cycles"] < thesis["total_cycles"]);
+}

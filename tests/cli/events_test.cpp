@@ -76,6 +76,11 @@ TEST_CASE("whatif refuses keys that decide about more than time, by name") {
     };
     check("accelerator.window=50", "accelerator.window decides what is computed");
     check("accelerator.fraction_bits.vertex_z=13", "accelerator.fraction_bits.vertex_z decides what is computed");
+    check("accelerator.rasterizer.setup_overlap=1",
+          "accelerator.rasterizer.setup_overlap decides which operations there are");
+    check("accelerator.rasterizer.scan=spans", "accelerator.rasterizer.scan decides which operations there are");
+    check("accelerator.inlier_unit.fragment_loop=flattened",
+          "accelerator.inlier_unit.fragment_loop decides which operations there are");
     check("accelerator.edge_map.flush_last=true", "accelerator.edge_map.flush_last decides what is computed");
     check("accelerator.inlier_unit.sweep_lanes=2", "accelerator.inlier_unit.sweep_lanes decides which operations");
     check("workload.samples.count=4", "workload.samples.count is part of the workload");

@@ -101,6 +101,27 @@ TEST_CASE("The critical path adds up with long intervals, few ports and shallow 
     }
 }
 
+TEST_CASE("The critical path adds up for any way to prepare and to scan triangles", "[critical_path]") {
+    std::size_t waits_for_setups = 0;
+    for (std::uint64_t seed = 7500; seed < 7540; ++seed) {
+        CAPTURE(seed);
+        RandomConfigOptions config;
+        config.cores = {1, 2};
+        config.any_scan = true;
+        RandomStimulusOptions stimulus;
+        stimulus.window = {4, 24};
+        Trial const trial{random_config(seed, config), random_stimulus(seed, stimulus)};
+        RunStatistics const decoupled = trace(trial);
+        REQUIRE_FALSE(decoupled.deadlocked());
+        CHECK(sum_of(decoupled) == decoupled.total_cycles);
+        CHECK(first_difference(path_cells(trace(trial, Engine::lockstep)), path_cells(decoupled)) == "");
+        bool const waits =
+            cycles_where(decoupled, [](PathRow const& row) { return row.cause == PathCause::setup; }) > 0;
+        waits_for_setups += waits && trial.config.rasterizer.setup_overlap > 0 ? 1U : 0U;
+    }
+    CHECK(waits_for_setups > 0);
+}
+
 TEST_CASE("Forgetting what all paths have in common changes nothing", "[critical_path]") {
     for (std::uint64_t seed = 7100; seed < 7140; ++seed) {
         CAPTURE(seed);

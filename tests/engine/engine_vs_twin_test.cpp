@@ -181,6 +181,56 @@ TEST_CASE("Engines and twin agree: any banks, clearings and lanes", "[engine_vs_
     }
 }
 
+TEST_CASE("Engines and twin agree: any way to prepare and to scan triangles, seeds 8000 to 8119", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.any_scan = true;
+    CHECK(check_seeds(8000, 120, options) == 0);
+}
+
+TEST_CASE("Engines and twin agree: any scan, any FIFOs, many triangles", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.any_scan = true;
+    options.config.is_deadlock_free = false;
+    options.config.fifo_depth = {1, 8};
+    options.stimulus.triangles = {0, 40};
+    int const deadlocks = check_seeds(8200, 80, options);
+    CHECK(deadlocks > 10);
+    CHECK(deadlocks < 75);
+}
+
+TEST_CASE("Engines and twin agree: any scan with long intervals and few ports", "[engine_vs_twin]") {
+    TrialOptions options = small_windows();
+    options.config.any_scan = true;
+    options.config.max_target_ii = 12;
+    options.config.max_recurrence_ii = 12;
+    options.config.max_ports = 1;
+    options.stimulus.window = {1, 10};
+    options.stimulus.triangles = {0, 6};
+    check_seeds(8300, 40, options);
+}
+
+TEST_CASE("Engines and twin agree: any scan with every edge map algorithm", "[engine_vs_twin][edge_map]") {
+    std::uint64_t seed = 8400;
+    for (EdgeMapAlgorithm const algorithm :
+         {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition, EdgeMapAlgorithm::bounded,
+          EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        TrialOptions options = small_windows();
+        options.config.any_scan = true;
+        options.config.any_clearing = true;
+        options.config.algorithm = algorithm;
+        check_seeds(seed, 20, options);
+        seed += 100;
+    }
+}
+
+TEST_CASE("Engines and twin agree: any scan, deep FIFOs, larger windows", "[engine_vs_twin]") {
+    TrialOptions options;
+    options.config.any_scan = true;
+    options.config.fifo_depth = {1, 2000};
+    check_seeds(8900, 20, options);
+}
+
 TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {
     for (int kind = 0; kind < triangle_kind_count; ++kind) {
         CAPTURE(kind);

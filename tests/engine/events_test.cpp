@@ -49,6 +49,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
+    config.rasterizer = recorded.rasterizer;
     return config;
 }
 
@@ -69,6 +70,10 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     config.edge_map.clearing = number % 3 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.clearing = number % 4 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.neighbour_access = number % 4 < 2 ? NeighbourAccess::window : NeighbourAccess::direct;
+    config.inlier_unit.fragment_loop = number % 3 == 1 ? FragmentLoop::flattened : FragmentLoop::per_triangle;
+    config.rasterizer.setup_overlap = number % 5 < 2 ? 0 : number % 5 - 1;
+    if (config.edge_map.algorithm != EdgeMapAlgorithm::threshold)
+        config.rasterizer.scan = static_cast<ScanPolicy>((number / 2) % 3);
     config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
     return config;
 }
@@ -124,7 +129,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run);
+        retiming::ScriptedRun const scripted(file.run, recorded.flow);
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);

@@ -67,6 +67,17 @@ TEST_CASE("A step of any timing key changes the total as a run with it says", "[
     CHECK(changes > 50);
 }
 
+TEST_CASE("So it does where one loop prepares and scans all triangles", "[sensitivities]") {
+    for (std::uint64_t seed = 8020; seed < 8022; ++seed) {
+        CAPTURE(seed);
+        Trial trial = random_trial(seed);
+        trial.config.rasterizer = {ScanPolicy::spans, seed - 8019};
+        trial.config.inlier_unit.fragment_loop = FragmentLoop::flattened;
+        trial.config.fifo(FifoId::area).depth = 8;
+        CHECK(check_all_steps(trial, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep) > 5);
+    }
+}
+
 TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
     Trial trial = random_trial(8010);
     trial.config = AcceleratorConfig();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -124,7 +125,8 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
 
 /// Traces of `stimuli` seeds, `options.samples` each, under random machines; every tenth in lockstep as well.
 void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulusOptions options,
-                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map, Flow flow = Flow::faster) {
+                  EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map, bool any_scan = false,
+                  Flow flow = Flow::faster) {
     for (std::uint64_t seed = first_seed; seed < first_seed + stimuli; ++seed) {
         CAPTURE(seed);
         options.random_fraction_bits = seed % 2 == 1;
@@ -132,6 +134,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         RandomConfigOptions machine;
         machine.cores = {1, 3};
         machine.algorithm = algorithm;
+        machine.any_scan = any_scan;
         machine.flow = flow;
         machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map || flow != Flow::faster;
         machine.any_partition = machine.any_clearing;
@@ -216,6 +219,36 @@ TEST_CASE("Model and reference agree with every edge map algorithm", "[golden][e
     }
 }
 
+TEST_CASE("Model and reference agree however triangles are prepared and scanned", "[golden][scan]") {
+    std::uint64_t seed = 41000;
+    for (std::size_t i = 0; i < 6; ++i) {
+        auto const algorithm = static_cast<EdgeMapAlgorithm>(i);
+        for (std::optional<TriangleKind> const kind :
+             {std::optional<TriangleKind>(), std::optional(TriangleKind::Sliver), std::optional(TriangleKind::Huge),
+              std::optional(TriangleKind::WholePixels)}) {
+            CAPTURE(i, kind.has_value());
+            RandomStimulusOptions options;
+            options.samples = {8, 8};
+            options.kind = kind;
+            check_traces(seed, 10, options, algorithm, true);
+            seed += 10;
+        }
+    }
+}
+
+TEST_CASE("Model and reference agree on built-in classes with every scan", "[golden][scan]") {
+    for (char const* const name : {"cracker_box", "banana", "scissors"}) {
+        Stimulus const stimulus = posed_stimulus(models::make(name), 10, 600);
+        for (ScanPolicy const scan : {ScanPolicy::zigzag, ScanPolicy::early_exit, ScanPolicy::spans}) {
+            CAPTURE(name, static_cast<int>(scan));
+            AcceleratorConfig config = machine_of_seed(1);
+            config.rasterizer = {scan, 5};
+            config.inlier_unit.fragment_loop = FragmentLoop::flattened;
+            CHECK(check_model(config, stimulus, Engine::decoupled) > 10 * 100);
+        }
+    }
+}
+
 TEST_CASE("Model and reference agree on built-in classes with every edge map algorithm", "[golden][edge_map]") {
     for (char const* const name : {"cracker_box", "banana", "tomato_soup_can", "mug", "scissors"}) {
         Stimulus const stimulus = posed_stimulus(models::make(name), 10, 500);
@@ -231,13 +264,13 @@ TEST_CASE("Model and reference agree on built-in classes with every edge map alg
 TEST_CASE("Model and reference agree with flow fpga_grip on random triangles", "[golden][fpga_grip]") {
     RandomStimulusOptions options;
     options.samples = {8, 8};
-    check_traces(50000, 60, options, EdgeMapAlgorithm::dual_map, Flow::fpga_grip);
+    check_traces(50000, 60, options, EdgeMapAlgorithm::dual_map, true, Flow::fpga_grip);
     options.window = {200, 200};
     options.width = {160, 640};
     options.height = {120, 480};
     options.samples = {3, 3};
     options.triangles = {0, 60};
-    check_traces(50100, 3, options, EdgeMapAlgorithm::dual_map, Flow::fpga_grip);
+    check_traces(50100, 3, options, EdgeMapAlgorithm::dual_map, true, Flow::fpga_grip);
 }
 
 TEST_CASE("Model and reference agree with flow fpga_grip on built-in classes", "[golden][fpga_grip]") {

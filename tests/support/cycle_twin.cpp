@@ -393,6 +393,28 @@ class ProcessModel {
         return accesses;
     }
 
+    /// First cycle of the step at hand, if it is the first of an iteration that waits for a triangle to be set up.
+    Cycles setup_done() const {
+        TwinState const& state = program_[state_];
+        if (next_setup_ == state.setups.size() ||
+            loop_step_ != state.setups[next_setup_].awaits * loops_[index_of(*state.loop)].ii) {
+            return 0;
+        }
+        return setup_began_[next_setup_] + state.setup_cycles;
+    }
+
+    /// The II cycles of an iteration that reads a triangle's last vertex end with the step at hand.
+    void note_setups(TwinState const& state) {
+        Cycles const ii = loops_[index_of(*state.loop)].ii;
+        if (next_setup_ < state.setups.size() && loop_step_ == state.setups[next_setup_].awaits * ii) {
+            ++next_setup_;
+        }
+        std::size_t const begun = setup_began_.size();
+        if (begun < state.setups.size() && loop_step_ + 1 == (state.setups[begun].since + 1) * ii) {
+            setup_began_.push_back(local_time_);
+        }
+    }
+
     void finish_step(Cycles cycle) {
         TwinState const& state = program_[state_];
         if (!state.loop) {
@@ -404,11 +426,15 @@ class ProcessModel {
             count_loop_entry(*state.loop, state.iterations.size());
         }
         local_time_ = cycle + 1;
+        note_setups(state);
         if (loop_step_ == last_loop_step(state)) {
             loop_step_ = 0;
+            next_setup_ = 0;
+            setup_began_.clear();
             ++state_;
         } else {
             ++loop_step_;
+            local_time_ = std::max(local_time_, setup_done());
         }
     }
 
@@ -426,8 +452,10 @@ class ProcessModel {
     Fifos& fifos_;
     std::array<TwinLoop, loop_count>& loops_;
     std::size_t state_ = 0;
-    Cycles loop_step_ = 0;   ///< p, inside a loop
-    Cycles local_time_ = 0;  ///< T
+    Cycles loop_step_ = 0;  ///< p, inside a loop
+    std::size_t next_setup_ = 0;
+    std::vector<Cycles> setup_began_;  ///< of the loop's setups so far
+    Cycles local_time_ = 0;            ///< T
     TwinProcess stats_;
 };
 

@@ -301,6 +301,15 @@ void make_room(AcceleratorConfig& config, std::initializer_list<FifoId> fifos, C
     }
 }
 
+void draw_scan(Dice& dice, AcceleratorConfig& config) {
+    bool const has_near_edges = config.edge_map.algorithm == EdgeMapAlgorithm::threshold;  // zigzag only
+    config.rasterizer.scan = static_cast<ScanPolicy>(dice.between(0, has_near_edges ? 0 : 2));
+    config.rasterizer.setup_overlap = static_cast<std::uint64_t>(dice.one_in(3) ? 0 : dice.between(1, 7));
+    bool const needs_objects_only = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border;
+    config.rasterizer.edge_tokens = static_cast<EdgeTokens>(dice.between(0, needs_objects_only ? 1 : 0));
+    config.inlier_unit.fragment_loop = static_cast<FragmentLoop>(dice.between(0, 1));
+}
+
 }  // namespace
 
 Stimulus random_stimulus(std::uint64_t seed, RandomStimulusOptions const& options) {
@@ -382,6 +391,9 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         config.inlier_unit.clearing = static_cast<MapClearing>(dice.between(0, last));
         config.inlier_unit.neighbour_access = static_cast<NeighbourAccess>(dice.between(0, 1));
     }
+    if (options.any_scan) {
+        draw_scan(dice, config);
+    }
     if (options.max_lanes > 1) {
         config.inlier_unit.sweep_lanes = dice.between(1, options.max_lanes);
     }
@@ -400,6 +412,10 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);
+        if (config.rasterizer.setup_overlap > 0) {  // an area leaves at once, its command when it has passed the loop
+            Cycles const stages = config.loop(LoopId::scan).depth;
+            config.fifo(FifoId::area).depth = std::max<std::uint64_t>(config.fifo(FifoId::area).depth, stages);
+        }
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }
     return config;

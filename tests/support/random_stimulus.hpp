@@ -53,6 +53,7 @@ struct RandomConfigOptions {
     std::uint64_t max_ports = 3;
     Flow flow = Flow::faster;  ///< fpga_grip: draws its edge extraction, too
     EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
+    bool any_scan = false;       ///< draws how triangles are prepared and scanned, and how their fragments are taken
     bool any_clearing = false;   ///< draws how maps are cleared, and how the sweep reads
     bool any_partition = false;  ///< draws banks of block RAMs, for windows of at least 4; and clearings that use them
     int max_lanes = 1;           ///< of the sweep, at most the window

@@ -41,6 +41,8 @@ class Scanner {
         : stimulus_(stimulus),
           edge_map_(config.edge_map),
           looks_for_edges_(config.flow == Flow::faster),
+          sends_objects_only_(config.rasterizer.edge_tokens == EdgeTokens::object),
+          scan_(config.rasterizer.scan),
           pixel_(std::int64_t{1} << stimulus.fraction.vertex_xy),
           row_offset_(sample.centre_row - stimulus.window / 2),
           col_offset_(sample.centre_col - stimulus.window / 2) {}
@@ -99,6 +101,10 @@ class Scanner {
             }
             if (!looks_for_edges_) {
                 // fragments only
+            } else if (sends_objects_only_) {
+                if (inside) {
+                    send_edge_token(relative(r, c), true, iteration);
+                }
             } else if (edge_map_.algorithm == EdgeMapAlgorithm::threshold) {
                 if (is_near_edge(v, r, c)) {
                     send_edge_token(relative(r, c), false, iteration);
@@ -115,7 +121,9 @@ class Scanner {
             prev_r = r;
             prev_c = c;
             prev_inside = inside;
-            if ((c == left_wall || c == right_wall) && c != line_start) {
+            iteration.row = r;
+            bool const at_wall = (c == left_wall || c == right_wall) && c != line_start;
+            if (at_wall || may_turn(v, r, c, direction, bottom)) {
                 if (r == bottom) {
                     is_done = true;
                 } else {
@@ -127,6 +135,9 @@ class Scanner {
                 c += direction;
             }
             result.scan.push_back(iteration);
+        }
+        if (scan_ == ScanPolicy::spans) {
+            result.scan = without_silence(result.scan);
         }
         return result;
     }
@@ -154,6 +165,41 @@ class Scanner {
     bool is_inside(Point const (&v)[3], int r, int c) const {
         Point const p{c * pixel_, r * pixel_};
         return edge_value(v[1], v[2], p) >= 0 && edge_value(v[2], v[0], p) >= 0 && edge_value(v[0], v[1], p) >= 0;
+    }
+
+    /// Early exit: neither this row nor, unless it is the last, the next can be covered from here on in the direction.
+    bool may_turn(Point const (&v)[3], int r, int c, int direction, int bottom) const {
+        return scan_ == ScanPolicy::early_exit && stays_outside(v, r, c, direction) &&
+               (r == bottom || stays_outside(v, r + 1, c, direction));
+    }
+
+    /// An edge value is below zero, and one pixel on in the direction it is no larger.
+    bool stays_outside(Point const (&v)[3], int r, int c, int direction) const {
+        Point const here{c * pixel_, r * pixel_};
+        Point const there{(c + direction) * pixel_, r * pixel_};
+        for (int i = 0; i < 3; ++i) {
+            std::int64_t const value = edge_value(v[i], v[(i + 1) % 3], here);
+            if (value < 0 && edge_value(v[i], v[(i + 1) % 3], there) <= value) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Spans: of the zigzag's iterations those that send something, and one of a row in which no visit does.
+    static std::vector<TwinScanIteration> without_silence(std::vector<TwinScanIteration> const& zigzag) {
+        auto const is_silent = [](TwinScanIteration const& i) { return !i.sends_fragment && !i.sends_edge_token; };
+        std::vector<TwinScanIteration> spans;
+        for (std::size_t i = 0; i < zigzag.size(); ++i) {
+            bool is_only = is_silent(zigzag[i]) && (i == 0 || zigzag[i - 1].row != zigzag[i].row);
+            for (std::size_t k = i; is_only && k < zigzag.size() && zigzag[k].row == zigzag[i].row; ++k) {
+                is_only = is_silent(zigzag[k]);
+            }
+            if (is_only || !is_silent(zigzag[i])) {
+                spans.push_back(zigzag[i]);
+            }
+        }
+        return spans;
     }
 
     /// Thesis 5.1: in the triangle or at most the thresholds beyond its edges, but not further inside than they all.
@@ -187,6 +233,8 @@ class Scanner {
     Stimulus const& stimulus_;
     EdgeMapConfig const& edge_map_;
     bool const looks_for_edges_;
+    bool const sends_objects_only_;
+    ScanPolicy const scan_;
     std::int64_t const pixel_;  ///< code of one pixel
     int const row_offset_;
     int const col_offset_;

@@ -25,6 +25,7 @@ struct TwinEdgeToken {
 struct TwinScanIteration {
     bool sends_fragment = false;
     bool sends_edge_token = false;
+    int row = -1;  ///< of a visit; a flush belongs to none
 };
 
 struct TwinTriangle {

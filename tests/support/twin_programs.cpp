@@ -52,29 +52,84 @@ TwinProgram vertex_transform(TwinSampleFunction const& sample) {
     return program;
 }
 
-TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
-    TwinProgram program;
-    step(program, {read_of(FifoId::sample_raster)});
+constexpr std::uint8_t fragment_accesses = 0b0111;
+constexpr std::uint8_t edge_token_access = 0b1000;
+
+std::vector<std::uint8_t> scan_iterations(TwinTriangle const& triangle) {
+    std::vector<std::uint8_t> iterations;
+    for (TwinScanIteration const& iteration : triangle.scan) {
+        unsigned const fragment = iteration.sends_fragment ? fragment_accesses : 0U;
+        unsigned const edge_token = iteration.sends_edge_token ? edge_token_access : 0U;
+        iterations.push_back(static_cast<std::uint8_t>(fragment | edge_token));
+    }
+    return iterations;
+}
+
+std::vector<TwinAccess> scan_accesses() {
+    return {write_of(FifoId::command), write_of(FifoId::fragment_depth), write_of(FifoId::fragment_index),
+            write_of(FifoId::edge_token)};
+}
+
+void draw_one_by_one(TwinProgram& program, TwinSampleFunction const& sample, Cycles setup_depth) {
     for (TwinTriangle const& triangle : sample.triangles) {
         for (int vertex = 0; vertex < 3; ++vertex) {
             step(program, {read_of(FifoId::vertex)});
         }
-        pass(program, config.setup_depth);
+        pass(program, setup_depth);
         if (!triangle.is_drawn) {
             step(program, {write_of(FifoId::area)});
             continue;
         }
         step(program, {write_of(FifoId::area), write_of(FifoId::command)});
-        std::vector<std::uint8_t> iterations;
-        for (TwinScanIteration const& iteration : triangle.scan) {
-            unsigned const fragment = iteration.sends_fragment ? 0b0111U : 0U;
-            unsigned const edge_token = iteration.sends_edge_token ? 0b1000U : 0U;
-            iterations.push_back(static_cast<std::uint8_t>(fragment | edge_token));
+        loop(program, LoopId::scan, scan_accesses(), scan_iterations(triangle));
+    }
+}
+
+/// All triangles in one loop, whose iterations also read vertices and announce triangles, `ahead` triangles before.
+void draw_overlapped(TwinProgram& program, TwinSampleFunction const& sample, std::size_t ahead, Cycles setup_cycles) {
+    constexpr std::uint8_t vertex_access = 0b000001;
+    constexpr std::uint8_t area_access = 0b000010;
+    constexpr std::uint8_t command_access = 0b000100;
+    std::size_t const count = sample.triangles.size();
+    if (count == 0)
+        return;
+    TwinState state;
+    state.loop = LoopId::scan;
+    state.accesses = scan_accesses();
+    state.accesses.insert(state.accesses.begin(), {read_of(FifoId::vertex), write_of(FifoId::area)});
+    state.setup_cycles = setup_cycles;
+    std::vector<std::size_t> last_vertex;
+    for (; last_vertex.size() < std::min(ahead, count); last_vertex.push_back(state.iterations.size() - 1)) {
+        state.iterations.insert(state.iterations.end(), 3, vertex_access);
+    }
+    for (std::size_t t = 0; t < count; ++t) {
+        TwinTriangle const& triangle = sample.triangles[t];
+        std::size_t const begin = state.iterations.size();
+        state.setups.push_back({last_vertex[t], begin});
+        state.iterations.push_back(triangle.is_drawn ? area_access | command_access : area_access);
+        for (std::uint8_t const accesses : scan_iterations(triangle)) {
+            state.iterations.push_back(static_cast<std::uint8_t>(accesses << 2));
         }
-        loop(program, LoopId::scan,
-             {write_of(FifoId::command), write_of(FifoId::fragment_depth), write_of(FifoId::fragment_index),
-              write_of(FifoId::edge_token)},
-             std::move(iterations));
+        state.iterations.resize(std::max(state.iterations.size(), begin + 3), 0);
+        if (t + ahead < count) {
+            for (std::size_t i = begin; i < begin + 3; ++i) {
+                state.iterations[i] = static_cast<std::uint8_t>(state.iterations[i] | vertex_access);
+            }
+            last_vertex.push_back(begin + 2);
+        }
+    }
+    program.push_back(std::move(state));
+}
+
+TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
+    // 18 more for the divisions that spans need
+    Cycles const setup = config.setup_depth + (config.rasterizer.scan == ScanPolicy::spans ? 18 : 0);
+    TwinProgram program;
+    step(program, {read_of(FifoId::sample_raster)});
+    if (config.rasterizer.setup_overlap == 0) {
+        draw_one_by_one(program, sample, setup);
+    } else {
+        draw_overlapped(program, sample, config.rasterizer.setup_overlap, setup);
     }
     pass(program, 1);
     std::vector<TwinAccess> last{write_of(FifoId::command)};
@@ -196,11 +251,7 @@ void extract(TwinProgram& program, EdgeExtractionConfig const& config, std::size
     pass(program, 1);
 }
 
-TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
-    TwinProgram program;
-    pass(program, 1);
-    clearing_loop(program, LoopId::depth_clear, config.inlier_unit.clearing, {config.bram(BramId::depth_buffer)}, side);
-    step(program, {read_of(FifoId::command)});
+void take_one_by_one(TwinProgram& program, TwinSampleFunction const& sample) {
     for (TwinTriangle const& triangle : sample.triangles) {
         if (!triangle.is_drawn) {
             continue;  // sends no command and no reciprocal
@@ -213,6 +264,35 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
                          {read_of(FifoId::fragment_depth), read_of(FifoId::fragment_index), read_of(FifoId::command)},
                          triangle.fragments);
         }
+    }
+}
+
+/// An iteration for each command but the last: what it reads beside the next command.
+void take_in_one_loop(TwinProgram& program, TwinSampleFunction const& sample) {
+    constexpr std::uint8_t of_triangle = 0b1001;
+    constexpr std::uint8_t of_fragment = 0b1110;
+    std::vector<std::uint8_t> iterations;
+    for (TwinTriangle const& triangle : sample.triangles) {
+        iterations.insert(iterations.end(), triangle.is_drawn ? 1 : 0, of_triangle);
+        iterations.insert(iterations.end(), triangle.fragments, of_fragment);
+    }
+    if (!iterations.empty()) {
+        loop(program, LoopId::fragment,
+             {read_of(FifoId::area_reciprocal), read_of(FifoId::fragment_depth), read_of(FifoId::fragment_index),
+              read_of(FifoId::command)},
+             std::move(iterations));
+    }
+}
+
+TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
+    TwinProgram program;
+    pass(program, 1);
+    clearing_loop(program, LoopId::depth_clear, config.inlier_unit.clearing, {config.bram(BramId::depth_buffer)}, side);
+    step(program, {read_of(FifoId::command)});
+    if (config.inlier_unit.fragment_loop == FragmentLoop::flattened) {
+        take_in_one_loop(program, sample);
+    } else {
+        take_one_by_one(program, sample);
     }
     pass(program, 1);
     std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};

@@ -28,6 +28,14 @@ struct TwinState {
     Cycles advance = 1;
     std::optional<LoopId> loop;
     std::vector<std::uint8_t> iterations;
+    /// Of a loop that prepares triangles: iteration `awaits` begins `setup_cycles` after the II cycles of iteration
+    /// `since`, which read the last vertex, at the earliest.
+    struct Setup {
+        std::size_t since = 0;
+        std::size_t awaits = 0;
+    };
+    std::vector<Setup> setups;  ///< ascending
+    Cycles setup_cycles = 0;
 };
 
 using TwinProgram = std::vector<TwinState>;

@@ -221,7 +221,8 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:1: raster_cores: unknown key, did you mean accelerator.raster_cores?");
     CHECK(file_error("accelerator:\n  cheese: 3\n") ==
           "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of architecture, raster_cores, "
-          "window, clock_mhz, flow, fraction_bits, edge_map, inlier_unit, edge_extraction, fifos, loops, brams");
+          "window, clock_mhz, flow, fraction_bits, edge_map, inlier_unit, rasterizer, edge_extraction, fifos, loops, "
+          "brams");
     CHECK(file_error("accelerator.window: 3\n") ==
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
 }
@@ -473,6 +474,15 @@ TEST_CASE("The reciprocal and the area fit 62 bits together", "[config][errors]"
     CHECK(error_of([] { loaded("accelerator: {fraction_bits: {vertex_xy: 15, area_reciprocal: 33}}"); }) ==
           "test.yaml:1: accelerator.fraction_bits.area_reciprocal = 33, expected at most 32, which is 62 minus twice "
           "accelerator.fraction_bits.vertex_xy = 15");
+}
+
+TEST_CASE("The edge tokens of threshold lie where only the zigzag looks", "[config][errors]") {
+    char const* const threshold = "accelerator: {edge_map: {algorithm: threshold}, rasterizer: {scan: ";
+    CHECK(error_of([&] { loaded(threshold + std::string("spans}}")); }) ==
+          "test.yaml:1: accelerator.rasterizer.scan = \"spans\", expected zigzag because of "
+          "accelerator.edge_map.algorithm = \"threshold\", whose edge tokens lie outside the triangles too");
+    CHECK(error_of([&] { loaded(threshold + std::string("early_exit}}")); }) != "(no error)");
+    CHECK(error_of([&] { loaded(threshold + std::string("zigzag, setup_overlap: 3}}")); }) == "(no error)");
 }
 
 TEST_CASE("The neighbourhood of an observed edge has a middle", "[config][errors]") {

@@ -6,5 +6,7 @@ namespace faster::report {
 extern char const* const report_page;
 /// The same of a sizing of FIFOs: page/sizing.html.
 extern char const* const sizing_page;
+/// The same of architectures side by side: page/architectures.html.
+extern char const* const architectures_page;
 
 }  // namespace faster::report

@@ -13,6 +13,7 @@
 #include "io/output_file.hpp"
 #include "processes/process_pool.hpp"
 #include "report/architecture_table.hpp"
+#include "report_html/architectures_html.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/edge_map_judge.hpp"
 #include "tb/progress_line.hpp"
@@ -141,6 +142,7 @@ report::ArchitectureRow row_of(Point const& point, processes::Outcome const& out
 
 int compare_architectures(CompareArchitecturesRequest const& request) {
     auto const csv = io::optional_output_file(request.csv);
+    auto const html = io::optional_output_file(request.html);
     std::vector<Point> const points = points_of(request);
     std::vector<processes::Outcome> const outcomes = simulate_all(points, request);
     std::vector<report::ArchitectureRow> rows;
@@ -154,9 +156,12 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
     }
     if (csv)
         csv->commit(report::architecture_csv(rows));
+    if (html)
+        html->commit(report::architectures_html("Architectures side by side", rows));
     fmt::print("{}", report::architecture_markdown(rows));
-    if (csv)
-        fmt::print("\nwritten: {}\n", request.csv);
+    for (std::string const& file : {request.csv, request.html})
+        if (!file.empty())
+            fmt::print("\nwritten: {}\n", file);
     return exit_done;
 }
 

@@ -14,7 +14,8 @@ struct CompareArchitecturesRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE, for all
     std::int64_t jobs = 0;               ///< simulations at once; 0: the host's cores
     std::int64_t judged_samples = 0;     ///< how many edge maps to judge in every run
-    std::string csv;                     ///< file; empty: print only
+    std::string csv;                     ///< file; empty: none
+    std::string html;                    ///< the same
 };
 
 /// Runs every architecture on every workload, each in a process of its own, and prints a table. The keys an

@@ -121,6 +121,7 @@ void add_compare_architectures(CLI::App& app, faster::CompareArchitecturesReques
         ->check(CLI::Range(1, 1000000));
     command.add_option("--csv", request.csv, "Write a row per architecture and workload to this file")
         ->type_name("FILE");
+    command.add_option("--html", request.html, "Write the table and its plots as one HTML page")->type_name("FILE");
 }
 
 void add_edge_quality(CLI::App& app, faster::EdgeQualityRequest& request) {

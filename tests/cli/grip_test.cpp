@@ -69,7 +69,7 @@ TEST_CASE("grip scores every sample, beside the counters that a run finds", "[gr
         CHECK(summary["rank_correlation"].contains(score));
 }
 
-TEST_CASE("grip's scores do not depend on the number of threads; it compares with any flow", "[grip]") {
+TEST_CASE("grip's scores do not depend on the number of threads, and it compares with any flow", "[grip]") {
     Workspace const workspace;
     require_done(workspace.grip({"--out", "a", "-j", "1"}));
     require_done(workspace.grip({"--out", "b", "-j", "3"}));

@@ -114,7 +114,7 @@ TEST_CASE("Without triangles flow fpga_grip takes 3 W^2 + r (W + 1) + 99 cycles"
         }
 }
 
-TEST_CASE("Line buffers bring the extraction to II 1; without, every neighbour is read", "[fpga_grip]") {
+TEST_CASE("Line buffers bring the extraction to II 1, and without them every neighbour is read", "[fpga_grip]") {
     CHECK(extract_ii(NeighbourAccess::window, 3) == 1);
     CHECK(extract_ii(NeighbourAccess::window, 15) == 1);
     CHECK(extract_ii(NeighbourAccess::window, 5, 1) == 2);

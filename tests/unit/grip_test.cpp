@@ -165,7 +165,7 @@ TEST_CASE("The outline of a plate is an edge, as it stands before a background",
     CHECK(score.planar.points == 289);
 }
 
-TEST_CASE("Ranks share places among equals; correlations by hand", "[grip]") {
+TEST_CASE("Ranks share places among equals, and correlations are those by hand", "[grip]") {
     CHECK(ranks({3, 9, 9, 1}) == std::vector<double>{3, 1.5, 1.5, 4});
     CHECK(*rank_correlation({1, 2, 3, 4}, {10, 20, 30, 99}) == Approx(1));
     CHECK(*rank_correlation({1, 2, 3, 4}, {4, 3, 2, 1}) == Approx(-1));

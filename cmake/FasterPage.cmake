@@ -5,6 +5,7 @@ if(NOT FASTER_CHART_JS)
   message(FATAL_ERROR "Chart.js not found: install libjs-chart.js, or set FASTER_CHART_JS to chart.min.js 3.9")
 endif()
 set(FASTER_PAGE_JOINER ${CMAKE_CURRENT_LIST_DIR}/JoinReportPage.cmake)
+set(FASTER_PAGE_FRAME ${PROJECT_SOURCE_DIR}/src/report_html/page/frame.html)
 
 # faster_join_page(OUTPUT TEMPLATE file STYLES files... SCRIPTS files... NAME namespace::variable HEADER header)
 # OUTPUT is set to the C++ source; HEADER declares the variable, of type char const* const.
@@ -15,8 +16,8 @@ function(faster_join_page output)
   add_custom_command(
     OUTPUT ${source}
     COMMAND ${CMAKE_COMMAND} -DTEMPLATE=${ARG_TEMPLATE} "-DSTYLES=${ARG_STYLES}" -DCHART_JS=${FASTER_CHART_JS}
-      "-DSCRIPTS=${ARG_SCRIPTS}" -DNAME=${ARG_NAME} -DHEADER=${ARG_HEADER} -DOUTPUT=${source} -P ${FASTER_PAGE_JOINER}
-    DEPENDS ${ARG_TEMPLATE} ${ARG_STYLES} ${ARG_SCRIPTS} ${FASTER_CHART_JS} ${FASTER_PAGE_JOINER}
+      "-DSCRIPTS=${ARG_SCRIPTS}" -DNAME=${ARG_NAME} -DHEADER=${ARG_HEADER} -DOUTPUT=${source} -DFRAME=${FASTER_PAGE_FRAME} -P ${FASTER_PAGE_JOINER}
+    DEPENDS ${FASTER_PAGE_FRAME} ${ARG_TEMPLATE} ${ARG_STYLES} ${ARG_SCRIPTS} ${FASTER_CHART_JS} ${FASTER_PAGE_JOINER}
     COMMENT "Joining the page ${stem}.html"
     VERBATIM)
   set(${output} ${source} PARENT_SCOPE)

@@ -1,5 +1,6 @@
-# Puts styles and scripts into the template of an HTML page, and the whole into a C++ source file.
-#   cmake -DTEMPLATE=... -DSTYLES=a.css;b.css -DCHART_JS=... -DSCRIPTS=a.js;b.js -DNAME=namespace::variable -DHEADER=page.hpp
+# Puts the content of an HTML page (from its navigation to its last section), styles and scripts into the frame that all pages share, and the
+# whole into a C++ source file.
+#   cmake -DFRAME=... -DTEMPLATE=... -DSTYLES=a.css;b.css -DCHART_JS=... -DSCRIPTS=a.js;b.js -DNAME=namespace::variable -DHEADER=page.hpp
 #         -DOUTPUT=page.cpp -P JoinReportPage.cmake
 function(read_all result)
   set(all "")
@@ -10,11 +11,14 @@ function(read_all result)
   set(${result} "${all}" PARENT_SCOPE)
 endfunction()
 
-file(READ "${TEMPLATE}" page)
+file(READ "${FRAME}" page)
+file(READ "${TEMPLATE}" content)
 file(READ "${CHART_JS}" chart_js)
 read_all(style ${STYLES})
 read_all(scripts ${SCRIPTS})
 
+set(mark content)  # spelled out, @content@ would be a variable here
+string(REPLACE "@${mark}@" "${content}" page "${page}")
 foreach(part style chart_js scripts)
   if("${${part}}" MATCHES "</(script|style)|<!--")
     message(FATAL_ERROR "${part} cannot stand inside an HTML element: it contains ${CMAKE_MATCH_0}")

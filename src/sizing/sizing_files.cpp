@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/enum_names.hpp"
+#include "config/flow_parts.hpp"
 
 namespace faster::sizing {
 
@@ -25,9 +26,9 @@ Json ramb36(Primitives const& primitives) { return static_cast<double>(primitive
 /// null: a deadlock
 Json cycles_or_null(Cycles cycles) { return cycles == Cut::deadlock ? Json() : Json(cycles); }
 
-Json depths(Choice const& choice) {
+Json depths(Choice const& choice, Flow flow) {
     Json json;
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t const i : fifos_of(flow))
         json[fifo_names[i]] = choice[i].depth;
     return json;
 }
@@ -40,7 +41,7 @@ Json summary(SizedChoice const& choice, AcceleratorConfig const& config) {
     json["cost_luts"] = rounded(choice.cost);
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
-    json["depths"] = depths(choice.choice);
+    json["depths"] = depths(choice.choice, config.flow);
     return json;
 }
 
@@ -96,7 +97,7 @@ std::string sizing_json(Sizing const& sizing) {
     json["configured"] = summary(sizing.configured, sizing.config);
     json["answer"] = summary(sizing.answer, sizing.config);
     json["fifos"] = Json::array();
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t const i : fifos_of(sizing.config.flow))
         json["fifos"].push_back(fifo_row(sizing, i));
     json["certificate"] = Json::array();
     for (CertificateRow const& row : sizing.certificate)
@@ -108,14 +109,16 @@ std::string sizing_json(Sizing const& sizing) {
 }
 
 std::string pareto_csv(Sizing const& sizing) {
-    std::string text =
-        fmt::format("cost_luts,luts,ramb36,total_cycles,milliseconds,proven,{}\n", fmt::join(fifo_names, ","));
+    std::string text = "cost_luts,luts,ramb36,total_cycles,milliseconds,proven";
+    for (std::size_t const i : fifos_of(sizing.config.flow))
+        text += std::string(",") + fifo_names[i];
+    text += '\n';
     for (FrontPoint const& point : sizing.front) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", rounded(point.cost), point.primitives.luts,
                        static_cast<double>(point.primitives.ramb18) / 2, point.found.total_cycles,
                        milliseconds(point.found.total_cycles, sizing.config), point.found.is_proven ? 1 : 0);
-        for (FifoChoice const& fifo : point.found.choice)
-            fmt::format_to(std::back_inserter(text), ",{}", fifo.depth);
+        for (std::size_t const i : fifos_of(sizing.config.flow))
+            fmt::format_to(std::back_inserter(text), ",{}", point.found.choice[i].depth);
         text += '\n';
     }
     return text;
@@ -125,7 +128,7 @@ std::string depths_yaml(Sizing const& sizing, std::string const& title) {
     std::string text = fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\naccelerator:\n  fifos:\n", title,
                                    sizing.answer.total_cycles, sizing.answer.primitives.luts,
                                    static_cast<double>(sizing.answer.primitives.ramb18) / 2);
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t const i : fifos_of(sizing.config.flow))
         fmt::format_to(std::back_inserter(text), "    {}: {{depth: {}, kind: {}}}\n", fifo_names[i],
                        sizing.answer.choice[i].depth, choice_name(sizing.answer.choice[i].kind));
     return text;

@@ -1,5 +1,7 @@
 #include "sizing/token_bits.hpp"
 
+#include "config/flow_parts.hpp"
+
 namespace faster::sizing {
 
 namespace {
@@ -28,6 +30,9 @@ unsigned result_bits(AcceleratorConfig const& config) {
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
+    if (!has_part(config.flow, id))
+        return 0;
+    auto const lanes = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
     switch (id) {
         case FifoId::sample_vertex:
         case FifoId::sample_raster:
@@ -48,10 +53,10 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
         case FifoId::edge_token:
             return pixel_bits + 2;  // edge, object or end
         case FifoId::observed_depth:
-            return depth_bits;
+            return depth_bits * lanes;
         case FifoId::edge_map:
         case FifoId::observed_edge:
-            return 1;
+            return lanes;
         case FifoId::result:
             break;
     }

@@ -105,6 +105,23 @@ TEST_CASE("size-fifos keeps the kinds of a configuration, and weighs block RAM a
     CHECK(workspace.json("c/sizing.json")["answer"]["ramb36"] == 0);
 }
 
+TEST_CASE("size-fifos leaves out the FIFOs that a flow does not have") {
+    Workspace const workspace;
+    require_done(workspace.tool({"run", "config.yaml", "--events", "grip_events", "--set", "accelerator.flow=fpga_grip",
+                                 "--set", "accelerator.window=24", "--set", "workload.samples.count=2"}));
+    CommandResult const result =
+        workspace.tool({"size-fifos", "grip_events", "--within", "5", "--out", "sizes", "--points", "2"});
+    require_done(result);
+    CHECK_THAT(result.out, !Contains("edge_token") && !Contains("edge_map"));
+    Json const sizing = workspace.json("sizes/sizing.json");
+    CHECK(sizing["fifos"].size() == 12);
+    CHECK_THAT(workspace.text("sizes/pareto.csv"), !Contains("edge_token"));
+    require_done(workspace.tool({"compare-architectures", "sizes/depths.yaml", "--workloads", "config.yaml", "--set",
+                                 "accelerator.flow=fpga_grip", "--set", "accelerator.window=24", "--set",
+                                 "workload.samples.count=2", "--csv", "run.csv"}));
+    CHECK_THAT(workspace.text("run.csv"), Contains(",finished," + sizing["answer"]["total_cycles"].dump() + ","));
+}
+
 TEST_CASE("size-fifos refuses what is no good with one line, and leaves nothing") {
     Workspace const workspace;
     check_bad_input(workspace.size({}), {"--within"});

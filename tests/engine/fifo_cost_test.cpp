@@ -53,6 +53,13 @@ TEST_CASE("The formats decide how many bits a token has", "[sizing]") {
     CHECK(token_bits(FifoId::edge_token, config) == 34);
     CHECK(token_bits(FifoId::observed_depth, config) == 11);
     CHECK(token_bits(FifoId::result, config) == 4 * 16 + 32);
+    config.inlier_unit.sweep_lanes = 4;
+    CHECK(token_bits(FifoId::edge_map, config) == 4);
+    CHECK(token_bits(FifoId::observed_depth, config) == 4 * 11);
+    config.flow = Flow::fpga_grip;
+    CHECK(token_bits(FifoId::edge_map, config) == 0);  // not there
+    CHECK(token_bits(FifoId::edge_token, config) == 0);
+    config = {};
     config.fraction_bits.area_reciprocal = 20;
     config.window = 4;
     CHECK(token_bits(FifoId::area_reciprocal, config) == 29);

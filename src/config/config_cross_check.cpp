@@ -71,7 +71,7 @@ void check_scan(LoadedConfig const& loaded, std::vector<std::string>& complaints
 /// All other algorithms build their contours of the pixels beside the triangles.
 void check_edge_tokens(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     AcceleratorConfig const& accelerator = loaded.config.accelerator;
-    if (accelerator.rasterizer.edge_tokens == EdgeTokens::all ||
+    if (accelerator.rasterizer.edge_tokens == EdgeTokens::all || accelerator.flow != Flow::faster ||
         accelerator.edge_map.algorithm == EdgeMapAlgorithm::inner_border)
         return;
     complaints.push_back(

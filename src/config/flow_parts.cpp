@@ -37,6 +37,7 @@ std::vector<std::string> absent_beginnings(Flow flow) {
     } else {
         beginnings.emplace_back("accelerator.edge_map.");
         beginnings.emplace_back("accelerator.inlier_unit.neighbour_access");
+        beginnings.emplace_back("accelerator.rasterizer.edge_tokens");
     }
     return beginnings;
 }

@@ -46,11 +46,13 @@ std::vector<ResolvedKey> resolved_keys(RunConfig const& config) {
     return resolved;
 }
 
-std::string to_yaml(RunConfig const& config) {
+std::string to_yaml(RunConfig const& config) { return to_yaml(resolved_keys(config)); }
+
+std::string to_yaml(std::vector<ResolvedKey> const& keys) {
     RunConfig const defaults;
     std::string text;
     std::vector<std::string> previous;
-    for (ResolvedKey const& entry : resolved_keys(config)) {
+    for (ResolvedKey const& entry : keys) {
         std::vector<std::string> const parts = split_at_points(entry.key);
         text += headings(parts, previous);
         text += fmt::format("{}{}: {}", indentation(parts.size() - 1), parts.back(), json_text(entry.value));

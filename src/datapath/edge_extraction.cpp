@@ -14,8 +14,9 @@ constexpr int quotient_fraction = 16;
 
 std::vector<std::int64_t> slopes(int window, double focal_length_px) {
     std::vector<std::int64_t> codes(static_cast<std::size_t>(window));
+    int const centre = window / 2;
     for (int i = 0; i < window; ++i) {
-        double const slope = std::floor(std::ldexp((i - window / 2) / focal_length_px, slope_fraction));
+        double const slope = std::floor(std::ldexp((i - centre) / focal_length_px, slope_fraction));
         codes[static_cast<std::size_t>(i)] =
             static_cast<std::int64_t>(std::clamp(slope, -largest_slope - 1, largest_slope));
     }

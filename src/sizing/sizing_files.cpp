@@ -7,6 +7,7 @@
 
 #include "config/enum_names.hpp"
 #include "config/flow_parts.hpp"
+#include "config/resolved_config.hpp"
 
 namespace faster::sizing {
 
@@ -108,6 +109,17 @@ std::string sizing_json(Sizing const& sizing) {
     return json.dump(2) + "\n";
 }
 
+/// The machine that was sized: depths and kinds, and what else is not the default. A preset has said what it had to.
+static bool belongs_to_answer(ResolvedKey const& key, Flow flow) {
+    auto const is = [&key](std::string const& ending) {
+        return key.key.size() > ending.size() &&
+               key.key.compare(key.key.size() - ending.size(), ending.size(), ending) == 0;
+    };
+    bool const is_of_fifo = key.key.rfind("accelerator.fifos.", 0) == 0 && (is(".depth") || is(".kind"));
+    return key.key.rfind("accelerator.", 0) == 0 && key.key != "accelerator.architecture" &&
+           applies_to(flow, key.key) && (is_of_fifo || !key.is_default);
+}
+
 std::string pareto_csv(Sizing const& sizing) {
     std::string text = "cost_luts,luts,ramb36,total_cycles,milliseconds,proven";
     for (std::size_t const i : fifos_of(sizing.config.flow))
@@ -125,13 +137,15 @@ std::string pareto_csv(Sizing const& sizing) {
 }
 
 std::string depths_yaml(Sizing const& sizing, std::string const& title) {
-    std::string text = fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\naccelerator:\n  fifos:\n", title,
-                                   sizing.answer.total_cycles, sizing.answer.primitives.luts,
-                                   static_cast<double>(sizing.answer.primitives.ramb18) / 2);
-    for (std::size_t const i : fifos_of(sizing.config.flow))
-        fmt::format_to(std::back_inserter(text), "    {}: {{depth: {}, kind: {}}}\n", fifo_names[i],
-                       sizing.answer.choice[i].depth, choice_name(sizing.answer.choice[i].kind));
-    return text;
+    RunConfig sized;
+    sized.accelerator = with_choice(sizing.config, sizing.answer.choice);
+    std::vector<ResolvedKey> keys;
+    for (ResolvedKey& key : resolved_keys(sized))
+        if (belongs_to_answer(key, sizing.config.flow))
+            keys.push_back(std::move(key));
+    return fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\n", title, sizing.answer.total_cycles,
+                       sizing.answer.primitives.luts, static_cast<double>(sizing.answer.primitives.ramb18) / 2) +
+           to_yaml(keys);
 }
 
 }  // namespace faster::sizing

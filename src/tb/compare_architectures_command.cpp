@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <set>
 
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
@@ -69,9 +70,29 @@ std::vector<std::string> settings_of(std::string const& architecture) {
     return settings;
 }
 
+void check_names(std::vector<std::string> const& files, char const* what) {
+    std::set<std::string> names;
+    for (std::string const& file : files)
+        if (!names.insert(name_of(file)).second)
+            throw InputError(
+                fmt::format("{}: another {} is called {} as well, expected each name once", file, what, name_of(file)));
+}
+
+/// Every row would be the same architecture.
+void check_overrides(std::vector<std::string> const& overrides) {
+    for (std::string const& setting : overrides)
+        if (setting.rfind("accelerator.architecture=", 0) == 0)
+            throw InputError("--set " + setting + ": expected the architecture among those to be compared");
+}
+
 std::vector<Point> points_of(CompareArchitecturesRequest const& request) {
+    std::vector<std::string> const architectures =
+        request.architectures.empty() ? preset_names() : request.architectures;
+    check_names(architectures, "architecture");
+    check_names(request.workloads, "workload");
+    check_overrides(request.overrides);
     std::vector<Point> points;
-    for (std::string const& architecture : request.architectures.empty() ? preset_names() : request.architectures) {
+    for (std::string const& architecture : architectures) {
         std::vector<std::string> settings = settings_of(architecture);
         settings.insert(settings.end(), request.overrides.begin(), request.overrides.end());
         for (std::string const& workload : request.workloads)

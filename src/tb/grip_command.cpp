@@ -65,6 +65,7 @@ std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
 GripComparison compare_with_flow(GripRequest const& request, RunConfig const& config, Stimulus const& stimulus) {
     GripComparison comparison;
     comparison.flow = config.accelerator.flow;
+    comparison.architecture = config.accelerator.architecture;
     comparison.jobs =
         request.jobs > 0 ? static_cast<unsigned>(request.jobs) : std::max(1U, std::thread::hardware_concurrency());
     auto start = HostClock::now();

@@ -71,8 +71,13 @@ std::vector<Agreement> agreements(GripComparison const& comparison) {
                 [](Counters const& c) { return c.edge_inlier; })};
 }
 
+/// What people call it: the preset, or the flow that was chosen on its own.
+static std::string design_of(GripComparison const& comparison) {
+    return comparison.flow == Flow::faster ? comparison.architecture : choice_name(comparison.flow);
+}
+
 std::string grip_text(GripComparison const& comparison) {
-    std::string const flow = choice_name(comparison.flow);
+    std::string const design = design_of(comparison);
     std::size_t const samples = comparison.grip.size();
     std::string text =
         fmt::format("{} samples by GRIP, untimed, on {} host {}: {:.2f} s, {:.2f} ms per sample\n", samples,
@@ -80,11 +85,11 @@ std::string grip_text(GripComparison const& comparison) {
                     1000 * comparison.grip_seconds / static_cast<double>(samples));
     text += fmt::format("\n  {:<12} {:>12} {:>14}\n", "ranked by", "best sample", "its ADD [mm]");
     for (auto const& [name, weights] :
-         {std::pair{std::string("grip"), grip_weights(comparison)}, {flow, flow_weights(comparison)}}) {
+         {std::pair{std::string("grip"), grip_weights(comparison)}, {design, flow_weights(comparison)}}) {
         Best const found = best(comparison, weights);
         text += fmt::format("  {:<12} {:>12} {:>14.2f}\n", name, found.sample, found.add_mm);
     }
-    text += fmt::format("\n  {:<12} rank correlation of grip and {} (Spearman)\n", "score", flow);
+    text += fmt::format("\n  {:<12} rank correlation of grip and {} (Spearman)\n", "score", design);
     for (Agreement const& row : agreements(comparison))
         text += row.rank_correlation ? fmt::format("  {:<12} {:.3f}\n", row.score, *row.rank_correlation)
                                      : fmt::format("  {:<12} -\n", row.score);
@@ -116,6 +121,7 @@ std::string grip_json(GripComparison const& comparison) {
     summary["format"] = "faster-grip";
     summary["version"] = 1;
     summary["samples"] = comparison.grip.size();
+    summary["architecture"] = comparison.architecture;
     summary["flow"] = choice_name(comparison.flow);
     summary["best"] = {{"grip", best_json(comparison, grip_weights(comparison))},
                        {"flow", best_json(comparison, flow_weights(comparison))}};

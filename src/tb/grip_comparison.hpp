@@ -12,6 +12,7 @@ namespace faster {
 /// The scores of the same samples by GRIP and by a flow of the accelerator, how far their poses are off, and host time.
 struct GripComparison {
     Flow flow = Flow::faster;
+    std::string architecture;  ///< name of the preset that the design started from
     std::vector<grip::PoseScore> grip;
     std::vector<SampleCounters> counters;
     std::vector<double> add_m;  ///< average distance from the configured pose

@@ -22,6 +22,16 @@
 
 namespace {
 
+/// CLI::Range lets nan pass, and prints six digits of everything.
+CLI::Validator number_in(double least, double most) {
+    auto const check = [least, most](std::string const& text) {
+        double number = 0;
+        bool const is_sound = CLI::detail::lexical_cast(text, number) && number >= least && number <= most;
+        return is_sound ? std::string{} : fmt::format("expected a number from {} to {}, found {}", least, most, text);
+    };
+    return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
+}
+
 /// SystemC prints its banner before sc_main runs; a tool's output starts with its own.
 bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
 
@@ -70,7 +80,7 @@ void add_check(CLI::App& app, faster::CheckRequest& request) {
         ->check(CLI::Range(1, 1024));
     command.add_option("--time-limit", request.time_limit_s, "Give up a simulation after this time (time_limit_s, 60)")
         ->type_name("SECONDS")
-        ->check(CLI::Range(0.001, 86400.0));
+        ->check(number_in(0.001, 86400));
     add_overrides(command, request.overrides);
     command.add_flag("--update", request.update, "Take today's figures as the baselines (needs --reason)");
     command.add_option("--reason", request.reason, "Why the figures may move; kept in the file with date and hash")
@@ -159,7 +169,7 @@ void add_grip(CLI::App& app, faster::GripRequest& request) {
     command.add_option("--inlier-distance", request.inlier_distance_m, "Points closer than this agree (eq. 2.1)")
         ->type_name("METRES")
         ->capture_default_str()
-        ->check(CLI::Range(0.000001, 10.0));
+        ->check(number_in(0.000001, 10));
 }
 
 void add_show(CLI::App& app, faster::ShowRequest& request) {
@@ -227,7 +237,7 @@ void add_sweep(CLI::App& app, faster::SweepRequest& request, faster::SweepMergeR
         ->type_name("I/N");
     command.add_option("--time-limit", request.time_limit_s, "Give up a point after this time (86400)")
         ->type_name("SECONDS")
-        ->check(CLI::Range(0.001, 1e9));
+        ->check(number_in(0.001, 1e9));
     command.add_flag("--retry-failed", request.retry_failed, "Do points that failed before again");
     command.add_flag("--keep-events", request.keep_events, "Keep the event files, in case points are added later");
     add_sweep_merge(command, merge);
@@ -243,13 +253,13 @@ void add_size_fifos(CLI::App& app, faster::SizeFifosRequest& request) {
     command.add_option("--within", request.within_percent, "How much longer than with unbounded FIFOs, in per cent")
         ->required()
         ->type_name("PERCENT")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(number_in(0, 1e6));
     command
         .add_option("--out", request.out, "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
         ->type_name("DIR");
     command.add_option("--ramb36-luts", request.luts_per_ramb36, "LUTs that a block RAM of 36 Kbit is worth (300.53)")
         ->type_name("LUTS")
-        ->check(CLI::Range(0.01, 1e6));
+        ->check(number_in(0.01, 1e6));
     command.add_option("--points", request.front_points, "Bounds at which cost is weighed against cycles; 0: none")
         ->type_name("N")
         ->capture_default_str()

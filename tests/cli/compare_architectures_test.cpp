@@ -85,6 +85,12 @@ TEST_CASE("compare-architectures refuses bad input in one line, and writes nothi
     check_bad_input(workspace.compare({"none.yaml", "--workloads", "small.yaml"}), {"none.yaml", "no such file"});
     check_bad_input(workspace.compare({"inner_boarder", "--workloads", "small.yaml"}),
                     {"inner_boarder", "did you mean inner_border?"});
+    check_bad_input(workspace.compare({"plain.yaml", "plain.yaml", "--workloads", "small.yaml"}),
+                    {"plain.yaml", "each name once"});
+    check_bad_input(workspace.compare({"plain.yaml", "--workloads", "small.yaml", "small.yaml"}), {"each name once"});
+    check_bad_input(
+        workspace.compare({"plain.yaml", "--workloads", "small.yaml", "--set", "accelerator.architecture=next"}),
+        {"--set accelerator.architecture=next"});
     check_bad_input(workspace.compare({"plain.yaml", "--workloads", "no_mesh.yaml", "--csv", "a.csv"}), {"none.obj"});
     check_bad_input(workspace.compare({"plain.yaml", "--workloads", "small.yaml", "--set", "accelerator.cheese=1"}),
                     {"accelerator.cheese"});

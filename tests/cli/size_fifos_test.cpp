@@ -112,12 +112,12 @@ TEST_CASE("size-fifos leaves out the FIFOs that a flow does not have") {
     CommandResult const result =
         workspace.tool({"size-fifos", "grip_events", "--within", "5", "--out", "sizes", "--points", "2"});
     require_done(result);
+    check_bad_input(workspace.size({"--within", "nan"}), {"--within", "expected a number from 0"});
     CHECK_THAT(result.out, !Contains("edge_token") && !Contains("edge_map"));
     Json const sizing = workspace.json("sizes/sizing.json");
     CHECK(sizing["fifos"].size() == 12);
     CHECK_THAT(workspace.text("sizes/pareto.csv"), !Contains("edge_token"));
     require_done(workspace.tool({"compare-architectures", "sizes/depths.yaml", "--workloads", "config.yaml", "--set",
-                                 "accelerator.flow=fpga_grip", "--set", "accelerator.window=24", "--set",
                                  "workload.samples.count=2", "--csv", "run.csv"}));
     CHECK_THAT(workspace.text("run.csv"), Contains(",finished," + sizing["answer"]["total_cycles"].dump() + ","));
 }

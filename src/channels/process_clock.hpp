@@ -72,8 +72,9 @@ class ProcessClock {
         timing_.note_loop_site(loop, site);
         say([loop](OperationLog& log) { log.enter(loop); });
     }
-    /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing.
-    void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
+    /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing. Inlined by force:
+    /// the scan says little else.
+    [[gnu::always_inline]] void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
         say([=](OperationLog& log) {
             std::uint64_t left = count;
             for (; left > longest_count; left -= longest_count)

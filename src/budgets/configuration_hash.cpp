@@ -4,17 +4,9 @@
 #include <variant>
 
 #include "common/fnv1a.hpp"
+#include "config/plain_value.hpp"
 
 namespace faster::budgets {
-
-namespace {
-
-std::string plain_text_of(KeyValue const& value) {
-    auto const* const word = std::get_if<std::string>(&value);
-    return word != nullptr ? *word : json_text(value);
-}
-
-}  // namespace
 
 std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
     Fnv1a hash;
@@ -30,7 +22,7 @@ std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys) 
     std::vector<Setting> settings;
     for (ResolvedKey const& key : keys)
         if (!key.is_default && key.key.rfind("accelerator.", 0) == 0)
-            settings.push_back({key.key, plain_text_of(key.value)});
+            settings.push_back({key.key, plain_text(key.value)});
     return settings;
 }
 

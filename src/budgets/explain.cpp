@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "config/keys.hpp"
+#include "config/plain_value.hpp"
 
 namespace faster::budgets {
 
@@ -57,9 +58,7 @@ std::string default_of(std::string const& key) {
     Key const* const found = find_key(key);
     if (found == nullptr)
         return "-";
-    KeyValue const value = found->read(RunConfig{});
-    auto const* const word = std::get_if<std::string>(&value);
-    return word != nullptr ? *word : json_text(value);
+    return plain_text(found->read(RunConfig{}));
 }
 
 std::vector<runs::SettingChange> setting_changes(std::vector<Setting> const& a, std::vector<Setting> const& b) {

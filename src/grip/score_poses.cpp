@@ -1,8 +1,6 @@
 #include "grip/score_poses.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <thread>
+#include "common/on_threads.hpp"
 
 namespace faster::grip {
 
@@ -42,17 +40,7 @@ std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& set
     Scene const scene(stimulus, settings);
     std::vector<Pose> const& poses = stimulus.posed.poses;
     std::vector<PoseScore> scores(poses.size());
-    std::atomic<std::size_t> next{0};
-    auto const work = [&] {
-        for (std::size_t i = next++; i < poses.size(); i = next++)
-            scores[i] = scene.score(poses[i]);
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < std::min<std::size_t>(jobs, poses.size()); ++i)
-        others.emplace_back(work);
-    work();
-    for (std::thread& other : others)
-        other.join();
+    on_threads(poses.size(), jobs, [&](std::size_t i) { scores[i] = scene.score(poses[i]); });
     return scores;
 }
 

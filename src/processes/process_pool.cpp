@@ -10,9 +10,10 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 #include <utility>
+
+#include "common/on_threads.hpp"
 
 namespace faster::processes {
 
@@ -166,15 +167,13 @@ void collect(Children& children, std::vector<bool> const& news, Ended const& end
         ended(number, std::move(outcome));
 }
 
-std::size_t at_once(std::size_t jobs) { return jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()); }
-
 }  // namespace
 
 void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& watch) {
     Children children;
     std::size_t next = 0;
     while (true) {
-        while (children.size() < at_once(jobs)) {
+        while (children.size() < jobs_or_host_cores(jobs)) {
             std::optional<Task> const task = stream.next(next);
             if (!task)
                 break;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "config/flow_parts.hpp"
+#include "config/plain_value.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
@@ -159,11 +160,8 @@ Json pictures(std::vector<ReportPicture> const& files) {
 /// Values as text: JavaScript's numbers would round the larger integers.
 Json configuration(std::vector<ResolvedKey> const& keys) {
     Json rows = Json::array();
-    for (ResolvedKey const& key : keys) {
-        auto const* const text = std::get_if<std::string>(&key.value);
-        rows.push_back(
-            {{"key", key.key}, {"value", text != nullptr ? *text : json_text(key.value)}, {"default", key.is_default}});
-    }
+    for (ResolvedKey const& key : keys)
+        rows.push_back({{"key", key.key}, {"value", plain_text(key.value)}, {"default", key.is_default}});
     return rows;
 }
 

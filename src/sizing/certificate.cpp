@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "sizing/on_threads.hpp"
+#include "common/on_threads.hpp"
 
 namespace faster::sizing {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "common/input_error.hpp"
+#include "common/on_threads.hpp"
 #include "config/core_share.hpp"
 #include "retiming/retime.hpp"
-#include "sizing/on_threads.hpp"
 #include "timing/path_sweep.hpp"
 
 namespace faster::sizing {

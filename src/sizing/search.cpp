@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "sizing/on_threads.hpp"
+#include "common/on_threads.hpp"
 #include "sizing/token_bits.hpp"
 
 namespace faster::sizing {

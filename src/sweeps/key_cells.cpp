@@ -3,18 +3,10 @@
 #include <fmt/format.h>
 
 #include "config/plain_text.hpp"
+#include "config/plain_value.hpp"
 #include "config/value_reader.hpp"
 
 namespace faster::sweeps {
-
-namespace {
-
-std::string plain_text_of(KeyValue const& value) {
-    auto const* const word = std::get_if<std::string>(&value);
-    return word != nullptr ? *word : json_text(value);
-}
-
-}  // namespace
 
 Key const* KeyCells::key(std::string const& name, int line) const {
     Key const* const found = find_key(name);
@@ -38,7 +30,7 @@ std::optional<Cell> KeyCells::cell(Key const& key, YAML::Node const& value, int 
 }
 
 Cell KeyCells::cell(Key const& key, KeyValue const& value) {
-    std::string const text = plain_text_of(value);
+    std::string const text = plain_text(value);
     return {text, key.name() + "=" + text, {}};
 }
 

@@ -10,6 +10,7 @@
 #include "common/nearest_name.hpp"
 #include "config/keys.hpp"
 #include "config/load_config.hpp"
+#include "config/plain_value.hpp"
 #include "config/presets.hpp"
 #include "io/output_file.hpp"
 #include "processes/process_pool.hpp"
@@ -63,9 +64,7 @@ std::vector<std::string> settings_of(std::string const& architecture) {
         if (key.name().rfind("accelerator.", 0) != 0)
             throw InputError(fmt::format("{}: {}, expected keys of accelerator only: an architecture has no workload",
                                          loaded.origins.of(key.name()).place, key.name()));
-        KeyValue const value = key.read(loaded.config);
-        auto const* const text = std::get_if<std::string>(&value);
-        settings.push_back(key.name() + "=" + (text != nullptr ? *text : json_text(value)));
+        settings.push_back(key.name() + "=" + plain_text(key.read(loaded.config)));
     }
     return settings;
 }

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
-#include <thread>
 
 #include "common/input_error.hpp"
+#include "common/on_threads.hpp"
 #include "config/config_sources.hpp"
 #include "config/load_config.hpp"
 #include "io/atomic_folder.hpp"
@@ -66,8 +66,7 @@ GripComparison compare_with_flow(GripRequest const& request, RunConfig const& co
     GripComparison comparison;
     comparison.flow = config.accelerator.flow;
     comparison.architecture = config.accelerator.architecture;
-    comparison.jobs =
-        request.jobs > 0 ? static_cast<unsigned>(request.jobs) : std::max(1U, std::thread::hardware_concurrency());
+    comparison.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     auto start = HostClock::now();
     comparison.grip = grip::score_poses(stimulus, settings_of(request, config.workload), comparison.jobs);
     comparison.grip_seconds = seconds_since(start);

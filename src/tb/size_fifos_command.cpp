@@ -4,9 +4,9 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
-#include <thread>
 
 #include "common/input_error.hpp"
+#include "common/on_threads.hpp"
 #include "events/event_file.hpp"
 #include "events/retimed_config.hpp"
 #include "io/atomic_folder.hpp"
@@ -28,7 +28,7 @@ sizing::SizingOptions options_of(SizeFifosRequest const& request) {
     options.within_percent = request.within_percent;
     options.weights.luts_per_ramb36 = request.luts_per_ramb36;
     options.front_points = request.front_points;
-    options.jobs = request.jobs > 0 ? request.jobs : std::max(1U, std::thread::hardware_concurrency());
+    options.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     return options;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 #include "common/input_error.hpp"
+#include "common/on_threads.hpp"
 #include "tb/budget_run.hpp"
 
 namespace faster {
@@ -33,10 +33,7 @@ void Sweeper::work(processes::SignalWatch const& watch) {
         remove_all_events();
 }
 
-std::size_t Sweeper::processes() const {
-    return request_.jobs > 0 ? static_cast<std::size_t>(request_.jobs)
-                             : std::max(1U, std::thread::hardware_concurrency());
-}
+std::size_t Sweeper::processes() const { return jobs_or_host_cores(request_.jobs); }
 
 std::vector<sweeps::Schedule::Job> Sweeper::pending_of(std::vector<std::size_t> const& points) const {
     std::vector<sweeps::Schedule::Job> pending;

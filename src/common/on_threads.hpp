@@ -1,15 +1,23 @@
-#include "sizing/on_threads.hpp"
-
+#pragma once
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-namespace faster::sizing {
+namespace faster {
 
-void on_threads(std::size_t count, unsigned jobs, std::function<void(std::size_t)> const& work) {
+/// How many jobs at once, where 0 (or less) means as many as the host has cores.
+template <class Number> std::size_t jobs_or_host_cores(Number jobs) {
+    return jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// work(0), ..., work(count - 1) on up to `jobs` threads, each of which takes the next number when it has done one.
+/// Throws what one of them threw.
+inline void on_threads(std::size_t count, std::size_t jobs, std::function<void(std::size_t i)> const& work) {
     std::atomic<std::size_t> next{0};
     std::exception_ptr error;
     std::mutex mutex;
@@ -24,7 +32,7 @@ void on_threads(std::size_t count, unsigned jobs, std::function<void(std::size_t
         }
     };
     std::vector<std::thread> others;
-    for (std::size_t i = 1; i < std::min<std::size_t>(jobs, count); ++i)
+    for (std::size_t i = 1; i < std::min(jobs, count); ++i)
         others.emplace_back(take);
     take();
     for (std::thread& other : others)
@@ -33,4 +41,4 @@ void on_threads(std::size_t count, unsigned jobs, std::function<void(std::size_t
         std::rethrow_exception(error);
 }
 
-}  // namespace faster::sizing
+}  // namespace faster

@@ -283,10 +283,11 @@ TEST_CASE("Groups of a line begin at multiples of the lanes, and its ends lie wi
     CHECK(leftwards.pixels(0).mask == 0b0111);
     CHECK(leftwards.depths(0).z_sum == 120);  // 100 at column 14, ten less per column to the right
     CHECK(leftwards.depths(0).z_sum_per_column == -10);
-    GroupedLine const moved(line, 0, 20, 4);  // to the left of the window: columns -15 to -2
-    CHECK(moved.groups() == 4);
+    GroupedLine const moved(line, 0, 22, 4);  // to the left of the window: columns -17 to -4, covered -13 to -8
+    CHECK(moved.groups() == 5);
+    CHECK(moved.before() == 1);
     CHECK(moved.pixels(0).col == -8);
-    CHECK(moved.pixels(0).mask == 0b0111);
+    CHECK(moved.pixels(0).mask == 0b0001);
 }
 
 }  // namespace faster::datapath

@@ -31,6 +31,7 @@ unsigned InlierUnit::draw_group(std::uint64_t reciprocal, DepthGroup const& dept
     int const side = core_.stimulus.window;
     if (pixels.row < 0 || pixels.row >= side)
         return 0;
+    std::uint16_t* const row = depth_buffer_.data() + std::ptrdiff_t{pixels.row} * side;
     unsigned drawn = 0;
     std::int64_t z_sum = depths.z_sum;
     int col = pixels.col;
@@ -38,7 +39,7 @@ unsigned InlierUnit::draw_group(std::uint64_t reciprocal, DepthGroup const& dept
         if ((mask & 1U) == 0 || col < 0 || col >= side)
             continue;
         std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal);
-        drawn += depth_unit_.draw(depth, depth_buffer_[static_cast<std::size_t>(pixels.row * side + col)]) ? 1U : 0U;
+        drawn += depth_unit_.draw(depth, row[col]) ? 1U : 0U;
     }
     return drawn;
 }

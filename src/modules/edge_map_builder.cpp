@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "channels/port_binding.hpp"
 #include "config/clear_design.hpp"
 #include "modules/core_shapes.hpp"
 
@@ -21,8 +20,9 @@ EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext 
 }
 
 void EdgeMapBuilder::end_of_elaboration() {
-    edge_token_ = &channel_of(edge_token_in);
-    clock_.connect_reads(*edge_token_);
+    edge_token_ = channel_of(edge_token_in.pixels);
+    edge_groups_ = channel_of(edge_token_in.groups);
+    clock_.connect_reads(*edge_token_in.channel());
     clock_.connect_writes(channel_of(edge_map_out));
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::edge_clear, core_.config));
     token_loop_ = clock_.add_loop(loop_shape(LoopId::token, core_.config));
@@ -34,7 +34,7 @@ void EdgeMapBuilder::run() {
         core_.begin_sample(ModuleId::edge_map_builder);
         clock_.advance(1);
         clear();
-        build();
+        edge_token_ != nullptr ? build() : build_of_groups();
         maps_->finish();
         if (core_.probe != nullptr)
             core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
@@ -55,7 +55,7 @@ void EdgeMapBuilder::clear() {
 
 void EdgeMapBuilder::build() {
     clock_.here();
-    EdgeToken current = edge_token_in.read();
+    EdgeToken current = edge_token_->read();
     clock_.advance(1);
     if (current.kind == EdgeTokenKind::End) {
         clock_.advance(1);

@@ -3,6 +3,7 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/pixels_fifo.hpp"
 #include "common/tokens.hpp"
 #include "datapath/edge_map/edge_map_policy.hpp"
 #include "modules/core_context.hpp"
@@ -16,7 +17,7 @@ namespace faster {
 /// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
-    sc_core::sc_fifo_in<EdgeToken> edge_token_in{"edge_token_in"};
+    PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
     sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
 
     SC_HAS_PROCESS(EdgeMapBuilder);
@@ -31,12 +32,16 @@ class EdgeMapBuilder : public sc_core::sc_module {
     bool take_tokens(EdgeToken& current);
     void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
     void take_last(EdgeToken const& current);
+    void build_of_groups();
+    bool take_groups(PixelGroup& current);
+    void take_group(PixelGroup const& group);
     void output();
 
     CoreContext const& core_;
     ProcessClock clock_;
     std::unique_ptr<datapath::EdgeMapPolicy> maps_;
-    ClockedFifo<EdgeToken>* edge_token_ = nullptr;
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: tokens are groups
+    ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;
     unsigned output_loop_ = 0;

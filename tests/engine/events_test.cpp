@@ -75,6 +75,10 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     if (config.edge_map.algorithm != EdgeMapAlgorithm::threshold)
         config.rasterizer.scan = static_cast<ScanPolicy>((number / 2) % 3);
     config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
+    if (config.edge_map.algorithm == EdgeMapAlgorithm::inner_border) {
+        config.rasterizer.edge_tokens = EdgeTokens::object;
+        config.rasterizer.lanes = 2 + static_cast<int>(seed % 7);
+    }
     return config;
 }
 

@@ -1,6 +1,6 @@
 #include "sizing/token_bits.hpp"
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::sizing {
 
@@ -30,7 +30,7 @@ unsigned result_bits(AcceleratorConfig const& config) {
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
-    if (!has_part(config.flow, id))
+    if (!has_part(config, id))
         return 0;
     auto const lanes = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
     switch (id) {
@@ -57,6 +57,10 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
         case FifoId::edge_map:
         case FifoId::observed_edge:
             return lanes;
+        case FifoId::region:  // a corner in the window, or -1
+            return 2 * (bits_for(static_cast<std::uint64_t>(config.window)) + 1);
+        case FifoId::valid_depth:
+            return bits_for(static_cast<std::uint64_t>(config.window) * static_cast<std::uint64_t>(config.window));
         case FifoId::result:
             break;
     }

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "config/flow_parts.hpp"
 #include "config/key_names.hpp"
 #include "config/load_config.hpp"
+#include "config/parts.hpp"
 #include "io/trace.hpp"
 #include "support/command.hpp"
 #include "support/forked_simulation.hpp"

@@ -192,9 +192,12 @@ TEST_CASE("A waveform's loops are those of the table, and no block RAM has more 
 
 TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
     Waves const waves;
+    std::string const region = GENERATE("window", "touched");
     for (std::string const engine : {"lockstep", "decoupled"}) {
-        CAPTURE(engine);
-        Words const common{"--set", "simulation.engine=" + engine, "--set", "accelerator.raster_cores=1"};
+        CAPTURE(engine, region);
+        Words const common{"--set", "simulation.engine=" + engine,
+                           "--set", "accelerator.raster_cores=1",
+                           "--set", "accelerator.inlier_unit.sweep_region=" + region};
         auto const with = [&](Words more) {
             more.insert(more.end(), common.begin(), common.end());
             require_done(waves.run("edge_heavy", more));
@@ -297,6 +300,27 @@ TEST_CASE("A waveform shows what line buffers and clearing on read-out do to the
     std::string const map_clears = "accelerator.edge_map.clearing=on_read_out";
     CHECK(accesses({map_clears}, "edge_map") == 15 * 3 + 5 * 1 + 2 * 1024);
     CHECK(accesses({map_clears}, "object_map") == 15 * 3 + 5 * 1 + 1024);
+    // The triangle's 5 x 5 pixels, and one around.
+    std::string const touched = "accelerator.inlier_unit.sweep_region=touched";
+    CHECK(accesses({touched}, "depth_buffer") == 1024 + 15 * 2 + 5 * 49);
+    CHECK(accesses({touched, window}, "depth_buffer") == 1024 + 15 * 2 + 49);
+    CHECK(accesses({touched, clears}, "depth_buffer") == 15 * 2 + 5 * 49 + 49);
+    CHECK(accesses({touched, map_clears}, "edge_map") == 15 * 3 + 5 * 1 + 2 * 49);
+    CHECK(accesses({touched, map_clears}, "object_map") == 15 * 3 + 5 * 1 + 49);
+}
+
+TEST_CASE("A waveform shows the corners of a touched region on their FIFOs", "[vcd][sweep_region]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-cores", "0", "--set",
+                                            "accelerator.inlier_unit.sweep_region=touched"}));
+    Vcd const vcd = waves.vcd("a.vcd");
+    CHECK(vcd.duration("core_0.fifo_region.write", 1) == 2);
+    CHECK(vcd.duration("core_0.fifo_region.read", 1) == 2);
+    CHECK(vcd.duration("core_0.fifo_valid_depth.read", 1) == 1);
+    CHECK(vcd.duration("core_0.fifo_observed_depth.write", 1) == 49);
+    auto const rows = vcd.sampled("core_0.fifo_region.read_row", "core_0.fifo_region.read");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1].bits - rows[0].bits == 6);
 }
 
 TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {

@@ -108,6 +108,7 @@ TEST_CASE("The critical path adds up for any way to prepare and to scan triangle
         RandomConfigOptions config;
         config.cores = {1, 2};
         config.any_scan = true;
+        config.any_region = true;
         RandomStimulusOptions stimulus;
         stimulus.window = {4, 24};
         Trial const trial{random_config(seed, config), random_stimulus(seed, stimulus)};

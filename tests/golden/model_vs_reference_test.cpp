@@ -139,8 +139,9 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map || flow != Flow::faster;
         machine.any_partition = machine.any_clearing;
         machine.max_lanes = machine.any_clearing ? std::min(stimulus.window, 9) : 1;
+        machine.any_region = true;
         AcceleratorConfig config = random_config(seed, machine);
-        config.window = stimulus.window;
+        adopt(stimulus, config);
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)
             check_model(config, stimulus, Engine::lockstep);

@@ -20,7 +20,9 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 }
 
 /// A loop that reads and writes carries setups along, which no state tells.
-bool is_known(LoopShape const& loop) { return loop.reads.empty() && loop.depth >= loop.interval.achieved; }
+bool is_known(LoopShape const& loop) {
+    return loop.reads.empty() && ProcessTiming::iterations_that_count(loop) <= RelativeState::most_iterations;
+}
 
 bool is_regular(LoopShape const& loop) {
     for (LoopWrite const& write : loop.writes)

@@ -155,7 +155,8 @@ std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool wit
     Outlook const& outlook = outlooks_[member];
     *words++ = outlook.frozen ? 0 : since(p.time_, base);
     std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
-    std::int64_t const begun = p.in_loop_ && p.iterations_ > 0 ? 1 : 0;
+    auto const begun =
+        static_cast<std::int64_t>(p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0);
     *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0);
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
@@ -206,7 +207,7 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
         p.in_loop_ = (flags & 0xFF) != 0;
         if (p.in_loop_)
             p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
-        p.iterations_ = static_cast<std::uint64_t>((flags >> 8) & 1);
+        p.iterations_ = static_cast<std::uint64_t>(flags >> 8) & most_iterations;
         outlooks_[m].next_ports = static_cast<std::uint8_t>(flags >> 16);
         outlooks_[m].frozen = ((flags >> 24) & 1) != 0;
         p.front_ports_ = 0;
@@ -214,6 +215,7 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
         if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
             ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
             p.pipeline_ = ProcessTiming::PipelinePosition{};
+            ++p.pipeline_run_;
             p.pipeline_.iteration = plan.longest_lag;
             p.pipeline_.drain_left = plan.longest_lag;
             for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
@@ -264,6 +266,8 @@ std::vector<std::uint64_t*> RelativeState::counters() const {
         for (LoopCounters& loop : p.loop_counters_) {
             counters.push_back(&loop.entries);
             counters.push_back(&loop.iterations);
+            counters.push_back(&loop.recurrence_beyond_end);
+            counters.push_back(&loop.port_conflict_beyond_end);
         }
     }
     for (Group::Inner const& inner : group_->fifos()) {

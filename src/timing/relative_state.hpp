@@ -11,6 +11,8 @@ namespace faster::timing {
 class RelativeState {
   public:
     using Words = std::vector<std::int64_t>;
+    /// Of the loop a process is in, a state tells up to so many.
+    static constexpr std::uint64_t most_iterations = 0xFF;
 
     /// What the timing of a process cannot tell, as its log may be empty.
     struct Outlook {

@@ -21,7 +21,8 @@ std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
 fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                        "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
-                       "edge_map",        "observed_depth", "observed_edge",      "result"};
+                       "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+                       "valid_depth"};
 Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
                          "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
 
@@ -220,9 +221,15 @@ TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]
 
 TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
     Waves const waves;
-    Words deep{"--set", "accelerator.raster_cores=1"};
+    std::string const region = GENERATE("window", "touched");
+    std::string const engine = region == "window" ? "decoupled" : "lockstep";
+    CAPTURE(region);
+    Words deep{"--set", "simulation.engine=" + engine,
+               "--set", "accelerator.raster_cores=1",
+               "--set", "accelerator.inlier_unit.sweep_region=" + region};
     for (std::string const& fifo : fifo_names)
-        deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
+        if (region == "touched" || (fifo != "region" && fifo != "valid_depth"))
+            deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
     auto const with = [&](Words more) {
         more.insert(more.end(), deep.begin(), deep.end());
         require_done(waves.run("edge_heavy", more));
@@ -234,6 +241,12 @@ TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules",
     for (Row const& row : waves.table("out/samples.csv")) {
         with({"--vcd", "part.vcd", "--vcd-samples", row.at("sample")});
         check_window(whole, waves.vcd("part.vcd"), number(row, "start_cycle"), number(row, "end_cycle"));
+    }
+    // A window may begin while another sample is swept than the one that is drawn.
+    std::uint64_t const end = number(waves.table("out/samples.csv").back(), "end_cycle");
+    for (std::uint64_t from = end / 8; from < end; from += end / 8) {
+        with({"--vcd", "part.vcd", "--vcd-from", std::to_string(from), "--vcd-to", std::to_string(from + 300)});
+        check_window(whole, waves.vcd("part.vcd"), from, from + 300);
     }
 }
 

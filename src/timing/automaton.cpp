@@ -49,10 +49,15 @@ Automaton::Automaton() = default;
 Automaton::~Automaton() = default;
 
 std::size_t Automaton::WordsHash::operator()(Words const& words) const {
-    std::uint64_t hash = words.size();
-    for (std::int64_t word : words)
-        hash = mixed(hash, static_cast<std::uint64_t>(word));
-    return hash;
+    std::uint64_t hashes[2] = {words.size(), 0};  // two, for neither has to wait for the other
+    std::size_t i = 0;
+    for (; i + 1 < words.size(); i += 2) {
+        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
+        hashes[1] = mixed(hashes[1], static_cast<std::uint64_t>(words[i + 1]));
+    }
+    if (i < words.size())
+        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
+    return mixed(hashes[0], hashes[1]);
 }
 
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {

@@ -15,12 +15,19 @@ enum class FragmentLoop {
     flattened,     ///< one over all commands: an iteration whose command is Triangle reads the reciprocal
 };
 
+/// Which pixels the loops behind the drawing go over; key `accelerator.inlier_unit.sweep_region`.
+enum class SweepRegion {
+    window,   ///< all of them: thesis A.2, A.3
+    touched,  ///< the box of those that the sample's tokens can have changed
+};
+
 /// The inlier unit's loops and memory accesses; keys `accelerator.inlier_unit.*`. None of them changes a result.
 struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
     FragmentLoop fragment_loop = FragmentLoop::per_triangle;
     int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
+    SweepRegion sweep_region = SweepRegion::window;
 };
 
 }  // namespace faster

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "config/flow_parts.hpp"
 #include "config/key_builders.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
+#include "config/parts.hpp"
 #include "config/presets.hpp"
 
 namespace faster {
@@ -26,7 +26,9 @@ constexpr std::array<char const*, fifo_count> fifo_tokens{
     "edge bits from the edge map builder to the inlier unit",
     "observed depths from the observation reader to the inlier unit",
     "observed edge bits from the observation reader to the inlier unit",
-    "counters of a sample from the inlier unit to the result collector"};
+    "counters of a sample from the inlier unit to the result collector",
+    "two corners of the touched region from the rasterizer to the observation reader (sweep_region: touched)",
+    "observed pixels of valid depth from the observation reader to the result collector (sweep_region: touched)"};
 
 constexpr std::array<char const*, loop_count> loop_tasks{
     "transforms one vertex per iteration",
@@ -152,6 +154,13 @@ void add_inlier_unit_keys(Keys& keys) {
          "token between them; at most the window.",
          "thesis A.3; more than 1: this project"},
         {1, 4096}, [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_lanes; }));
+    keys.push_back(choice_key(
+        {"accelerator.inlier_unit.sweep_region", "",
+         "Which pixels the sweep, the edge map's output and the observation's read go over: the window, or the box "
+         "that "
+         "the sample's tokens touched.",
+         "thesis A.2, A.3; touched: this project"},
+        [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_region; }));
 }
 
 void add_flow_key(Keys& keys) {
@@ -337,10 +346,12 @@ Keys retiming_keys() {
     return keys;
 }
 
-Keys timing_keys(Flow flow) {
+Keys timing_keys(Parts const& parts) {
     Keys keys;
     add_timing_keys(keys);
-    auto const is_left_out = [flow](Key const& key) { return !is_step_by_step(key) || !applies_to(flow, key.name()); };
+    auto const is_left_out = [&parts](Key const& key) {
+        return !is_step_by_step(key) || !applies_to(parts, key.name());
+    };
     keys.erase(std::remove_if(keys.begin(), keys.end(), is_left_out), keys.end());
     return keys;
 }

@@ -58,9 +58,9 @@ std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
 
 std::uint64_t line_buffer_rows(AcceleratorConfig const& config) {
     if (config.flow == Flow::fpga_grip) {
-        return extract_design(config, config.window).line_buffer_rows;
+        return extract_design(config).line_buffer_rows;
     }
-    return sweep_design(config, config.window).has_line_buffers ? 2 : 0;
+    return sweep_design(config).has_line_buffers ? 2 : 0;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "config/config_sources.hpp"
-#include "config/flow_parts.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
+#include "config/parts.hpp"
 
 namespace faster {
 namespace {
@@ -104,6 +104,18 @@ void check_scan_lanes(LoadedConfig const& loaded, std::vector<std::string>& comp
     }
 }
 
+/// Where nothing is drawn the depth buffer says "far", which has to lie beyond the 2 m up to which the sweep compares.
+void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr int most_bits = 9;  // 2 m is code 1024 then, far is 2047
+    AcceleratorConfig const& config = loaded.config.accelerator;
+    if (config.inlier_unit.sweep_region == SweepRegion::touched && config.fraction_bits.depth_buffer > most_bits) {
+        complaints.push_back(
+            complaint(loaded, "accelerator.inlier_unit.sweep_region",
+                      fmt::format("window because of {}, with which pixels that nothing touched are nearer than 2 m",
+                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
+    }
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -118,16 +130,17 @@ void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>&
 
 /// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
 /// all.
-void check_flow(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    Flow const flow = loaded.config.accelerator.flow;
+void check_parts(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    Parts const parts = loaded.config.accelerator;
     RunConfig const defaults;
     for (Key const& key : all_keys()) {
         bool const is_asked_for = loaded.origins.is_explicit(key.name()) &&
                                   json_text(key.read(loaded.config)) != json_text(key.read(defaults));
-        if (is_asked_for && !applies_to(flow, key.name())) {
-            complaints.push_back(
-                complaint(loaded, key.name(),
-                          fmt::format("a key of the parts that {} has", with_value(loaded, "accelerator.flow"))));
+        if (is_asked_for && !applies_to(parts, key.name())) {
+            bool const flow_has_it = applies_to({parts.flow, SweepRegion::touched}, key.name());
+            char const* const reason = flow_has_it ? "accelerator.inlier_unit.sweep_region" : "accelerator.flow";
+            complaints.push_back(complaint(loaded, key.name(),
+                                           fmt::format("a key of the parts that {} has", with_value(loaded, reason))));
         }
     }
 }
@@ -158,12 +171,13 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     }
     check_lanes(loaded, complaints);
     check_scan_lanes(loaded, complaints);
+    check_sweep_region(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     check_edge_extraction(loaded, complaints);
-    check_flow(loaded, complaints);
+    check_parts(loaded, complaints);
     return complaints;
 }
 

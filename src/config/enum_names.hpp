@@ -53,6 +53,11 @@ template <> struct EnumNames<FragmentLoop> {
         {{FragmentLoop::per_triangle, "per_triangle"}, {FragmentLoop::flattened, "flattened"}}};
 };
 
+template <> struct EnumNames<SweepRegion> {
+    static constexpr std::array<std::pair<SweepRegion, char const*>, 2> all{
+        {{SweepRegion::window, "window"}, {SweepRegion::touched, "touched"}}};
+};
+
 template <> struct EnumNames<EdgeTokens> {
     static constexpr std::array<std::pair<EdgeTokens, char const*>, 2> all{
         {{EdgeTokens::all, "all"}, {EdgeTokens::object, "object"}}};

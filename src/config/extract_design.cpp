@@ -16,7 +16,7 @@ AccessPattern whole_neighbourhood(int radius) {
 
 }  // namespace
 
-ExtractDesign extract_design(AcceleratorConfig const& config, int window) {
+ExtractDesign extract_design(AcceleratorConfig const& config) {
     int const radius = config.edge_extraction.neighbourhood / 2;
     ExtractDesign design;
     if (config.edge_extraction.neighbour_access == NeighbourAccess::direct) {
@@ -25,7 +25,6 @@ ExtractDesign extract_design(AcceleratorConfig const& config, int window) {
     }
     // The pixel judged lies `radius` rows and pixels behind the word that enters the line buffers.
     design.accesses = {{{0, 0}}, {{-radius, -radius}}};
-    design.lead = static_cast<std::size_t>(radius) * (static_cast<std::size_t>(window) + 1);
     design.line_buffer_rows = 2 * static_cast<std::uint64_t>(radius);
     return design;
 }

@@ -11,11 +11,12 @@ namespace faster {
 /// about.
 struct ExtractDesign {
     AccessPattern accesses;              ///< of an iteration: what it reads, and the judged word with its edge bit
-    std::size_t lead = 0;                ///< iterations before the first pixel is judged: the line buffers fill
     std::uint64_t line_buffer_rows = 0;  ///< kept beside the depth buffer
+
+    /// Iterations before the first pixel is judged: the line buffers fill with half a neighbourhood.
+    std::size_t lead(std::size_t row_pixels) const { return line_buffer_rows / 2 * (row_pixels + 1); }
 };
 
-/// `window`: side of the window [px], which a stimulus trace decides.
-ExtractDesign extract_design(AcceleratorConfig const& config, int window);
+ExtractDesign extract_design(AcceleratorConfig const& config);
 
 }  // namespace faster

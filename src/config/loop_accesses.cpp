@@ -49,9 +49,9 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
         case LoopId::fragment:
             return {{BramId::depth_buffer, widened({{own}, {own}}, config.rasterizer.lanes)}};
         case LoopId::sweep:
-            return {{BramId::depth_buffer, sweep_design(config, config.window).accesses}};
+            return {{BramId::depth_buffer, sweep_design(config).accesses}};
         case LoopId::extract:
-            return {{BramId::depth_buffer, extract_design(config, config.window).accesses}};
+            return {{BramId::depth_buffer, extract_design(config).accesses}};
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:

@@ -21,12 +21,15 @@ enum class FifoId : std::size_t {
     observed_depth,
     observed_edge,
     result,
+    region,       ///< sweep_region: touched
+    valid_depth,  ///< likewise
 };
-constexpr std::size_t fifo_count = 14;
+constexpr std::size_t fifo_count = 16;
 constexpr std::array<char const*, fifo_count> fifo_names{
     "sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
     "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
-    "edge_map",        "observed_depth", "observed_edge",      "result"};
+    "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+    "valid_depth"};
 
 enum class ModuleId : std::size_t {
     sample_dispatcher,
@@ -61,7 +64,9 @@ constexpr std::array<FifoEnds, fifo_count> fifo_ends{{{ModuleId::sample_dispatch
                                                       {ModuleId::edge_map_builder, ModuleId::inlier_unit},
                                                       {ModuleId::observation_reader, ModuleId::inlier_unit},
                                                       {ModuleId::observation_reader, ModuleId::inlier_unit},
-                                                      {ModuleId::inlier_unit, ModuleId::result_collector}}};
+                                                      {ModuleId::inlier_unit, ModuleId::result_collector},
+                                                      {ModuleId::rasterizer, ModuleId::observation_reader},
+                                                      {ModuleId::observation_reader, ModuleId::result_collector}}};
 
 /// Pipelined loops, in the order of SPEC section 3. The rasterizer's `setup` is no loop: see AcceleratorConfig.
 enum class LoopId : std::size_t {

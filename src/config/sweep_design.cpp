@@ -1,7 +1,6 @@
 #include "config/sweep_design.hpp"
 
 #include "config/edge_map_design.hpp"
-#include "config/lane_rows.hpp"
 
 namespace faster {
 namespace {
@@ -11,10 +10,8 @@ AccessPattern const pixel_and_neighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0, 
 
 }  // namespace
 
-SweepDesign sweep_design(AcceleratorConfig const& config, int window) {
+SweepDesign sweep_design(AcceleratorConfig const& config) {
     int const lanes = config.inlier_unit.sweep_lanes;
-    // A pixel's last neighbour lies a row below: so long its own depth is needed, or has to be waited for.
-    std::size_t const row_and_token = LaneRows(window, lanes).tokens_per_row() + 1;
     bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
     bool const own_depth = contour_has_depth(config);
     bool const reads_neighbours = !own_depth && config.inlier_unit.neighbour_access == NeighbourAccess::direct;
@@ -24,10 +21,7 @@ SweepDesign sweep_design(AcceleratorConfig const& config, int window) {
     SweepDesign design;
     design.accesses = widened(one_pixel, lanes);
     design.has_line_buffers = !own_depth && !reads_neighbours;
-    if (design.has_line_buffers)
-        design.lead = row_and_token;
-    if (clears && reads_neighbours)
-        design.tail = row_and_token;
+    design.clears_behind = clears && reads_neighbours;
     return design;
 }
 

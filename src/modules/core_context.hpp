@@ -54,6 +54,10 @@ struct CoreContext {
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }
     /// The window as the tokens of edge_map, observed_depth and observed_edge carry it.
     LaneRows window_rows() const { return {stimulus.window, config.inlier_unit.sweep_lanes}; }
+    /// The part of it that a box of pixels covers.
+    LaneRows rows_of(PixelBox const& box) const { return {stimulus.window, config.inlier_unit.sweep_lanes, box}; }
+    bool sweeps_touched() const { return config.inlier_unit.sweep_region == SweepRegion::touched; }
+    PixelBox whole_window() const { return {0, 0, stimulus.window, stimulus.window}; }
     std::size_t window_pixels() const {
         return static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window);
     }

@@ -15,12 +15,17 @@ EdgeExtractor::EdgeExtractor(CoreContext const& core, ProcessClock& clock)
 
 void EdgeExtractor::add_loop() { loop_ = clock_.add_loop(loop_shape(LoopId::extract, core_.config)); }
 
-void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {
+void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box) {
     extraction_.extract(depth_buffer, edges_);
     if (core_.probe != nullptr)
         show(sample, depth_buffer);
+    if (box.empty()) {
+        clock_.advance(1);
+        return;
+    }
+    auto const cols = static_cast<std::size_t>(box.cols());
     clock_.enter_loop(loop_);
-    clock_.iterate(0, core_.window_pixels() + extract_design(core_.config, core_.stimulus.window).lead);
+    clock_.iterate(0, static_cast<std::size_t>(box.rows()) * cols + extract_design(core_.config).lead(cols));
     clock_.leave_loop();
 }
 

@@ -16,7 +16,8 @@ class EdgeExtractor {
     EdgeExtractor(CoreContext const& core, ProcessClock& clock);
     /// When elaboration has ended, behind the other loops of the process.
     void add_loop();
-    void extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer);
+    /// `box`: the pixels looked at; nothing is drawn outside.
+    void extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box);
     /// W x W bits of the sample extracted last, row-major.
     std::uint8_t const* edges() const { return edges_.data(); }
 

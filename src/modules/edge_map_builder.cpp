@@ -38,8 +38,7 @@ void EdgeMapBuilder::run() {
         maps_->finish();
         if (core_.probe != nullptr)
             core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
-        clock_.advance(1);
-        output();
+        output(core_.rows_of(turn_to_output()));
     }
 }
 
@@ -101,10 +100,37 @@ void EdgeMapBuilder::take_last(EdgeToken const& current) {
     clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
 }
 
-void EdgeMapBuilder::output() {
+/// The pixels that leave.
+PixelBox EdgeMapBuilder::turn_to_output() {
+    if (!core_.sweeps_touched()) {
+        clock_.advance(1);
+        return core_.whole_window();
+    }
+    FragmentIndex corners[2];
+    for (FragmentIndex& corner : corners) {
+        clock_.here();
+        corner = read_corner();
+        clock_.advance(1);
+    }
+    return box_of({corners[0], corners[1]});
+}
+
+FragmentIndex EdgeMapBuilder::read_corner() {
+    if (edge_groups_ != nullptr) {
+        PixelGroup const group = edge_groups_->read();
+        return {group.row, group.col};
+    }
+    EdgeToken const token = edge_token_->read();
+    return {token.row, token.col};
+}
+
+void EdgeMapBuilder::output(LaneRows const& rows) {
     constexpr std::size_t burst = 1024;
     auto& out = channel_of(edge_map_out);
-    LaneRows const rows = core_.window_rows();
+    if (rows.tokens() == 0) {
+        clock_.advance(1);
+        return;
+    }
     clock_.enter_loop(output_loop_);
     clock_.iterate(0, maps_->rows_read_ahead() * rows.tokens_per_row());
     for (std::size_t done = 0; done < rows.tokens();) {

@@ -11,9 +11,11 @@
 namespace faster {
 
 /// Merges the edges of single triangles into the contour of the object, as accelerator.edge_map.algorithm says.
-///   in    edge_token_in  object and edge pixels in any order, End per sample
-///   out   edge_map_out   W x W bits per sample, row-major, `sweep_lanes` bits of a row per token
-///   time  loop `clear`, loop `token` (some tokens take two iterations), loop `output`
+///   in    edge_token_in  object and edge pixels in any order, End per sample; sweep_region touched: then the corners
+///   of
+///                        the touched region
+///   out   edge_map_out   W x W bits per sample, or those of the region, row-major, `sweep_lanes` bits of a row per
+///   token time  loop `clear`, loop `token` (some tokens take two iterations), loop `output`
 /// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
@@ -35,7 +37,9 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void build_of_groups();
     bool take_groups(PixelGroup& current);
     void take_group(PixelGroup const& group);
-    void output();
+    PixelBox turn_to_output();
+    FragmentIndex read_corner();
+    void output(LaneRows const& rows);
 
     CoreContext const& core_;
     ProcessClock clock_;

@@ -62,12 +62,12 @@ void InlierUnit::run() {
         core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
         if (core_.probe != nullptr)
             core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
-        clock_.advance(1);
+        PixelBox const box = turn_to_sweep();
         if (edge_extractor_) {
-            edge_extractor_->extract(core_.first_sample + i, depth_buffer_);
+            edge_extractor_->extract(core_.first_sample + i, depth_buffer_, box);
             clock_.advance(1);
         }
-        sweep();
+        sweep(box);
         clock_.here();
         result_out.write(counters_);
         clock_.advance(1);
@@ -75,8 +75,10 @@ void InlierUnit::run() {
 }
 
 void InlierUnit::clear() {
-    std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
     std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
+    bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: forget()
+    if (!is_clear)
+        std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
     if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
@@ -175,13 +177,55 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
     return n;
 }
 
-void InlierUnit::sweep() {
+/// The pixels that are swept.
+PixelBox InlierUnit::turn_to_sweep() {
+    if (!core_.sweeps_touched()) {
+        clock_.advance(1);
+        return core_.whole_window();
+    }
+    Corners corners;
+    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
+        clock_.here();
+        *corner = read_corner();
+        clock_.advance(1);
+    }
+    return box_of(corners);
+}
+
+FragmentIndex InlierUnit::read_corner() {
+    if (index_groups_ == nullptr)
+        return fragment_index_->read();
+    PixelGroup const group = index_groups_->read();
+    return {group.row, group.col};
+}
+
+/// In a region nothing is known of the rest of the window: its valid depths come to the host another way.
+void InlierUnit::sweep(PixelBox const& box) {
+    LaneRows const rows = core_.rows_of(box);
+    if (rows.tokens() == 0)
+        clock_.advance(1);
+    else
+        sweep_rows(rows);
+    if (!core_.sweeps_touched())
+        return;
+    counters_.valid_depth = 0;
+    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+        forget(box);
+}
+
+void InlierUnit::forget(PixelBox const& box) {
+    auto const side = static_cast<std::size_t>(core_.stimulus.window);
+    for (auto row = static_cast<std::size_t>(box.first_row); row < static_cast<std::size_t>(box.end_row); ++row)
+        std::fill_n(depth_buffer_.begin() + static_cast<std::ptrdiff_t>(row * side) + box.first_col, box.cols(),
+                    far_depth_code);
+}
+
+void InlierUnit::sweep_rows(LaneRows const& rows) {
     auto& observed_depth = channel_of(observed_depth_in);
     auto& observed_edge = channel_of(observed_edge_in);
-    LaneRows const rows = core_.window_rows();
-    SweepDesign const design = sweep_design(core_.config, core_.stimulus.window);
+    SweepDesign const design = sweep_design(core_.config);
     clock_.enter_loop(sweep_loop_);
-    clock_.iterate(0, design.lead);
+    clock_.iterate(0, design.lead(rows.tokens_per_row()));
     for (std::size_t done = 0; done < rows.tokens();) {
         std::size_t n = rows.tokens() - done;
         if (edge_map_ != nullptr)
@@ -200,7 +244,7 @@ void InlierUnit::sweep() {
         observed_edge.consume(run.tokens);
         done += run.tokens;
     }
-    clock_.iterate(0, design.tail);
+    clock_.iterate(0, design.tail(rows.tokens_per_row()));
     clock_.leave_loop();
 }
 

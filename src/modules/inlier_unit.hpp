@@ -14,7 +14,9 @@ namespace faster {
 
 /// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees.
 ///   in    command_in, area_reciprocal_in, fragment_depth_in, fragment_index_in  while the sample is rasterized
-///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards,
+///         fragment_index_in  sweep_region touched: then the corners of the touched region
+///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, or the region's,
+///         row-major, afterwards,
 ///                                                               `sweep_lanes` pixels of a row per token
 ///   out   result_out  one set of counters per sample
 ///   time  loop `clear`; per triangle one step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip
@@ -49,7 +51,11 @@ class InlierUnit : public sc_core::sc_module {
     void take_groups(std::uint64_t reciprocal, Command& command);
     std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
     unsigned draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels);
-    void sweep();
+    PixelBox turn_to_sweep();
+    FragmentIndex read_corner();
+    void sweep(PixelBox const& box);
+    void sweep_rows(LaneRows const& rows);
+    void forget(PixelBox const& box);
 
     CoreContext const& core_;
     ProcessClock clock_;

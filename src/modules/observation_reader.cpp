@@ -9,11 +9,17 @@ namespace faster {
 
 ObservationReader::ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core)
     : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    if (core.sweeps_touched())
+        valid_depth_.emplace(core.stimulus.observed_depth, core.stimulus.fraction.depth_buffer);
     SC_THREAD(run);
 }
 
 void ObservationReader::end_of_elaboration() {
     clock_.connect_reads(channel_of(sample_observation_in));
+    if (core_.sweeps_touched()) {
+        clock_.connect_reads(*channel_of(region_in));
+        clock_.connect_writes(*channel_of(valid_depth_out));
+    }
     clock_.connect_writes(channel_of(observed_depth_out));
     clock_.connect_writes(channel_of(observed_edge_out));
     read_loop_ = clock_.add_loop(loop_shape(LoopId::read, core_.config),
@@ -26,23 +32,51 @@ void ObservationReader::run() {
         clock_.here();
         SampleHeader const header = sample_observation_in.read();
         clock_.advance(1);
-        send_window(header);
+        if (core_.sweeps_touched())
+            send_valid_depth(header);
+        send_pixels(header, core_.rows_of(core_.sweeps_touched() ? receive_region() : core_.whole_window()));
     }
 }
 
-void ObservationReader::send_window(SampleHeader const& header) {
+/// Four reads of the table outside, through the pipeline that reads the pixels.
+void ObservationReader::send_valid_depth(SampleHeader const& header) {
+    constexpr std::uint64_t reads = 4;
+    clock_.enter_loop(read_loop_);
+    clock_.iterate(0, reads);
+    clock_.leave_loop();
+    clock_.here();
+    valid_depth_out->write(valid_depth_->count(core_.window_offset(header.centre_row),
+                                               core_.window_offset(header.centre_col), core_.stimulus.window));
+    clock_.advance(1);
+}
+
+PixelBox ObservationReader::receive_region() {
+    Corners corners;
+    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
+        clock_.here();
+        *corner = region_in->read();
+        clock_.advance(1);
+    }
+    return box_of(corners);
+}
+
+void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& rows) {
+    if (rows.tokens() == 0) {
+        clock_.advance(1);
+        return;
+    }
     auto& depth = channel_of(observed_depth_out);
     auto& edge = channel_of(observed_edge_out);
     auto const ports = static_cast<std::uint8_t>(depth.write_port() | edge.write_port());
-    std::size_t const tokens = core_.window_rows().tokens_per_row();
-    std::int64_t const first_row = core_.window_offset(header.centre_row);
+    std::size_t const tokens = rows.tokens_per_row();
+    std::int64_t const first_row = core_.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
     std::int64_t const first_col = core_.window_offset(header.centre_col);
     clock_.enter_loop(read_loop_);
-    for (std::int64_t row = first_row; row < first_row + core_.stimulus.window; ++row) {
+    for (std::int64_t row = first_row; row < first_row + static_cast<std::int64_t>(rows.rows()); ++row) {
         depth.await_room();
         edge.await_room();
-        copy_row(core_.stimulus.observed_depth, row, first_col, depth.reserve(tokens));
-        copy_row(core_.stimulus.observed_edges, row, first_col, edge.reserve(tokens));
+        copy_row(core_.stimulus.observed_depth, row, first_col, rows, depth.reserve(tokens));
+        copy_row(core_.stimulus.observed_edges, row, first_col, rows, edge.reserve(tokens));
         depth.commit(tokens);
         edge.commit(tokens);
         clock_.iterate(ports, tokens);
@@ -50,16 +84,19 @@ void ObservationReader::send_window(SampleHeader const& header) {
     clock_.leave_loop();
 }
 
-/// One row of the window, in whole tokens; what lies outside the image or the window reads as 0.
+/// One row of the window, or its part, in whole tokens; what lies outside the image or the window reads as 0.
+/// `first_col`: of the window.
 template <class Pixel>
 void ObservationReader::copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col,
-                                 Pixel* out) const {
-    std::int64_t const side = core_.stimulus.window;
-    std::int64_t const from = std::clamp<std::int64_t>(-first_col, 0, side);
-    std::int64_t const to = std::clamp<std::int64_t>(image.width() - first_col, from, side);
-    std::fill_n(out, core_.window_rows().tokens_per_row() * core_.window_rows().lanes(), Pixel{0});
+                                 LaneRows const& rows, Pixel* out) const {
+    auto const begin = static_cast<std::int64_t>(rows.first_col());
+    std::size_t const pixels = rows.tokens_per_row() * rows.lanes();
+    std::int64_t const end = std::min<std::int64_t>(core_.stimulus.window, begin + static_cast<std::int64_t>(pixels));
+    std::int64_t const from = std::clamp<std::int64_t>(-first_col, begin, end);
+    std::int64_t const to = std::clamp<std::int64_t>(image.width() - first_col, from, end);
+    std::fill_n(out, pixels, Pixel{0});
     if (row >= 0 && row < image.height() && from < to)
-        std::copy_n(image.row(static_cast<int>(row)) + first_col + from, to - from, out + from);
+        std::copy_n(image.row(static_cast<int>(row)) + first_col + from, to - from, out + (from - begin));
 }
 
 }  // namespace faster

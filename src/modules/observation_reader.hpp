@@ -1,21 +1,28 @@
 #pragma once
+#include <optional>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
+#include "datapath/valid_depth_table.hpp"
 #include "modules/core_context.hpp"
 
 namespace faster {
 
 /// Reads the observed scene under a sample's window.
 ///   in    sample_observation_in  one header per sample
+///         region_in              sweep_region touched: corners of the box of pixels to be read
 ///   out   observed_depth_out, observed_edge_out: W x W codes and bits per sample, row-major, together, `sweep_lanes`
 ///         pixels of a row per token; 0 outside the image
-///   time  loop `read`, one token per iteration
+///         valid_depth_out        sweep_region touched: how many pixels of the window have a valid depth
+///   time  loop `read`, one token per iteration; touched: four iterations before, for valid_depth
 /// Source: SPEC sections 2 and 3.
 class ObservationReader : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_observation_in{"sample_observation_in"};
+    OptionalFifoIn<FragmentIndex> region_in{"region_in"};  ///< unbound unless touched
+    OptionalFifoOut<std::uint64_t> valid_depth_out{"valid_depth_out"};
     sc_core::sc_fifo_out<std::uint16_t> observed_depth_out{"observed_depth_out"};
     sc_core::sc_fifo_out<std::uint8_t> observed_edge_out{"observed_edge_out"};
 
@@ -26,12 +33,16 @@ class ObservationReader : public sc_core::sc_module {
   private:
     void end_of_elaboration() override;
     void run();
-    void send_window(SampleHeader const& header);
+    void send_valid_depth(SampleHeader const& header);
+    PixelBox receive_region();
+    void send_pixels(SampleHeader const& header, LaneRows const& rows);
     template <class Pixel>
-    void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, Pixel* out) const;
+    void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, LaneRows const& rows,
+                  Pixel* out) const;
 
     CoreContext const& core_;
     ProcessClock clock_;
+    std::optional<datapath::ValidDepthTable> valid_depth_;  ///< sweep_region touched
     unsigned read_loop_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #include "modules/raster_core.hpp"
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -51,11 +51,18 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     inlier_unit.result_out(result_);
 
     result_collector.result_in(result_);
+
+    if (context_.sweeps_touched()) {
+        rasterizer.region_out(region_);
+        observation_reader.region_in(region_);
+        observation_reader.valid_depth_out(valid_depth_);
+        result_collector.valid_depth_in(valid_depth_);
+    }
 }
 
 /// A flow without one keeps its place in the core's table of processes: the numbers of the others rely on it.
 std::unique_ptr<EdgeMapBuilder> RasterCore::make_edge_map_builder() {
-    if (has_part(context_.config.flow, ModuleId::edge_map_builder))
+    if (has_part(context_.config, ModuleId::edge_map_builder))
         return std::make_unique<EdgeMapBuilder>("edge_map_builder", context_);
     timing_.add_process(name_of(ModuleId::edge_map_builder));
     return nullptr;
@@ -75,7 +82,9 @@ std::vector<FifoChannel*> RasterCore::channels() {
             &edge_map_,
             &observed_depth_,
             &observed_edge_,
-            &result_};
+            &result_,
+            &region_,
+            &valid_depth_};
 }
 
 timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }

@@ -3,6 +3,7 @@
 #include <systemc>
 
 #include "config/core_share.hpp"
+#include "config/parts.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
 #include "modules/inlier_unit.hpp"
@@ -20,7 +21,7 @@ class RasterCore : public sc_core::sc_module {
     RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                CoreShare share, TimeBase const& time_base);
 
-    Flow flow() const { return context_.config.flow; }
+    Parts parts() const { return context_.config; }
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
@@ -59,7 +60,7 @@ class RasterCore : public sc_core::sc_module {
     sc_core::sc_event done_{"done"};
     CoreContext context_;
 
-    // In the order of FifoId: the tables of the report rely on it. What a flow does not have is bound to nothing.
+    // In the order of FifoId: the tables of the report rely on it. What a design does not have is bound to nothing.
     ClockedFifo<SampleHeader> sample_vertex_{"sample_vertex", fifo_timing(FifoId::sample_vertex)};
     ClockedFifo<SampleHeader> sample_raster_{"sample_raster", fifo_timing(FifoId::sample_raster)};
     ClockedFifo<SampleHeader> sample_observation_{"sample_observation", fifo_timing(FifoId::sample_observation)};
@@ -76,6 +77,8 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth), sweep_lanes()};
     ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge), sweep_lanes()};
     ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
+    ClockedFifo<FragmentIndex> region_{"region", fifo_timing(FifoId::region)};
+    ClockedFifo<std::uint64_t> valid_depth_{"valid_depth", fifo_timing(FifoId::valid_depth)};
 
   public:
     // In the order of ModuleId.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/rasterizer_design.hpp"
+#include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 #include "modules/rasterizer_scan.hpp"
 
@@ -21,6 +22,8 @@ Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& c
       sends_near_edges_(core.config.edge_map.algorithm == EdgeMapAlgorithm::threshold),
       thresholds_(datapath::threshold_codes(core.config.edge_map.thresholds, core.stimulus.fraction.vertex_xy)),
       scan_(core.config.rasterizer.setup_overlap > 0 ? configured_scan<true>() : configured_scan<false>()) {
+    if (core.sweeps_touched())
+        touched_.emplace(core.stimulus.window, touched_margin(core.config));
     SC_THREAD(run);
 }
 
@@ -47,6 +50,8 @@ void Rasterizer::end_of_elaboration() {
     fragment_ports_ = 0;
     for (FifoChannel const* const fifo : written)
         fragment_ports_ = static_cast<std::uint8_t>(fragment_ports_ | fifo->write_port());
+    if (touched_)
+        clock_.connect_writes(*channel_of(region_out));
     std::vector<FifoChannel*> read_as_well;
     if (core_.config.rasterizer.setup_overlap > 0) {
         written.push_back(area_);
@@ -175,6 +180,8 @@ void Rasterizer::begin_burst(datapath::TriangleSetup const& setup) {
 /// Makes what the scan has written part of the channels.
 void Rasterizer::hand_over() {
     auto const fragments = static_cast<std::size_t>(burst_.depth - burst_.first_depth);
+    if (touched_)
+        touch(fragments);
     burst_.command = std::fill_n(burst_.command, fragments, Command::Fragment);
     command_->append(fragments);
     fragment_depth_->append(fragments);
@@ -203,6 +210,40 @@ void Rasterizer::end_sample() {
             edge_token_->write({0, 0, EdgeTokenKind::End});
         if (edge_groups_ != nullptr)
             edge_groups_->write({0, 0, 0});
+    }
+    clock_.advance(1);
+    if (touched_)
+        send_region();
+}
+
+/// What the scan has written since it last handed over. A.1's edge tokens lie beside fragments, and count as their
+/// margin.
+void Rasterizer::touch(std::size_t fragments) {
+    for (FragmentIndex const* index = burst_.index - fragments; index != burst_.index; ++index)
+        touched_->add(index->row, index->col);
+    if (sends_near_edges_)
+        for (EdgeToken const* token = burst_.first_token; token != burst_.token; ++token)
+            touched_->add(token->row, token->col);
+}
+
+void Rasterizer::send_region() {
+    Corners const corners = corners_of(touched_->box());
+    touched_->clear();
+    send_corner(corners.first);
+    send_corner(corners.last);
+}
+
+/// To all that go over the region.
+void Rasterizer::send_corner(FragmentIndex const& corner) {
+    {
+        Step const step(clock_);
+        PixelGroup const group{corner.row, corner.col, 0};
+        index_groups_ != nullptr ? index_groups_->write(group) : fragment_index_->write(corner);
+        if (edge_token_ != nullptr)
+            edge_token_->write({corner.row, corner.col, EdgeTokenKind::End});
+        if (edge_groups_ != nullptr)
+            edge_groups_->write(group);
+        region_out->write(corner);
     }
     clock_.advance(1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <deque>
+#include <optional>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
@@ -7,6 +8,7 @@
 #include "common/tokens.hpp"
 #include "datapath/grouped_line.hpp"
 #include "datapath/near_edge_scan.hpp"
+#include "datapath/touched_box.hpp"
 #include "datapath/zigzag_scan.hpp"
 #include "modules/core_context.hpp"
 
@@ -21,6 +23,8 @@ namespace faster {
 ///         edge_token_out      flow faster: object and edge pixels (edge map algorithm threshold: pixels near an edge),
 ///         End per
 ///                             sample
+///         region_out          sweep_region touched: first and last pixel of the box that the sample can have changed;
+///                             so do fragment_index_out and edge_token_out, after End
 ///         With several lanes the last three carry groups: the covered pixels of `lanes` adjacent ones, as one fragment
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel, group or edge flush
 ///   per iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce
@@ -35,6 +39,7 @@ class Rasterizer : public sc_core::sc_module {
     PixelsOut<std::int64_t, DepthGroup> fragment_depth_out{"fragment_depth_out"};
     PixelsOut<FragmentIndex, PixelGroup> fragment_index_out{"fragment_index_out"};
     PixelsOut<EdgeToken, PixelGroup> edge_token_out{"edge_token_out"};  ///< unbound in flow fpga_grip
+    OptionalFifoOut<FragmentIndex> region_out{"region_out"};            ///< unbound unless touched
 
     SC_HAS_PROCESS(Rasterizer);
     Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core);
@@ -70,6 +75,10 @@ class Rasterizer : public sc_core::sc_module {
     void hand_over();
     void end_burst();
     void end_sample();
+    void touch(std::size_t fragments);
+    void touch(PixelGroup const& group);
+    void send_region();
+    void send_corner(FragmentIndex const& corner);
 
     void draw_overlapped(std::uint32_t triangles);
     void begin_triangle(datapath::TriangleSetup const& setup);
@@ -114,6 +123,7 @@ class Rasterizer : public sc_core::sc_module {
         EdgeToken* token = nullptr;
     };
     Burst burst_;
+    std::optional<datapath::TouchedBox> touched_;  ///< sweep_region touched: by the sample at hand
 
     /// Triangles on their way to the scan, with setup_overlap.
     struct Fetching {

@@ -42,6 +42,8 @@ void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {
         command[i] = Command::Fragment;
         depth[i] = line.depths(static_cast<int>(i));
         index[i] = line.pixels(static_cast<int>(i));
+        if (touched_)
+            touch(index[i]);
     }
     if (edge_groups_ != nullptr) {
         std::copy_n(index, count, edge_groups_->reserve(count));
@@ -50,6 +52,13 @@ void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {
     command_->append(count);
     depth_groups_->append(count);
     index_groups_->append(count);
+}
+
+void Rasterizer::touch(PixelGroup const& group) {
+    int col = group.col;
+    for (std::uint32_t mask = group.mask; mask != 0; mask >>= 1U, ++col)
+        if ((mask & 1U) != 0)
+            touched_->add(group.row, col);
 }
 
 template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);

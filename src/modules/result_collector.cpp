@@ -9,13 +9,16 @@ ResultCollector::ResultCollector(sc_core::sc_module_name const& name, CoreContex
     SC_THREAD(run);
 }
 
-void ResultCollector::end_of_elaboration() { clock_.connect_reads(channel_of(result_in)); }
+void ResultCollector::end_of_elaboration() {
+    clock_.connect_reads(channel_of(result_in));
+    if (core_.sweeps_touched())
+        clock_.connect_reads(*channel_of(valid_depth_in));
+}
 
 void ResultCollector::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         core_.begin_sample(ModuleId::result_collector);
-        clock_.here();
-        results_.push_back(result_in.read());
+        results_.push_back(receive());
         clock_.stamp();
         clock_.advance(1);
         clock_.resolve();  // all of the sample is known now: a good moment to give it its cycles
@@ -23,6 +26,17 @@ void ResultCollector::run() {
             core_.progress();
     }
     core_.done->notify(sc_core::SC_ZERO_TIME);
+}
+
+SampleCounters ResultCollector::receive() {
+    if (!core_.sweeps_touched()) {
+        clock_.here();
+        return result_in.read();
+    }
+    Step const step(clock_);
+    SampleCounters counters = result_in.read();
+    counters.valid_depth = valid_depth_in->read();
+    return counters;
 }
 
 }  // namespace faster

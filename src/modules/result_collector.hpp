@@ -2,18 +2,21 @@
 #include <systemc>
 #include <vector>
 
+#include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
 #include "modules/core_context.hpp"
 
 namespace faster {
 
 /// Takes the samples' counters to the host.
-///   in    result_in  one per sample
+///   in    result_in       one per sample
+///         valid_depth_in  sweep_region touched: one per sample, which takes its place among the counters
 ///   time  one step per sample
 /// Source: SPEC section 3.
 class ResultCollector : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleCounters> result_in{"result_in"};
+    OptionalFifoIn<std::uint64_t> valid_depth_in{"valid_depth_in"};  ///< unbound unless touched
 
     SC_HAS_PROCESS(ResultCollector);
     ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core);
@@ -25,6 +28,7 @@ class ResultCollector : public sc_core::sc_module {
   private:
     void end_of_elaboration() override;
     void run();
+    SampleCounters receive();
 
     CoreContext const& core_;
     ProcessClock clock_;

@@ -1,9 +1,9 @@
 #include "recording/bram_model.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "config/edge_map_design.hpp"
-#include "config/lane_rows.hpp"
 
 namespace faster::recording {
 
@@ -12,14 +12,13 @@ using Kind = Event::Kind;
 BramModel::BramModel(AcceleratorConfig const& config)
     : edge_map_(config.edge_map),
       depth_clearing_(config.inlier_unit.clearing),
-      sweep_(sweep_design(config, config.window)),
-      extract_(extract_design(config, config.window)),
+      sweep_(sweep_design(config)),
+      extract_(extract_design(config)),
       extract_radius_(config.edge_extraction.neighbourhood / 2),
       side_(config.window),
       lanes_(config.inlier_unit.sweep_lanes),
       scans_groups_(config.rasterizer.lanes > 1),
-      tokens_per_row_(
-          static_cast<std::int64_t>(LaneRows(config.window, config.inlier_unit.sweep_lanes).tokens_per_row())) {
+      sweeps_touched_(config.inlier_unit.sweep_region == SweepRegion::touched) {
     for (std::size_t i = 0; i < bram_count; ++i) {
         ports_[i] = config.brams[i].ports;
         partitions_.emplace_back(config.brams[i].partition, config.window);
@@ -36,6 +35,7 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         next_ = token_of(fields);
         token_read_ = event.cycle;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::fragment_index)) {
+        fragment_before_ = fragment_;
         fragment_ = {fields[0], fields[1], 0, scans_groups_ ? fields[2] : 1};
         fragment_read_ = event.cycle;
     } else if (event.kind == Kind::iterate) {
@@ -97,13 +97,25 @@ void BramModel::clear_iteration(BramId bram, MapClearing clearing, Event const& 
     }
 }
 
+/// What the corners that were read last enclose, or the window.
+PixelBox BramModel::box_between(Token const& first, Token const& last) const {
+    if (!sweeps_touched_)
+        return {0, 0, static_cast<int>(side_), static_cast<int>(side_)};
+    return {static_cast<int>(first.row), static_cast<int>(first.col), static_cast<int>(last.row) + 1,
+            static_cast<int>(last.col) + 1};
+}
+
+LaneRows BramModel::swept_rows() const {
+    return {static_cast<int>(side_), static_cast<int>(lanes_), box_between(fragment_before_, fragment_)};
+}
+
 /// The pixels of the window in the iteration's token.
-std::vector<std::int64_t> BramModel::pixels_of(std::int64_t iteration) const {
-    std::int64_t const row = iteration / tokens_per_row_;
-    std::int64_t const col = iteration % tokens_per_row_ * lanes_;
-    std::vector<std::int64_t> pixels;
-    for (std::int64_t lane = 0; iteration >= 0 && row < side_ && lane < lanes_ && col + lane < side_; ++lane)
-        pixels.push_back(row * side_ + col + lane);
+std::vector<std::int64_t> BramModel::pixels_of(LaneRows const& rows, std::int64_t iteration) {
+    if (iteration < 0 || static_cast<std::size_t>(iteration) >= rows.tokens())
+        return {};
+    LaneRows::Run const run = rows.run(static_cast<std::size_t>(iteration), 1);
+    std::vector<std::int64_t> pixels(run.pixels);
+    std::iota(pixels.begin(), pixels.end(), static_cast<std::int64_t>(run.first_pixel));
     return pixels;
 }
 
@@ -171,7 +183,8 @@ void BramModel::dual_map_token(bool is_first, Cycles cycle) {
 void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
     EdgeMapDesign const& design = design_of(edge_map_.algorithm);
     bool const clears = edge_map_.clearing == MapClearing::on_read_out;
-    for (std::int64_t const pixel : pixels_of(iteration)) {
+    LaneRows const rows{static_cast<int>(side_), static_cast<int>(lanes_), box_between(token_, next_)};
+    for (std::int64_t const pixel : pixels_of(rows, iteration)) {
         add(design.output.edge_map > 0 ? BramId::edge_map : BramId::object_map, false, pixel, cycle);
         if (clears && design.bits.edge_map > 0)
             add(BramId::edge_map, true, pixel, cycle);
@@ -189,11 +202,15 @@ void BramModel::fragment_iteration(Cycles cycle) {
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
 void BramModel::extract_iteration(std::int64_t iteration, Cycles cycle) {
-    std::int64_t const judged = iteration - static_cast<std::int64_t>(extract_.lead);
-    if (extract_.line_buffer_rows > 0 && iteration < side_ * side_)
-        add(BramId::depth_buffer, false, iteration, cycle);
-    if (judged < 0)
-        return;
+    LaneRows const rows{static_cast<int>(side_), 1, box_between(fragment_before_, fragment_)};
+    auto const lead = static_cast<std::int64_t>(extract_.lead(rows.tokens_per_row()));
+    for (std::int64_t const entered : pixels_of(rows, extract_.line_buffer_rows > 0 ? iteration : -1))
+        add(BramId::depth_buffer, false, entered, cycle);
+    for (std::int64_t const judged : pixels_of(rows, iteration - lead))
+        extract_pixel(judged, cycle);
+}
+
+void BramModel::extract_pixel(std::int64_t judged, Cycles cycle) {
     for (std::int64_t row = -extract_radius_; extract_.line_buffer_rows == 0 && row <= extract_radius_; ++row)
         for (std::int64_t col = -extract_radius_; col <= extract_radius_; ++col)
             add(BramId::depth_buffer, false, judged / side_ + row, judged % side_ + col, cycle);
@@ -204,10 +221,12 @@ void BramModel::extract_iteration(std::int64_t iteration, Cycles cycle) {
 /// neighbours, the border skipped; a word is cleared when its last neighbour has been judged.
 void BramModel::sweep_iteration(std::int64_t iteration, Cycles cycle) {
     bool const reads_neighbours = sweep_.accesses.reads.size() > static_cast<std::size_t>(lanes_);
-    for (std::int64_t const pixel : pixels_of(iteration))
+    LaneRows const rows = swept_rows();
+    for (std::int64_t const pixel : pixels_of(rows, iteration))
         reads_neighbours ? sweep_neighbours(pixel, cycle) : sweep_word(pixel, cycle);
     if (!sweep_.accesses.writes.empty())
-        for (std::int64_t const pixel : pixels_of(iteration - static_cast<std::int64_t>(sweep_.tail)))
+        for (std::int64_t const pixel :
+             pixels_of(rows, iteration - static_cast<std::int64_t>(sweep_.tail(rows.tokens_per_row()))))
             add(BramId::depth_buffer, true, pixel, cycle);
 }
 

@@ -4,6 +4,7 @@
 #include "config/accelerator_config.hpp"
 #include "config/bank_partition.hpp"
 #include "config/extract_design.hpp"
+#include "config/lane_rows.hpp"
 #include "config/sweep_design.hpp"
 #include "recording/event_merge.hpp"
 
@@ -32,13 +33,22 @@ class BramModel {
   private:
     void iterate(LoopId loop, Event const& event);
     void clear_iteration(BramId bram, MapClearing clearing, Event const& event);
-    std::vector<std::int64_t> pixels_of(std::int64_t iteration) const;
+    struct Token {
+        std::int64_t row = 0;
+        std::int64_t col = 0;  ///< of the first pixel
+        std::int64_t kind = 0;
+        std::int64_t mask = 1;  ///< bit k: the pixel k columns to the right
+    };
+    PixelBox box_between(Token const& first, Token const& last) const;
+    LaneRows swept_rows() const;
+    static std::vector<std::int64_t> pixels_of(LaneRows const& rows, std::int64_t iteration);
     void token_iteration(Cycles cycle);
     void single_map_token(Cycles cycle);
     void dual_map_token(bool is_first, Cycles cycle);
     void output_iteration(std::int64_t iteration, Cycles cycle);
     void fragment_iteration(Cycles cycle);
     void extract_iteration(std::int64_t iteration, Cycles cycle);
+    void extract_pixel(std::int64_t judged, Cycles cycle);
     void sweep_iteration(std::int64_t iteration, Cycles cycle);
     void sweep_word(std::int64_t pixel, Cycles cycle);
     void sweep_neighbours(std::int64_t pixel, Cycles cycle);
@@ -56,21 +66,16 @@ class BramModel {
     std::int64_t side_;
     std::int64_t lanes_;
     bool scans_groups_;
-    std::int64_t tokens_per_row_;
+    bool sweeps_touched_;
     std::array<std::uint64_t, bram_count> ports_{};  ///< of a bank
     std::vector<BankPartition> partitions_;          ///< [BramId]
     std::array<std::size_t, module_count> loop_{};
-    struct Token {
-        std::int64_t row = 0;
-        std::int64_t col = 0;  ///< of the first pixel
-        std::int64_t kind = 0;
-        std::int64_t mask = 1;  ///< bit k: the pixel k columns to the right
-    };
     Token token_of(TokenValues const& fields) const;
     void add_pixels(BramId bram, bool writes, Token const& token, Cycles cycle);
-    Token token_;     ///< that the edge-map builder works on
-    Token next_;      ///< read ahead
-    Token fragment_;  ///< read last
+    Token token_;     ///< that the edge-map builder works on; in the end a region's first corner
+    Token next_;      ///< read ahead; in the end its last corner
+    Token fragment_;  ///< read last; in the end a region's last corner
+    Token fragment_before_;
     Cycles token_read_ = 0;
     Cycles fragment_read_ = ~Cycles{0};
     std::vector<BramAccess> accesses_;

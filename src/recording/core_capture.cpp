@@ -8,8 +8,8 @@ using Kind = Event::Kind;
 using timing::ProcessTiming;
 
 CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample,
-                         Spools& spools)
-    : core_(core), taps_(taps), first_sample_(first_sample), spools_(spools) {
+                         std::uint64_t tokens_in_use, Spools& spools)
+    : core_(core), taps_(taps), first_sample_(first_sample), tokens_in_use_(tokens_in_use), spools_(spools) {
     for (std::size_t loop = loop_count; loop-- > 0;)
         first_loop_[index_of(loop_names[loop].module)] = static_cast<std::uint8_t>(loop);
     for (ProcessTiming const& process : core.processes())
@@ -28,8 +28,8 @@ void CoreCapture::take_down_state() {
     }
 }
 
-/// Tokens inside are told as writes in the cycles in which they were written. The one read last may still be in use: it
-/// is told as written and read before.
+/// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
+/// they are told as written and read before.
 void CoreCapture::take_down_tokens(ProcessTiming const& process) {
     struct Access {
         Cycles cycle;
@@ -43,8 +43,8 @@ void CoreCapture::take_down_tokens(ProcessTiming const& process) {
         std::uint8_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
         Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
-        if (fifo.reads() > 0)
-            accesses.push_back({writes ? 0 : fifo.shape().issue_latency, number, fifo.reads() - 1, writes});
+        for (std::uint64_t i = std::min(tokens_in_use_, fifo.reads()); i > 0; --i)
+            accesses.push_back({writes ? 0 : fifo.shape().issue_latency, number, fifo.reads() - i, writes});
         for (std::uint64_t i = 0; writes && i < fifo.known_reads(); ++i)
             accesses.push_back({fifo.earliest_read(i) - latency, number, fifo.reads() + i, true});
     }

@@ -14,8 +14,10 @@ using Spools = std::array<EventSpool, module_count>;
 /// Takes down what the processes of one core do, with the tokens they write.
 class CoreCapture : public timing::StepObserver {
   public:
-    /// Observes `core` from where it stands, its loops and the tokens in its FIFOs included. `taps`: by FifoId.
-    CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample, Spools& spools);
+    /// Observes `core` from where it stands, its loops and the tokens in its FIFOs included. `taps`: by FifoId;
+    /// they still hold the last `tokens_in_use` tokens that have been read.
+    CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample,
+                std::uint64_t tokens_in_use, Spools& spools);
 
     /// Events after this cycle are not wanted.
     void set_end(Cycles last) { last_ = last; }
@@ -41,6 +43,7 @@ class CoreCapture : public timing::StepObserver {
     timing::CoreTiming& core_;
     std::vector<TokenTap> const& taps_;
     std::size_t first_sample_;
+    std::uint64_t tokens_in_use_;
     Spools& spools_;
     Cycles last_ = ~Cycles{0};
     std::array<std::array<std::uint8_t, 8>, module_count> fifo_at_{};  // by process and port

@@ -90,17 +90,24 @@ void CoreRecorder::drop_checkpoints(std::size_t i) {
         while (checkpoints_.size() > 1)
             checkpoints_.pop_front();
     for (std::size_t f = 0; f < taps_.size(); ++f)
-        taps_[f].forget_before(std::max<std::uint64_t>(checkpoints_.front().timing->fifos()[f].reads(), 1) - 1);
+        taps_[f].forget_before(std::max(checkpoints_.front().timing->fifos()[f].reads(), tokens_in_use()) -
+                               tokens_in_use());
 }
 
 /// Samples by which the rasterizer can be ahead of the last process, and one: all get their headers in one step, and
-/// the observation reader's tokens keep it near the inlier unit.
+/// the observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it
+/// near the result collector.
 std::size_t CoreRecorder::longest_lead() const {
     auto const& fifos = core_.timing().fifos();
     std::uint64_t const headers = fifos[index_of(FifoId::sample_observation)].shape().capacity;
+    if (core_.parts().sweep_region == SweepRegion::touched)
+        return headers + fifos[index_of(FifoId::valid_depth)].shape().capacity + 4;
     std::uint64_t const observed = fifos[index_of(FifoId::observed_depth)].shape().capacity / core_.window_tokens();
     return headers + observed + 4;
 }
+
+/// Tokens read last that still decide what a process does: one, or the two corners of a region.
+std::uint64_t CoreRecorder::tokens_in_use() const { return core_.parts().sweep_region == SweepRegion::touched ? 2 : 1; }
 
 void CoreRecorder::learn_window() {
     if (!samples_)
@@ -116,7 +123,7 @@ void CoreRecorder::learn_window() {
 void CoreRecorder::start() {
     phase_ = Phase::recording;
     detail_ = std::move(checkpoints_.front().timing);
-    capture_ = std::make_unique<CoreCapture>(*detail_, taps_, core_.share().first, spools_);
+    capture_ = std::make_unique<CoreCapture>(*detail_, taps_, core_.share().first, tokens_in_use(), spools_);
     feed();
 }
 

@@ -49,6 +49,7 @@ class CoreRecorder {
     void stop();
     void tape_to(Tape* tape);
     std::size_t longest_lead() const;
+    std::uint64_t tokens_in_use() const;
 
     RasterCore& core_;
     std::optional<RecordingWindow::Samples> samples_;  ///< of the core, from 0

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::recording {
 
@@ -14,7 +14,7 @@ class TimelineMaker {
   public:
     TimelineMaker(RecordedCore const& core, TimelineGrain const& grain) : core_(core), grain_(grain) {
         timeline_.core = core.core;
-        timeline_.flow = core.flow;
+        timeline_.parts = core.parts;
     }
 
     void take(CoreEvent const& event);
@@ -151,7 +151,7 @@ CoreTimeline TimelineMaker::finish() {
         close(stalls_[module], stalls_[module].span.end);
         close(loops_[module], core_.to + 1);
     }
-    for (std::size_t const fifo : fifos_of(core_.flow)) {
+    for (std::size_t const fifo : fifos_of(core_.parts)) {
         Occupancy const& last = occupancy_[fifo];
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);

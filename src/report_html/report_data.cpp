@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "config/plain_value.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
@@ -27,7 +27,7 @@ Json headline(HtmlReportInput const& input) {
 
 Json modules(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.flow))
+    for (std::size_t const i : modules_of(run.parts))
         rows.push_back({{"module", module_names[i]}, {"cycles", process_sum(run, i).cycles}});
     return rows;
 }
@@ -53,7 +53,7 @@ Json conflict_row(std::size_t module, std::size_t bram, Cycles cycles) {
 /// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
 Json stalls(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.flow)) {
+    for (std::size_t const i : modules_of(run.parts)) {
         ProcessStatistics const process = process_sum(run, i);
         for (std::size_t f = 0; f < fifo_count; ++f)
             if (process.stalls[f] > 0)
@@ -68,7 +68,7 @@ Json stalls(RunStatistics const& run) {
 Json fifos(RunStatistics const& run) {
     Json rows = Json::array();
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : fifos_of(run.flow))
+        for (std::size_t const i : fifos_of(run.parts))
             rows.push_back(fifo_row(core, i, run.cores[core].fifos[i]));
     return rows;
 }
@@ -76,7 +76,7 @@ Json fifos(RunStatistics const& run) {
 Json loops(RunStatistics const& run) {
     Json rows = Json::array();
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : loops_of(run.flow))
+        for (std::size_t const i : loops_of(run.parts))
             rows.push_back(loop_row(core, i, run.cores[core].loops[i]));
     return rows;
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "common/flow.hpp"
+#include "config/parts.hpp"
 #include "retiming/recorded_run.hpp"
 #include "timing/phrase_book.hpp"
 
@@ -16,11 +16,11 @@ struct ScriptedSample {
 };
 
 /// A recorded run made ready for many retimings: its samples are decoded, and cut into phrases, once. Takes 4 bytes per
-/// phrase; samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `flow` is that of its
-/// configuration.
+/// phrase; samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `parts` are those of
+/// its configuration.
 class ScriptedRun {
   public:
-    ScriptedRun(RecordedRun const& run, Flow flow);
+    ScriptedRun(RecordedRun const& run, Parts const& parts);
 
     RecordedRun const& run() const { return *run_; }
     timing::PhraseBook const& book() const { return book_; }

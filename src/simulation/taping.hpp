@@ -34,7 +34,7 @@ class Taping {
     Accelerator& accelerator_;
     retiming::RecordedRun& run_;
     std::vector<CoreTape> tapes_;  // by core
-    std::size_t taking_part_ = 0;  // processes that the flow has
+    std::size_t taking_part_ = 0;  // processes that the core has
     retiming::TapeWriter writer_;
 };
 

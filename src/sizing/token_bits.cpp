@@ -1,6 +1,6 @@
 #include "sizing/token_bits.hpp"
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::sizing {
 
@@ -38,7 +38,7 @@ unsigned fragment_depth_bits(bool in_groups) {
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
-    if (!has_part(config.flow, id))
+    if (!has_part(config, id))
         return 0;
     bool const in_groups = config.rasterizer.lanes > 1;
     unsigned const mask_bits = in_groups ? static_cast<unsigned>(config.rasterizer.lanes) : 0;
@@ -67,6 +67,10 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
         case FifoId::edge_map:
         case FifoId::observed_edge:
             return lanes;
+        case FifoId::region:  // a corner in the window, or -1
+            return 2 * (bits_for(static_cast<std::uint64_t>(config.window)) + 1);
+        case FifoId::valid_depth:
+            return bits_for(static_cast<std::uint64_t>(config.window) * static_cast<std::uint64_t>(config.window));
         case FifoId::result:
             break;
     }

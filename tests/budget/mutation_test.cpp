@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "config/flow_parts.hpp"
 #include "config/key_names.hpp"
 #include "config/load_config.hpp"
+#include "config/parts.hpp"
 #include "io/trace.hpp"
 #include "support/command.hpp"
 #include "support/forked_simulation.hpp"
@@ -42,7 +42,7 @@ struct Mutation {
 std::string text_of(Cycles value) { return std::to_string(value); }
 
 void add_fifo_mutations(std::vector<Mutation>& all, AcceleratorConfig const& defaults) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t const i : fifos_of(Flow::faster)) {
         auto const id = static_cast<FifoId>(i);
         std::vector<std::string> const items{std::string("fifos.") + fifo_names[i] + "."};
         for (char const* const depth : {"1", "3"})

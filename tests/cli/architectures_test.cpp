@@ -98,6 +98,8 @@ TEST_CASE("The presets of faster rasterizers run, with fewer iterations or loops
     // Rows 20 and 21 run from wall to wall; row 22 turns at column 33, two behind the run of row 23; row 24 ends at 31.
     CHECK(iterations(early, "scan") == 4 + 6 + 6 + 4 + 4 + 2 + 2);
     CHECK(iterations(spans, "fragment") == 15);
+    // Rows 20 to 24, columns 30 to 34, and a pixel around.
+    CHECK(iterations(summary("touched_region"), "sweep") == 7 * 7);
     CHECK(iterations(flattened, "fragment") == 1 + 15);
     for (nlohmann::json const& faster : {overlap, early, spans, flattened})
         CHECK(faster["total_cycles"] < thesis["total_cycles"]);

@@ -21,7 +21,8 @@ std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
 fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                        "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
-                       "edge_map",        "observed_depth", "observed_edge",      "result"};
+                       "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+                       "valid_depth"};
 Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
                          "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
 
@@ -192,9 +193,12 @@ TEST_CASE("A waveform's loops are those of the table, and no block RAM has more 
 
 TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
     Waves const waves;
+    std::string const region = GENERATE("window", "touched");
     for (std::string const engine : {"lockstep", "decoupled"}) {
-        CAPTURE(engine);
-        Words const common{"--set", "simulation.engine=" + engine, "--set", "accelerator.raster_cores=1"};
+        CAPTURE(engine, region);
+        Words const common{"--set", "simulation.engine=" + engine,
+                           "--set", "accelerator.raster_cores=1",
+                           "--set", "accelerator.inlier_unit.sweep_region=" + region};
         auto const with = [&](Words more) {
             more.insert(more.end(), common.begin(), common.end());
             require_done(waves.run("edge_heavy", more));
@@ -217,9 +221,15 @@ TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]
 
 TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
     Waves const waves;
-    Words deep{"--set", "accelerator.raster_cores=1"};
+    std::string const region = GENERATE("window", "touched");
+    std::string const engine = region == "window" ? "decoupled" : "lockstep";
+    CAPTURE(region);
+    Words deep{"--set", "simulation.engine=" + engine,
+               "--set", "accelerator.raster_cores=1",
+               "--set", "accelerator.inlier_unit.sweep_region=" + region};
     for (std::string const& fifo : fifo_names)
-        deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
+        if (region == "touched" || (fifo != "region" && fifo != "valid_depth"))
+            deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
     auto const with = [&](Words more) {
         more.insert(more.end(), deep.begin(), deep.end());
         require_done(waves.run("edge_heavy", more));
@@ -231,6 +241,12 @@ TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules",
     for (Row const& row : waves.table("out/samples.csv")) {
         with({"--vcd", "part.vcd", "--vcd-samples", row.at("sample")});
         check_window(whole, waves.vcd("part.vcd"), number(row, "start_cycle"), number(row, "end_cycle"));
+    }
+    // A window may begin while another sample is swept than the one that is drawn.
+    std::uint64_t const end = number(waves.table("out/samples.csv").back(), "end_cycle");
+    for (std::uint64_t from = end / 8; from < end; from += end / 8) {
+        with({"--vcd", "part.vcd", "--vcd-from", std::to_string(from), "--vcd-to", std::to_string(from + 300)});
+        check_window(whole, waves.vcd("part.vcd"), from, from + 300);
     }
 }
 
@@ -297,6 +313,27 @@ TEST_CASE("A waveform shows what line buffers and clearing on read-out do to the
     std::string const map_clears = "accelerator.edge_map.clearing=on_read_out";
     CHECK(accesses({map_clears}, "edge_map") == 15 * 3 + 5 * 1 + 2 * 1024);
     CHECK(accesses({map_clears}, "object_map") == 15 * 3 + 5 * 1 + 1024);
+    // The triangle's 5 x 5 pixels, and one around.
+    std::string const touched = "accelerator.inlier_unit.sweep_region=touched";
+    CHECK(accesses({touched}, "depth_buffer") == 1024 + 15 * 2 + 5 * 49);
+    CHECK(accesses({touched, window}, "depth_buffer") == 1024 + 15 * 2 + 49);
+    CHECK(accesses({touched, clears}, "depth_buffer") == 15 * 2 + 5 * 49 + 49);
+    CHECK(accesses({touched, map_clears}, "edge_map") == 15 * 3 + 5 * 1 + 2 * 49);
+    CHECK(accesses({touched, map_clears}, "object_map") == 15 * 3 + 5 * 1 + 49);
+}
+
+TEST_CASE("A waveform shows the corners of a touched region on their FIFOs", "[vcd][sweep_region]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-cores", "0", "--set",
+                                            "accelerator.inlier_unit.sweep_region=touched"}));
+    Vcd const vcd = waves.vcd("a.vcd");
+    CHECK(vcd.duration("core_0.fifo_region.write", 1) == 2);
+    CHECK(vcd.duration("core_0.fifo_region.read", 1) == 2);
+    CHECK(vcd.duration("core_0.fifo_valid_depth.read", 1) == 1);
+    CHECK(vcd.duration("core_0.fifo_observed_depth.write", 1) == 49);
+    auto const rows = vcd.sampled("core_0.fifo_region.read_row", "core_0.fifo_region.read");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1].bits - rows[0].bits == 6);
 }
 
 TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {

@@ -112,6 +112,7 @@ TEST_CASE("The critical path adds up for any way to prepare and to scan triangle
             config.algorithm = EdgeMapAlgorithm::inner_border;
             config.max_scan_lanes = 8;
         }
+        config.any_region = true;
         RandomStimulusOptions stimulus;
         stimulus.window = {4, 24};
         Trial const trial{random_config(seed, config), random_stimulus(seed, stimulus)};

@@ -37,7 +37,7 @@ Trial run_trial(std::uint64_t seed, TrialOptions options) {
     options.stimulus.random_fraction_bits = seed % 3 == 0;
     Stimulus const stimulus = random_stimulus(seed, options.stimulus);
     AcceleratorConfig config = random_config(seed, options.config);
-    config.window = stimulus.window;
+    adopt(stimulus, config);
     return {run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
             run_forked(config, stimulus, Engine::decoupled).statistics};
 }
@@ -245,6 +245,35 @@ TEST_CASE("Engines and twin agree: any lanes of the scan, banks, clearings and s
         options.config.max_ports = 2;
         check_seeds(seed, 40, options);
     }
+}
+
+TEST_CASE("Engines and twin agree: any swept region with every edge map algorithm", "[engine_vs_twin][sweep_region]") {
+    std::uint64_t seed = 9000;
+    for (EdgeMapAlgorithm const algorithm :
+         {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition, EdgeMapAlgorithm::bounded,
+          EdgeMapAlgorithm::dual_map, EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
+        CAPTURE(static_cast<int>(algorithm));
+        TrialOptions options = small_windows();
+        options.config.algorithm = algorithm;
+        options.config.any_region = true;
+        options.config.any_scan = true;
+        options.config.any_clearing = true;
+        options.config.any_partition = true;
+        options.config.max_lanes = seed % 200 == 0 ? 3 : 9;
+        options.config.is_deadlock_free = seed % 300 != 0;
+        options.stimulus.window = {9, 24};
+        check_seeds(seed, 24, options);
+        seed += 100;
+    }
+}
+
+TEST_CASE("Engines and twin agree: any swept region, tiny windows", "[engine_vs_twin][sweep_region]") {
+    TrialOptions options = small_windows();
+    options.config.any_region = true;
+    options.config.fifo_depth = {1, 4};
+    options.stimulus.window = {1, 8};
+    options.stimulus.triangles = {0, 5};
+    CHECK(check_seeds(9600, 60, options) == 0);
 }
 
 TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {

@@ -46,6 +46,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     options.fifo_depth = {1, 24};
     options.is_deadlock_free = seed % 3 != 0;
     options.any_partition = true;
+    options.any_region = true;
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
@@ -79,6 +80,7 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
         config.rasterizer.edge_tokens = EdgeTokens::object;
         config.rasterizer.lanes = 2 + static_cast<int>(seed % 7);
     }
+    config.inlier_unit.sweep_region = number % 4 < 2 ? SweepRegion::window : SweepRegion::touched;
     return config;
 }
 
@@ -133,7 +135,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run, recorded.flow);
+        retiming::ScriptedRun const scripted(file.run, recorded);
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "config/block_ram.hpp"
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "events/event_file.hpp"
 #include "modules/core_shapes.hpp"
 #include "retiming/retime.hpp"
@@ -32,8 +32,9 @@ AcceleratorConfig random_machine(std::uint64_t seed, Stimulus const& stimulus, b
     options.max_lanes = seed % 2 == 0 ? std::min(stimulus.window, 5) : 1;
     options.max_scan_lanes = seed % 2 == 0 ? 5 : 1;
     options.is_deadlock_free = is_deadlock_free;
+    options.any_region = true;
     AcceleratorConfig config = random_config(seed, options);
-    config.window = stimulus.window;
+    adopt(stimulus, config);
     return config;
 }
 

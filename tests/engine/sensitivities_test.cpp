@@ -17,6 +17,7 @@ Trial random_trial(std::uint64_t seed) {
     RandomConfigOptions config;
     config.cores = {1, 3};
     config.fifo_depth = {1, 12};
+    config.any_region = true;
     RandomStimulusOptions stimulus;
     stimulus.width = {24, 48};
     stimulus.height = {24, 48};
@@ -44,7 +45,7 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
     ForkOptions options;
     options.sensitivities = true;
     RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
-    Keys const keys = timing_keys(trial.config.flow);
+    Keys const keys = timing_keys(trial.config);
     REQUIRE(run.sensitivities.size() == keys.size());
     std::size_t changes = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {

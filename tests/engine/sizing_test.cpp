@@ -46,6 +46,7 @@ Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
     workload.triangles = {0, 8};
     testing::RandomConfigOptions machine;
     machine.cores = {1, 3};
+    machine.any_region = true;
     AcceleratorConfig config = testing::random_config(seed, machine);
     Random random(seed);
     for (FifoConfig& fifo : config.fifos)

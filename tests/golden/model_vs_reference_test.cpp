@@ -141,8 +141,9 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         machine.max_lanes = machine.any_clearing ? std::min(stimulus.window, 9) : 1;
         bool const may_scan_groups = algorithm == EdgeMapAlgorithm::inner_border || flow == Flow::fpga_grip;
         machine.max_scan_lanes = any_scan && may_scan_groups && seed % 2 == 0 ? 12 : 1;
+        machine.any_region = true;
         AcceleratorConfig config = random_config(seed, machine);
-        config.window = stimulus.window;
+        adopt(stimulus, config);
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)
             check_model(config, stimulus, Engine::lockstep);

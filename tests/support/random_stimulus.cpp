@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::testing {
 namespace {
@@ -365,10 +365,13 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         loop.recurrence_ii = skewed_cycles(dice, options.max_recurrence_ii);
         loop.depth = static_cast<Cycles>(dice.one_in(2) ? dice.between(1, 4) : dice.between(1, 24));
     }
-    for (FifoConfig& fifo : config.fifos) {
+    auto const draw_fifo = [&](FifoConfig& fifo) {
         fifo.depth = static_cast<std::uint64_t>(skewed(dice, options.fifo_depth));
         fifo.kind = static_cast<FifoKind>(dice.between(0, 2));
         fifo.write_latency = 0;
+    };
+    for (std::size_t i = 0; i <= index_of(FifoId::result); ++i) {
+        draw_fifo(config.fifos[i]);
     }
     auto const draw_latency = [&](FifoId fifo, LoopId loop) {
         int const last_stage = static_cast<int>(config.loop(loop).depth) - 1;
@@ -414,6 +417,11 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     if (options.flow == Flow::fpga_grip) {
         draw_extraction(dice, config.edge_extraction);
     }
+    if (options.any_region) {
+        config.inlier_unit.sweep_region = static_cast<SweepRegion>(dice.between(0, 1));
+        draw_fifo(config.fifo(FifoId::region));
+        draw_fifo(config.fifo(FifoId::valid_depth));
+    }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);
         if (config.rasterizer.setup_overlap > 0) {  // an area leaves at once, its command when it has passed the loop
@@ -423,6 +431,13 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }
     return config;
+}
+
+void adopt(Stimulus const& stimulus, AcceleratorConfig& config) {
+    config.window = stimulus.window;
+    if (stimulus.fraction.depth_buffer > 9) {
+        config.inlier_unit.sweep_region = SweepRegion::window;
+    }
 }
 
 }  // namespace faster::testing

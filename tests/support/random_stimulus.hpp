@@ -58,6 +58,7 @@ struct RandomConfigOptions {
     bool any_partition = false;  ///< draws banks of block RAMs, for windows of at least 4; and clearings that use them
     int max_lanes = 1;           ///< of the sweep, at most the window
     int max_scan_lanes = 1;      ///< of the scan: only with inner_border, which then gets object tokens, or fpga_grip
+    bool any_region = false;     ///< draws which pixels are swept
     /// Makes the FIFOs that are written and read side by side (command, fragment_depth, fragment_index; observed_depth,
     /// observed_edge) deep enough for their write latencies; else many a configuration deadlocks, as it should.
     bool is_deadlock_free = true;
@@ -66,5 +67,8 @@ struct RandomConfigOptions {
 /// A valid configuration of every timing key, and of the edge map's thresholds. Window and fraction bits stay at their
 /// defaults: with a trace they are the trace's, so a caller copies them from its stimulus.
 AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& options = {});
+
+/// Gives a configuration the window of a stimulus; and sweep_region window where the fraction bits demand it.
+void adopt(Stimulus const& stimulus, AcceleratorConfig& config);
 
 }  // namespace faster::testing

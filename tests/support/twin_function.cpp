@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 #include "common/fixed_point.hpp"
@@ -545,6 +546,53 @@ std::size_t groups_with_edges(std::vector<TwinTriangle> const& triangles) {
     return groups;
 }
 
+TwinRegion bounds_of(Image<std::uint8_t> const& marks) {
+    TwinRegion region{marks.pixels().size(), 0, marks.pixels().size(), 0};
+    for (int row = 0; row < marks.height(); ++row) {
+        for (int col = 0; col < marks.width(); ++col) {
+            if (marks.at(row, col) != 0) {
+                region.first_row = std::min(region.first_row, static_cast<std::size_t>(row));
+                region.end_row = std::max(region.end_row, static_cast<std::size_t>(row) + 1);
+                region.first_col = std::min(region.first_col, static_cast<std::size_t>(col));
+                region.end_col = std::max(region.end_col, static_cast<std::size_t>(col) + 1);
+            }
+        }
+    }
+    return region.end_row == 0 ? TwinRegion{} : region;
+}
+
+/// Marks the pixels of the window that fragments and tokens can change, and bounds them. Tokens that lie elsewhere
+/// would be missed, so they are an error here.
+TwinRegion touched_region(std::vector<Fragment> const& fragments, std::vector<TwinEdgeToken> const& tokens, int window,
+                          AcceleratorConfig const& config) {
+    bool const is_threshold = config.edge_map.algorithm == EdgeMapAlgorithm::threshold;
+    bool const is_on_object =
+        config.flow == Flow::fpga_grip || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border;
+    int const reach = is_threshold || is_on_object ? 0 : 1;
+    Image<std::uint8_t> marks(window, window, 0);
+    auto const mark = [&](TwinPixel const& pixel) {
+        for (int row = pixel.row - reach; row <= pixel.row + reach; ++row) {
+            for (int col = pixel.col - reach; col <= pixel.col + reach; ++col) {
+                if (marks.contains(row, col)) {
+                    marks.at(row, col) = 1;
+                }
+            }
+        }
+    };
+    for (Fragment const& fragment : fragments) {
+        mark(fragment.pixel);
+    }
+    for (TwinEdgeToken const& token : tokens) {
+        if (is_threshold) {
+            mark(token.pixel);
+        } else if (!is_on_object && marks.contains(token.pixel.row, token.pixel.col) &&
+                   marks.at(token.pixel.row, token.pixel.col) == 0) {
+            throw std::logic_error("an edge token far from all fragments");
+        }
+    }
+    return bounds_of(marks);
+}
+
 }  // namespace
 
 TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, AcceleratorConfig const& config) {
@@ -558,6 +606,10 @@ TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample,
     if (config.rasterizer.lanes > 1) {
         result.token_iteration_reads.assign(groups_with_edges(result.triangles), true);
     }
+    auto const side = static_cast<std::size_t>(stimulus.window);
+    result.region = config.inlier_unit.sweep_region == SweepRegion::touched
+                        ? touched_region(scanner.fragments(), scanner.edge_tokens(), stimulus.window, config)
+                        : TwinRegion{0, side, 0, side};
     result.counters = score(stimulus, input, scanner.fragments(), std::move(edges), config);
     return result;
 }

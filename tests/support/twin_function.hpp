@@ -36,12 +36,21 @@ struct TwinTriangle {
     std::uint64_t fragments = 0;          ///< tokens: with several lanes, groups that have a covered pixel
 };
 
+/// Pixels of the window: rows [first_row, end_row), columns [first_col, end_col).
+struct TwinRegion {
+    std::size_t first_row = 0;
+    std::size_t end_row = 0;
+    std::size_t first_col = 0;
+    std::size_t end_col = 0;
+};
+
 /// The function of SPEC section 2 for one sample, from triangle codes to counters, with the counts that decide the
 /// control flow of section 3.
 struct TwinSampleFunction {
     std::vector<TwinTriangle> triangles;
     std::vector<bool> token_iteration_reads;  ///< one per iteration of the token loop; false for second iterations
     bool output_reads_ahead = false;          ///< the output loop has read a row when it sends the first bit
+    TwinRegion region;                        ///< that the loops behind the drawing go over
     SampleCounters counters;
 };
 

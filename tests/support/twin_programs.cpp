@@ -34,6 +34,28 @@ void uniform_loop(TwinProgram& program, LoopId id, std::vector<TwinAccess> acces
     loop(program, id, std::move(accesses), std::vector<std::uint8_t>(iterations, static_cast<std::uint8_t>(all)));
 }
 
+/// A loop that may have no iteration: then a cycle passes.
+void loop_or_pass(TwinProgram& program, LoopId id, std::vector<TwinAccess> accesses,
+                  std::vector<std::uint8_t> iterations) {
+    if (iterations.empty()) {
+        pass(program, 1);
+    } else {
+        loop(program, id, std::move(accesses), std::move(iterations));
+    }
+}
+
+bool touches(AcceleratorConfig const& config) { return config.inlier_unit.sweep_region == SweepRegion::touched; }
+
+/// Learns which pixels it is about: two corners by a FIFO, or that it is the window, in a cycle.
+void turn(TwinProgram& program, AcceleratorConfig const& config, FifoId fifo) {
+    if (touches(config)) {
+        step(program, {read_of(fifo)});
+        step(program, {read_of(fifo)});
+    } else {
+        pass(program, 1);
+    }
+}
+
 TwinProgram sample_dispatcher() {
     TwinProgram program;
     step(program,
@@ -137,6 +159,13 @@ TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const
         last.push_back(write_of(FifoId::edge_token));
     }
     step(program, std::move(last));
+    for (int corner = 0; touches(config) && corner < 2; ++corner) {
+        std::vector<TwinAccess> to_all{write_of(FifoId::fragment_index), write_of(FifoId::region)};
+        if (config.flow == Flow::faster) {
+            to_all.insert(to_all.begin() + 1, write_of(FifoId::edge_token));
+        }
+        step(program, std::move(to_all));
+    }
     return program;
 }
 
@@ -157,10 +186,13 @@ TwinProgram area_reciprocal(TwinSampleFunction const& sample) {
 
 std::size_t ceil_div(std::size_t dividend, std::size_t divisor) { return (dividend + divisor - 1) / divisor; }
 
-/// Tokens of a row of the window.
-std::size_t row_tokens(AcceleratorConfig const& config, std::size_t side) {
-    return ceil_div(side, static_cast<std::size_t>(config.inlier_unit.sweep_lanes));
+/// Tokens that have a pixel of a row of the region.
+std::size_t row_tokens(AcceleratorConfig const& config, TwinRegion const& region) {
+    auto const lanes = static_cast<std::size_t>(config.inlier_unit.sweep_lanes);
+    return ceil_div(region.end_col, lanes) - region.first_col / lanes;
 }
+
+std::size_t rows_of(TwinRegion const& region) { return region.end_row - region.first_row; }
 
 /// Words of the largest bank.
 std::size_t words_of_bank(BramConfig const& bram, std::size_t side) {
@@ -213,28 +245,40 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig
         }
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
-    pass(program, 1);
-    std::vector<std::uint8_t> output(sample.output_reads_ahead ? row_tokens(config, side) : 0, 0);
-    output.insert(output.end(), side * row_tokens(config, side), 1);
-    loop(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
+    turn(program, config, FifoId::edge_token);
+    std::size_t const row = row_tokens(config, sample.region);
+    std::vector<std::uint8_t> output(sample.output_reads_ahead ? row : 0, 0);
+    output.insert(output.end(), rows_of(sample.region) * row, 1);
+    loop_or_pass(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
     return program;
 }
 
-TwinProgram observation_reader(std::size_t tokens) {
+TwinProgram observation_reader(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
     TwinProgram program;
     step(program, {read_of(FifoId::sample_observation)});
-    uniform_loop(program, LoopId::read, {write_of(FifoId::observed_depth), write_of(FifoId::observed_edge)}, tokens);
+    if (touches(config)) {
+        uniform_loop(program, LoopId::read, {}, 4);
+        step(program, {write_of(FifoId::valid_depth)});
+        step(program, {read_of(FifoId::region)});
+        step(program, {read_of(FifoId::region)});
+    }
+    std::size_t const tokens = rows_of(sample.region) * row_tokens(config, sample.region);
+    loop_or_pass(program, LoopId::read, {write_of(FifoId::observed_depth), write_of(FifoId::observed_edge)},
+                 std::vector<std::uint8_t>(tokens, 0b11));
     return program;
 }
 
 /// A row and a token more: before the first pixel while line buffers fill, or after the last to clear what is left.
-std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std::size_t side) {
+std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, TwinRegion const& region) {
     bool const clears = config.inlier_unit.clearing == MapClearing::on_read_out;
     bool const has_neighbours =
         config.flow == Flow::faster && config.edge_map.algorithm != EdgeMapAlgorithm::inner_border;
     bool const is_window = config.inlier_unit.neighbour_access == NeighbourAccess::window;
-    std::size_t const row = row_tokens(config, side);
-    std::vector<std::uint8_t> iterations(side * row, config.flow == Flow::faster ? 0b111 : 0b011);
+    std::size_t const row = row_tokens(config, region);
+    std::vector<std::uint8_t> iterations(rows_of(region) * row, config.flow == Flow::faster ? 0b111 : 0b011);
+    if (iterations.empty()) {
+        return iterations;
+    }
     if (has_neighbours && is_window) {
         iterations.insert(iterations.begin(), row + 1, 0);
     } else if (has_neighbours && clears) {
@@ -244,10 +288,13 @@ std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std:
 }
 
 /// Flow fpga_grip: an iteration per pixel; line buffers have to fill up to the pixel half a neighbourhood behind.
-void extract(TwinProgram& program, EdgeExtractionConfig const& config, std::size_t side) {
+void extract(TwinProgram& program, EdgeExtractionConfig const& config, TwinRegion const& region) {
     auto const reach = static_cast<std::size_t>(config.neighbourhood / 2);
     bool const fills = config.neighbour_access == NeighbourAccess::window;
-    uniform_loop(program, LoopId::extract, {}, side * side + (fills ? reach * side + reach : 0));
+    std::size_t const cols = region.end_col - region.first_col;
+    std::size_t const pixels = rows_of(region) * cols;
+    loop_or_pass(program, LoopId::extract, {},
+                 std::vector<std::uint8_t>(pixels + (fills && pixels > 0 ? reach * cols + reach : 0), 0));
     pass(program, 1);
 }
 
@@ -294,21 +341,25 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
     } else {
         take_one_by_one(program, sample);
     }
-    pass(program, 1);
+    turn(program, config, FifoId::fragment_index);
     std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
     if (config.flow == Flow::fpga_grip) {
-        extract(program, config.edge_extraction, side);
+        extract(program, config.edge_extraction, sample.region);
     } else {
         of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
     }
-    loop(program, LoopId::sweep, std::move(of_pixel), sweep_iterations(config, side));
+    loop_or_pass(program, LoopId::sweep, std::move(of_pixel), sweep_iterations(config, sample.region));
     step(program, {write_of(FifoId::result)});
     return program;
 }
 
-TwinProgram result_collector() {
+TwinProgram result_collector(AcceleratorConfig const& config) {
     TwinProgram program;
-    step(program, {read_of(FifoId::result)});
+    std::vector<TwinAccess> accesses{read_of(FifoId::result)};
+    if (touches(config)) {
+        accesses.push_back(read_of(FifoId::valid_depth));
+    }
+    step(program, std::move(accesses));
     return program;
 }
 
@@ -329,9 +380,9 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::area_reciprocal, area_reciprocal(function));
     if (config.flow == Flow::faster)
         set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
-    set(ModuleId::observation_reader, observation_reader(side * row_tokens(config, side)));
+    set(ModuleId::observation_reader, observation_reader(function, config));
     set(ModuleId::inlier_unit, inlier_unit(function, config, side));
-    set(ModuleId::result_collector, result_collector());
+    set(ModuleId::result_collector, result_collector(config));
     return result;
 }
 

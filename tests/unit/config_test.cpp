@@ -524,6 +524,22 @@ TEST_CASE("A key of a part that the flow does not have is refused, unless it say
           "\"fpga_grip\" has");
 }
 
+TEST_CASE("FIFOs of the touched region have keys where it is swept", "[config][errors][sweep_region]") {
+    CHECK(
+        set_error("accelerator.fifos.region.depth=4") ==
+        "--set accelerator.fifos.region.depth=4: expected a key of the parts that accelerator.inlier_unit.sweep_region "
+        "= \"window\" (default) has");
+    CHECK(error_of([] {
+              loaded("accelerator: {inlier_unit: {sweep_region: touched}, fifos: {valid_depth: {depth: 4}}}");
+          }) == "(no error)");
+    CHECK(set_error("accelerator.inlier_unit.sweep_region=touch") != "(no error)");
+    char const* const touched = "accelerator: {inlier_unit: {sweep_region: touched}, fraction_bits: {depth_buffer: ";
+    CHECK(error_of([&] { loaded(touched + std::string("9}}")); }) == "(no error)");
+    CHECK(error_of([&] { loaded(touched + std::string("10}}")); }) ==
+          "test.yaml:1: accelerator.inlier_unit.sweep_region = \"touched\", expected window because of "
+          "accelerator.fraction_bits.depth_buffer = 10, with which pixels that nothing touched are nearer than 2 m");
+}
+
 TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {
     auto const has = [](faster::Flow flow, std::string const& name) {
         auto const keys = faster::timing_keys(flow);

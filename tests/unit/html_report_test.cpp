@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "support/example_run.hpp"
 #include "support/report_page.hpp"
 
@@ -49,7 +49,7 @@ TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     REQUIRE(data["modules"].size() == module_count);
     CHECK(data["modules"][2]["module"] == "rasterizer");
     CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);  // of both cores
-    CHECK(data["fifos"].size() == 2 * fifo_count);
+    CHECK(data["fifos"].size() == 2 * fifos_of(Flow::faster).size());
     CHECK(data["fifos"][3]["fifo"] == "vertex");
     CHECK(data["fifos"][3]["writes"] == 4000);
     CHECK(data["loops"].size() == 2 * loops_of(Flow::faster).size());

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "config/flow_parts.hpp"
 #include "config/key_builders.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
+#include "config/parts.hpp"
 #include "config/presets.hpp"
 
 namespace faster {
@@ -330,10 +330,12 @@ Keys retiming_keys() {
     return keys;
 }
 
-Keys timing_keys(Flow flow) {
+Keys timing_keys(Parts const& parts) {
     Keys keys;
     add_timing_keys(keys);
-    auto const is_left_out = [flow](Key const& key) { return !is_step_by_step(key) || !applies_to(flow, key.name()); };
+    auto const is_left_out = [&parts](Key const& key) {
+        return !is_step_by_step(key) || !applies_to(parts, key.name());
+    };
     keys.erase(std::remove_if(keys.begin(), keys.end(), is_left_out), keys.end());
     return keys;
 }

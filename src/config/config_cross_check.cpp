@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "config/config_sources.hpp"
-#include "config/flow_parts.hpp"
 #include "config/key_names.hpp"
 #include "config/keys.hpp"
+#include "config/parts.hpp"
 
 namespace faster {
 namespace {
@@ -102,12 +102,12 @@ void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>&
 /// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
 /// all.
 void check_flow(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    Flow const flow = loaded.config.accelerator.flow;
+    Parts const parts(loaded.config.accelerator);
     RunConfig const defaults;
     for (Key const& key : all_keys()) {
         bool const is_asked_for = loaded.origins.is_explicit(key.name()) &&
                                   json_text(key.read(loaded.config)) != json_text(key.read(defaults));
-        if (is_asked_for && !applies_to(flow, key.name())) {
+        if (is_asked_for && !applies_to(parts, key.name())) {
             complaints.push_back(
                 complaint(loaded, key.name(),
                           fmt::format("a key of the parts that {} has", with_value(loaded, "accelerator.flow"))));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "config/key.hpp"
+#include "config/parts.hpp"
 
 namespace faster {
 
@@ -13,8 +14,8 @@ using Keys = std::vector<Key>;
 Keys const& all_keys();
 
 /// Those that decide how long a run takes and nothing else: depths and latencies of FIFOs, initiation intervals and
-/// depths of loops, ports of block RAMs. All are integers. Without those of parts that the flow does not have.
-Keys timing_keys(Flow flow);
+/// depths of loops, ports of block RAMs. All are integers. Without those of parts that are not there.
+Keys timing_keys(Parts const& parts);
 
 /// Those that may be changed without running the function again: timing_keys(), the kinds of FIFOs, partitions of block
 /// RAMs, how many cores share the samples, the clock.

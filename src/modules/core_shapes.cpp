@@ -4,7 +4,6 @@
 
 #include "config/bank_partition.hpp"
 #include "config/edge_map_design.hpp"
-#include "config/flow_parts.hpp"
 #include "config/loop_accesses.hpp"
 
 namespace faster {
@@ -54,7 +53,7 @@ timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config) {
     return shape;
 }
 
-timing::Lead rasterizer_and_followers(Flow flow) {
+timing::Lead rasterizer_and_followers(Parts const& parts) {
     auto const follower = [](ModuleId module, FifoId anchor) {
         return timing::Lead::Follower{static_cast<unsigned>(module), static_cast<unsigned>(anchor)};
     };
@@ -62,8 +61,8 @@ timing::Lead rasterizer_and_followers(Flow flow) {
         static_cast<unsigned>(ModuleId::rasterizer),
         {follower(ModuleId::vertex_transform, FifoId::vertex), follower(ModuleId::area_reciprocal, FifoId::area),
          follower(ModuleId::edge_map_builder, FifoId::edge_token), follower(ModuleId::inlier_unit, FifoId::command)}};
-    auto const is_absent = [flow](timing::Lead::Follower const& one) {
-        return !has_part(flow, static_cast<FifoId>(one.anchor));
+    auto const is_absent = [&parts](timing::Lead::Follower const& one) {
+        return !has_part(parts, static_cast<FifoId>(one.anchor));
     };
     lead.followers.erase(std::remove_if(lead.followers.begin(), lead.followers.end(), is_absent), lead.followers.end());
     return lead;

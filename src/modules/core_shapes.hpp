@@ -1,5 +1,5 @@
 #pragma once
-#include "config/accelerator_config.hpp"
+#include "config/parts.hpp"
 #include "timing/lead.hpp"
 #include "timing/process_timing.hpp"
 
@@ -21,6 +21,6 @@ Cycles loop_depth(LoopId id, AcceleratorConfig const& config);
 timing::LoopShape loop_shape(LoopId id, AcceleratorConfig const& config);
 
 /// The rasterizer sets the pace while it draws.
-timing::Lead rasterizer_and_followers(Flow flow);
+timing::Lead rasterizer_and_followers(Parts const& parts);
 
 }  // namespace faster

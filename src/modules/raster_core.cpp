@@ -1,6 +1,5 @@
 #include "modules/raster_core.hpp"
 
-#include "config/flow_parts.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
@@ -58,7 +57,7 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
 
 /// A flow without one keeps its place in the core's table of processes: the numbers of the others rely on it.
 std::unique_ptr<EdgeMapBuilder> RasterCore::make_edge_map_builder() {
-    if (has_part(context_.config.flow, ModuleId::edge_map_builder))
+    if (has_part(parts(), ModuleId::edge_map_builder))
         return std::make_unique<EdgeMapBuilder>("edge_map_builder", context_);
     timing_.add_process(name_of(ModuleId::edge_map_builder));
     return nullptr;

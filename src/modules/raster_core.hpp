@@ -3,6 +3,7 @@
 #include <systemc>
 
 #include "config/core_share.hpp"
+#include "config/parts.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
 #include "modules/inlier_unit.hpp"
@@ -20,7 +21,7 @@ class RasterCore : public sc_core::sc_module {
     RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                CoreShare share, TimeBase const& time_base);
 
-    Flow flow() const { return context_.config.flow; }
+    Parts parts() const { return Parts(context_.config); }
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::recording {
 
@@ -14,7 +14,7 @@ class TimelineMaker {
   public:
     TimelineMaker(RecordedCore const& core, TimelineGrain const& grain) : core_(core), grain_(grain) {
         timeline_.core = core.core;
-        timeline_.flow = core.flow;
+        timeline_.parts = core.parts;
     }
 
     void take(CoreEvent const& event);
@@ -97,7 +97,7 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
         open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
     if (!goes_on) {
         close(open, open.span.end);
-        bool const writes = index_of(fifo_ends[event.item].writer) == module;
+        bool const writes = index_of(ends_of(core_.parts, FifoId{event.item}).writer) == module;
         auto const kind = writes ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
         open = {{module, kind, event.item, event.cycle, 0, 0}, true};
     }
@@ -151,7 +151,7 @@ CoreTimeline TimelineMaker::finish() {
         close(stalls_[module], stalls_[module].span.end);
         close(loops_[module], core_.to + 1);
     }
-    for (std::size_t const fifo : fifos_of(core_.flow)) {
+    for (std::size_t const fifo : fifos_of(core_.parts)) {
         Occupancy const& last = occupancy_[fifo];
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);

@@ -16,7 +16,7 @@ struct CoreTimeline {
         bool complete = false;  ///< ends in the window
     };
     std::size_t core = 0;
-    Flow flow = Flow::faster;
+    Parts parts;
     std::vector<TimelineSpan> spans;  ///< by begin
     std::array<std::vector<OccupancyPoint>, fifo_count> occupancy;
     std::vector<Sample> samples;

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "common/input_error.hpp"
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "recording/bram_ports.hpp"
 
 namespace faster::recording {
@@ -113,16 +113,16 @@ void add_core(SaveText& save, AcceleratorConfig const& config, RecordedCore cons
     save.close_group(name);
 }
 
-std::string state_table(Flow flow) {
+std::string state_table(Parts const& parts) {
     std::string text = fmt::format("{:02X} -\n", between_loops);
-    for (std::size_t const loop : loops_of(flow))
+    for (std::size_t const loop : loops_of(parts))
         text += fmt::format("{:02X} {}\n", in_loop(loop), loop_names[loop].name);
     return text;
 }
 
-std::string stall_table(Flow flow) {
+std::string stall_table(Parts const& parts) {
     std::string text = fmt::format("{:02X} -\n", no_stall);
-    for (std::size_t const fifo : fifos_of(flow))
+    for (std::size_t const fifo : fifos_of(parts))
         for (bool const is_full : {false, true})
             text +=
                 fmt::format("{:02X} {} {}\n", stall_on(fifo, is_full), fifo_names[fifo], is_full ? "full" : "empty");
@@ -158,8 +158,8 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
         add_core(save, config, core, filter, tables);
-    write(tables.states, state_table(config.flow));
-    write(tables.stalls, stall_table(config.flow));
+    write(tables.states, state_table(Parts(config)));
+    write(tables.stalls, stall_table(Parts(config)));
     write(beside(".gtkw"), save.text());
 }
 

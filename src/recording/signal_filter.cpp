@@ -7,26 +7,26 @@
 
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
-#include "config/flow_parts.hpp"
 
 namespace faster::recording {
 
 namespace {
-std::vector<std::string> all_names(Flow flow) {
+std::vector<std::string> all_names(Parts const& parts) {
     std::vector<std::string> names;
-    for (std::size_t const module : modules_of(flow))
+    for (std::size_t const module : modules_of(parts))
         names.emplace_back(module_names[module]);
-    for (std::size_t const fifo : fifos_of(flow))
+    for (std::size_t const fifo : fifos_of(parts))
         names.emplace_back(fifo_names[fifo]);
-    for (std::size_t const bram : brams_of(flow))
+    for (std::size_t const bram : brams_of(parts))
         names.emplace_back(bram_names[bram]);
     return names;
 }
 bool fits(std::string const& pattern, char const* name) { return fnmatch(pattern.c_str(), name, 0) == 0; }
 }  // namespace
 
-SignalFilter::SignalFilter(std::vector<std::string> patterns, Flow flow) : patterns_(std::move(patterns)), flow_(flow) {
-    std::vector<std::string> const names = all_names(flow);
+SignalFilter::SignalFilter(std::vector<std::string> patterns, Parts const& parts)
+    : patterns_(std::move(patterns)), parts_(parts) {
+    std::vector<std::string> const names = all_names(parts);
     for (std::string const& pattern : patterns_) {
         auto const hit = [&pattern](std::string const& name) { return fits(pattern, name.c_str()); };
         if (std::none_of(names.begin(), names.end(), hit))
@@ -42,13 +42,13 @@ bool SignalFilter::matches(char const* name) const {
                                             [name](std::string const& pattern) { return fits(pattern, name); });
 }
 
-bool SignalFilter::shows(ModuleId module) const { return has_part(flow_, module) && matches(name_of(module)); }
+bool SignalFilter::shows(ModuleId module) const { return has_part(parts_, module) && matches(name_of(module)); }
 bool SignalFilter::shows(FifoId fifo) const {
-    FifoEnds const& ends = fifo_ends[index_of(fifo)];
-    return has_part(flow_, fifo) && (matches(name_of(fifo)) || shows(ends.writer) || shows(ends.reader));
+    FifoEnds const ends = ends_of(parts_, fifo);
+    return has_part(parts_, fifo) && (matches(name_of(fifo)) || shows(ends.writer) || shows(ends.reader));
 }
 bool SignalFilter::shows(BramId bram) const {
-    return has_part(flow_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)));
+    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)));
 }
 
 }  // namespace faster::recording

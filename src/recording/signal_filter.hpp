@@ -2,17 +2,16 @@
 #include <string>
 #include <vector>
 
-#include "common/flow.hpp"
-#include "config/machine.hpp"
+#include "config/parts.hpp"
 
 namespace faster::recording {
 
-/// Which parts of a flow's core are to be shown: those whose name matches one of some glob patterns, and the FIFOs at a
+/// Which parts of a core are to be shown: those whose name matches one of some glob patterns, and the FIFOs at a
 /// module's ends and the block RAMs inside it with the module. Without patterns: all.
 class SignalFilter {
   public:
-    /// Errors: InputError if a pattern matches nothing that the flow has.
-    explicit SignalFilter(std::vector<std::string> patterns = {}, Flow flow = Flow::faster);
+    /// Errors: InputError if a pattern matches nothing that the core has.
+    explicit SignalFilter(std::vector<std::string> patterns = {}, Parts const& parts = {});
 
     bool shows(ModuleId module) const;
     bool shows(FifoId fifo) const;
@@ -22,7 +21,7 @@ class SignalFilter {
     bool matches(char const* name) const;
 
     std::vector<std::string> patterns_;
-    Flow flow_;
+    Parts parts_;
 };
 
 /// Where a block RAM belongs.

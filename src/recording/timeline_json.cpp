@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::recording {
 
@@ -43,7 +43,7 @@ class Writer {
         std::size_t const core = timeline.core;
         name("process_name", core, 0, "core " + std::to_string(core));
         name("thread_name", core, samples_track, "samples");
-        for (std::size_t const module : modules_of(timeline.flow))
+        for (std::size_t const module : modules_of(timeline.parts))
             name("thread_name", core, track_of(module), module_names[module]);
     }
     void name(char const* what, std::size_t core, std::size_t track, std::string const& text) {

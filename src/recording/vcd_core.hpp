@@ -15,7 +15,7 @@ namespace faster::recording {
 /// What is known of one recorded core besides its events.
 struct RecordedCore {
     std::size_t core = 0;
-    Flow flow = Flow::faster;
+    Parts parts;
     Cycles from = 0;  ///< first and last cycle
     Cycles to = 0;
     std::vector<timing::FifoShape> fifos;                ///< by FifoId

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "config/flow_parts.hpp"
 #include "config/machine.hpp"
+#include "config/parts.hpp"
 
 namespace faster::report {
 
@@ -34,7 +34,7 @@ std::string fifos_csv(RunStatistics const& run) {
     std::string text =
         "core,fifo,kind,depth,write_latency,writes,reads,full_stall_cycles,empty_stall_cycles,max_occupancy\n";
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : fifos_of(run.flow)) {
+        for (std::size_t const i : fifos_of(run.parts)) {
             FifoStatistics const& f = run.cores[core].fifos[i];
             fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\n", core, fifo_names[i],
                            kind_name(f.kind), f.depth, f.write_latency, f.writes, f.reads, f.full_stall_cycles,
@@ -51,7 +51,7 @@ std::string loops_csv(RunStatistics const& run) {
         "core,module,loop,ii_target,ii_recurrence,ii,depth,entries,iterations,port_conflict_cycles,recurrence_cycles,"
         "limited_by\n";
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : loops_of(run.flow)) {
+        for (std::size_t const i : loops_of(run.parts)) {
             if (!is_listed(static_cast<LoopId>(i)))
                 continue;
             LoopStatistics const& l = run.cores[core].loops[i];

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/block_ram.hpp"
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
@@ -63,15 +63,15 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
         summary[table] = Json::array();
     for (std::size_t core = 0; core < run.cores.size(); ++core) {
         CoreStatistics const& statistics = run.cores[core];
-        for (std::size_t const i : modules_of(run.flow))
+        for (std::size_t const i : modules_of(run.parts))
             summary["modules"].push_back(module_row(core, i, statistics.processes[i]));
-        for (std::size_t const i : fifos_of(run.flow))
+        for (std::size_t const i : fifos_of(run.parts))
             summary["fifos"].push_back(fifo_row(core, i, statistics.fifos[i]));
-        for (std::size_t const i : brams_of(run.flow))
+        for (std::size_t const i : brams_of(run.parts))
             summary["brams"].push_back(bram_row(core, i, config, statistics));
         if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
             summary["brams"].push_back(line_buffer_row(core, memory));
-        for (std::size_t const i : loops_of(run.flow))
+        for (std::size_t const i : loops_of(run.parts))
             summary["loops"].push_back(loop_row(core, i, statistics.loops[i]));
     }
     summary["bound_by"] = diagnosis_sentences(config, run);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/csv.hpp"
 #include "report/diagnosis_text.hpp"
@@ -45,7 +45,7 @@ void module_table(std::string& text, RunStatistics const& run) {
     for (char const* name : cycle_class_names)
         header += fmt::format(" {:>{}}", in_words(name), column_width(name));
     line(text, "{}", header);
-    for (std::size_t const i : modules_of(run.flow)) {
+    for (std::size_t const i : modules_of(run.parts)) {
         ProcessStatistics const p = process_sum(run, i);
         std::string row = fmt::format("  {:<19}", module_names[i]);
         for (std::size_t c = 0; c < cycle_class_count; ++c)
@@ -66,7 +66,7 @@ void loop_table(std::string& text, RunStatistics const& run) {
     line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
     line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", "loop", "II target", "II achieved",
          "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
-    for (std::size_t const i : loops_of(run.flow)) {
+    for (std::size_t const i : loops_of(run.parts)) {
         LoopStatistics const& l = run.cores.front().loops[i];
         auto const entries = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].entries; });
         auto const iterations = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].iterations; });
@@ -84,7 +84,7 @@ void fifo_table(std::string& text, RunStatistics const& run) {
     line(text, "\nFIFOs: stalls in lane-cycles; occupancy is the largest of any core [tokens]");
     line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
          "full stall", "empty stall");
-    for (std::size_t const i : fifos_of(run.flow)) {
+    for (std::size_t const i : fifos_of(run.parts)) {
         FifoStatistics const& f = run.cores.front().fifos[i];
         std::uint64_t occupancy = 0;
         for (CoreStatistics const& core : run.cores)

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "config/plain_value.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
@@ -27,13 +27,13 @@ Json headline(HtmlReportInput const& input) {
 
 Json modules(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.flow))
+    for (std::size_t const i : modules_of(run.parts))
         rows.push_back({{"module", module_names[i]}, {"cycles", process_sum(run, i).cycles}});
     return rows;
 }
 
-Json stall_row(std::size_t module, std::size_t fifo, Cycles cycles) {
-    FifoEnds const& ends = fifo_ends[fifo];
+Json stall_row(Parts const& parts, std::size_t module, std::size_t fifo, Cycles cycles) {
+    FifoEnds const ends = ends_of(parts, FifoId{fifo});
     bool const reads = index_of(ends.reader) == module;
     return {{"module", module_names[module]},
             {"kind", name_of(reads ? CycleClass::empty_stall : CycleClass::full_stall)},
@@ -53,11 +53,11 @@ Json conflict_row(std::size_t module, std::size_t bram, Cycles cycles) {
 /// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
 Json stalls(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.flow)) {
+    for (std::size_t const i : modules_of(run.parts)) {
         ProcessStatistics const process = process_sum(run, i);
         for (std::size_t f = 0; f < fifo_count; ++f)
             if (process.stalls[f] > 0)
-                rows.push_back(stall_row(i, f, process.stalls[f]));
+                rows.push_back(stall_row(run.parts, i, f, process.stalls[f]));
         for (std::size_t b = 0; b < bram_count; ++b)
             if (process.port_conflicts[b] > 0)
                 rows.push_back(conflict_row(i, b, process.port_conflicts[b]));
@@ -68,7 +68,7 @@ Json stalls(RunStatistics const& run) {
 Json fifos(RunStatistics const& run) {
     Json rows = Json::array();
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : fifos_of(run.flow))
+        for (std::size_t const i : fifos_of(run.parts))
             rows.push_back(fifo_row(core, i, run.cores[core].fifos[i]));
     return rows;
 }
@@ -76,7 +76,7 @@ Json fifos(RunStatistics const& run) {
 Json loops(RunStatistics const& run) {
     Json rows = Json::array();
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : loops_of(run.flow))
+        for (std::size_t const i : loops_of(run.parts))
             rows.push_back(loop_row(core, i, run.cores[core].loops[i]));
     return rows;
 }

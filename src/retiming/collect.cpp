@@ -134,7 +134,7 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 
 RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config) {
     RunStatistics run;
-    run.flow = config.flow;
+    run.parts = Parts(config);
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
         add_stuck(core.timing, index, run.stuck);

@@ -16,8 +16,8 @@ constexpr std::size_t most_phrases = std::size_t{1} << 26;
 /// Cuts samples on a core whose processes' logs hold what is left to be cut.
 class SampleCutter {
   public:
-    SampleCutter(RecordedRun const& run, Flow flow, timing::PhraseBook& book)
-        : run_(run), core_(run.blueprint->blank_copy()), group_(*core_, rasterizer_and_followers(flow)), book_(book) {}
+    SampleCutter(RecordedRun const& run, Parts const& parts, timing::PhraseBook& book)
+        : run_(run), core_(run.blueprint->blank_copy()), group_(*core_, rasterizer_and_followers(parts)), book_(book) {}
 
     ScriptedSample cut(std::size_t sample) {
         ScriptedSample cut;
@@ -83,8 +83,8 @@ class SampleCutter {
 
 }  // namespace
 
-ScriptedRun::ScriptedRun(RecordedRun const& run, Flow flow) : run_(&run) {
-    SampleCutter cutter(run, flow, book_);
+ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts) : run_(&run) {
+    SampleCutter cutter(run, parts, book_);
     std::size_t phrases = 0;
     while (samples_.size() < run.tape.samples() && phrases < most_phrases) {
         samples_.push_back(cutter.cut(samples_.size()));

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "common/flow.hpp"
+#include "config/parts.hpp"
 #include "retiming/recorded_run.hpp"
 #include "timing/phrase_book.hpp"
 
@@ -20,7 +20,7 @@ struct ScriptedSample {
 /// configuration.
 class ScriptedRun {
   public:
-    ScriptedRun(RecordedRun const& run, Flow flow);
+    ScriptedRun(RecordedRun const& run, Parts const& parts);
 
     RecordedRun const& run() const { return *run_; }
     timing::PhraseBook const& book() const { return book_; }

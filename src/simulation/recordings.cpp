@@ -40,7 +40,7 @@ recording::RecordedCore Recordings::recorded(Recorder& recorder, Cycles end) con
     RasterCore& core = *accelerator_.cores()[recorder.core];
     recording::RecordedCore recorded;
     recorded.core = recorder.core;
-    recorded.flow = core.flow();
+    recorded.parts = core.parts();
     recorded.from = recorder.recorder->from();
     recorded.to = std::min(recorder.recorder->to(), end == 0 ? 0 : end - 1);
     for (timing::FifoTiming const& fifo : core.timing().fifos())

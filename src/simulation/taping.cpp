@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster {
 
@@ -23,7 +23,7 @@ void Taping::start(std::size_t core) {
         timing.process(i).add_tape(tapes_[core].logs[i]);
     if (core == 0)
         run_.blueprint = timing.blank_copy();
-    taking_part_ = modules_of(accelerator_.cores()[core]->flow()).size();
+    taking_part_ = modules_of(accelerator_.cores()[core]->parts()).size();
 }
 
 void Taping::begin_sample(std::size_t core, std::size_t process) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/enum_names.hpp"
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 #include "config/resolved_config.hpp"
 
 namespace faster::sizing {
@@ -27,9 +27,9 @@ Json ramb36(Primitives const& primitives) { return static_cast<double>(primitive
 /// null: a deadlock
 Json cycles_or_null(Cycles cycles) { return cycles == Cut::deadlock ? Json() : Json(cycles); }
 
-Json depths(Choice const& choice, Flow flow) {
+Json depths(Choice const& choice, Parts const& parts) {
     Json json;
-    for (std::size_t const i : fifos_of(flow))
+    for (std::size_t const i : fifos_of(parts))
         json[fifo_names[i]] = choice[i].depth;
     return json;
 }
@@ -42,7 +42,7 @@ Json summary(SizedChoice const& choice, AcceleratorConfig const& config) {
     json["cost_luts"] = rounded(choice.cost);
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
-    json["depths"] = depths(choice.choice, config.flow);
+    json["depths"] = depths(choice.choice, Parts(config));
     return json;
 }
 
@@ -98,7 +98,7 @@ std::string sizing_json(Sizing const& sizing) {
     json["configured"] = summary(sizing.configured, sizing.config);
     json["answer"] = summary(sizing.answer, sizing.config);
     json["fifos"] = Json::array();
-    for (std::size_t const i : fifos_of(sizing.config.flow))
+    for (std::size_t const i : fifos_of(Parts(sizing.config)))
         json["fifos"].push_back(fifo_row(sizing, i));
     json["certificate"] = Json::array();
     for (CertificateRow const& row : sizing.certificate)
@@ -110,26 +110,26 @@ std::string sizing_json(Sizing const& sizing) {
 }
 
 /// The machine that was sized: depths and kinds, and what else is not the default. A preset has said what it had to.
-static bool belongs_to_answer(ResolvedKey const& key, Flow flow) {
+static bool belongs_to_answer(ResolvedKey const& key, Parts const& parts) {
     auto const is = [&key](std::string const& ending) {
         return key.key.size() > ending.size() &&
                key.key.compare(key.key.size() - ending.size(), ending.size(), ending) == 0;
     };
     bool const is_of_fifo = key.key.rfind("accelerator.fifos.", 0) == 0 && (is(".depth") || is(".kind"));
     return key.key.rfind("accelerator.", 0) == 0 && key.key != "accelerator.architecture" &&
-           applies_to(flow, key.key) && (is_of_fifo || !key.is_default);
+           applies_to(parts, key.key) && (is_of_fifo || !key.is_default);
 }
 
 std::string pareto_csv(Sizing const& sizing) {
     std::string text = "cost_luts,luts,ramb36,total_cycles,milliseconds,proven";
-    for (std::size_t const i : fifos_of(sizing.config.flow))
+    for (std::size_t const i : fifos_of(Parts(sizing.config)))
         text += std::string(",") + fifo_names[i];
     text += '\n';
     for (FrontPoint const& point : sizing.front) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", rounded(point.cost), point.primitives.luts,
                        static_cast<double>(point.primitives.ramb18) / 2, point.found.total_cycles,
                        milliseconds(point.found.total_cycles, sizing.config), point.found.is_proven ? 1 : 0);
-        for (std::size_t const i : fifos_of(sizing.config.flow))
+        for (std::size_t const i : fifos_of(Parts(sizing.config)))
             fmt::format_to(std::back_inserter(text), ",{}", point.found.choice[i].depth);
         text += '\n';
     }
@@ -141,7 +141,7 @@ std::string depths_yaml(Sizing const& sizing, std::string const& title) {
     sized.accelerator = with_choice(sizing.config, sizing.answer.choice);
     std::vector<ResolvedKey> keys;
     for (ResolvedKey& key : resolved_keys(sized))
-        if (belongs_to_answer(key, sizing.config.flow))
+        if (belongs_to_answer(key, Parts(sizing.config)))
             keys.push_back(std::move(key));
     return fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\n", title, sizing.answer.total_cycles,
                        sizing.answer.primitives.luts, static_cast<double>(sizing.answer.primitives.ramb18) / 2) +

@@ -1,6 +1,6 @@
 #include "sizing/token_bits.hpp"
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::sizing {
 
@@ -30,7 +30,7 @@ unsigned result_bits(AcceleratorConfig const& config) {
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
-    if (!has_part(config.flow, id))
+    if (!has_part(Parts(config), id))
         return 0;
     auto const lanes = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
     switch (id) {

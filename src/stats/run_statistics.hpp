@@ -7,7 +7,7 @@
 
 #include "common/cycles.hpp"
 #include "common/tokens.hpp"
-#include "config/accelerator_config.hpp"
+#include "config/parts.hpp"
 #include "stats/critical_path.hpp"
 #include "stats/cycle_class.hpp"
 #include "stats/sensitivity.hpp"
@@ -88,7 +88,7 @@ struct StuckProcess {
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
 struct RunStatistics {
-    Flow flow = Flow::faster;  ///< decides which modules, FIFOs, loops and block RAMs there are
+    Parts parts;  ///< modules, FIFOs, loops and block RAMs that there are
     Cycles total_cycles = 0;
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;

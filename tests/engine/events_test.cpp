@@ -129,7 +129,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run, recorded.flow);
+        retiming::ScriptedRun const scripted(file.run, Parts(recorded));
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -248,7 +248,7 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     events::EventFile const file = events::read_event_file(folder / "events");
     std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
     retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
-    Keys const keys = timing_keys(Flow::faster);
+    Keys const keys = timing_keys({});
     auto const costs = [&](std::size_t i, std::int64_t value) {
         RunConfig config = file.loaded.config;
         keys[i].write(config, KeyValue{value});

@@ -44,7 +44,7 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
     ForkOptions options;
     options.sensitivities = true;
     RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
-    Keys const keys = timing_keys(trial.config.flow);
+    Keys const keys = timing_keys(Parts(trial.config));
     REQUIRE(run.sensitivities.size() == keys.size());
     std::size_t changes = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {

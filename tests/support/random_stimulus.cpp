@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "config/flow_parts.hpp"
+#include "config/parts.hpp"
 
 namespace faster::testing {
 namespace {
@@ -359,7 +359,7 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         bram.ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
     }
     config.flow = options.flow;
-    for (std::size_t const i : loops_of(options.flow)) {
+    for (std::size_t const i : loops_of(Parts(config))) {
         LoopConfig& loop = config.loops[i];
         loop.ii = skewed_cycles(dice, options.max_target_ii);
         loop.recurrence_ii = skewed_cycles(dice, options.max_recurrence_ii);

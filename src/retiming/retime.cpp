@@ -135,6 +135,11 @@ std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, Accelera
     return retime_core(run, nullptr, config, core, std::move(automaton), leaves_trail);
 }
 
+std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, AcceleratorConfig const& config,
+                                                std::size_t core, Automaton automaton, bool leaves_trail) {
+    return retime_core(run.run(), &run, config, core, std::move(automaton), leaves_trail);
+}
+
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }
 
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config) {

@@ -80,7 +80,9 @@ Members members_of_deadlock(timing::CoreTiming& core) {
 }  // namespace
 
 CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
-    : run_(run), config_(std::move(config)), cores_(cores_with_samples(config_.raster_cores, run.tape.samples())) {}
+    : run_(run, config.flow),
+      config_(std::move(config)),
+      cores_(cores_with_samples(config_.raster_cores, run.tape.samples())) {}
 
 std::unique_ptr<timing::CoreTiming> CoreTimes::retime(std::size_t core, Choice const& choice,
                                                       std::shared_ptr<timing::Automaton> automaton, bool leaves_trail) {
@@ -96,7 +98,7 @@ Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     if (!core.waits().empty())
         return Cut::deadlock;
     auto const is_left = [](timing::FifoTiming const& fifo) { return fifo.writes() != fifo.reads(); };
-    std::size_t const samples = share_of(number, config_.raster_cores, run_.tape.samples()).count;
+    std::size_t const samples = share_of(number, config_.raster_cores, run_.run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
     return results_of(core).back() + 1;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "retiming/recorded_run.hpp"
+#include "retiming/scripted_run.hpp"
 #include "sizing/cut.hpp"
 
 namespace faster::sizing {
@@ -47,7 +47,7 @@ class CoreTimes {
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);
 
-    retiming::RecordedRun const& run_;
+    retiming::ScriptedRun const run_;
     AcceleratorConfig const config_;
     std::size_t cores_;
     std::array<std::uint64_t, fifo_count> tokens_{};

@@ -20,7 +20,9 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 }
 
 /// A loop that reads and writes carries setups along, which no state tells.
-bool is_known(LoopShape const& loop) { return loop.reads.empty() && loop.depth >= loop.interval.achieved; }
+bool is_known(LoopShape const& loop) {
+    return loop.reads.empty() && ProcessTiming::iterations_that_count(loop) <= RelativeState::most_iterations;
+}
 
 bool is_regular(LoopShape const& loop) {
     for (LoopWrite const& write : loop.writes)
@@ -47,10 +49,15 @@ Automaton::Automaton() = default;
 Automaton::~Automaton() = default;
 
 std::size_t Automaton::WordsHash::operator()(Words const& words) const {
-    std::uint64_t hash = words.size();
-    for (std::int64_t word : words)
-        hash = mixed(hash, static_cast<std::uint64_t>(word));
-    return hash;
+    std::uint64_t hashes[2] = {words.size(), 0};  // two, for neither has to wait for the other
+    std::size_t i = 0;
+    for (; i + 1 < words.size(); i += 2) {
+        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
+        hashes[1] = mixed(hashes[1], static_cast<std::uint64_t>(words[i + 1]));
+    }
+    if (i < words.size())
+        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
+    return mixed(hashes[0], hashes[1]);
 }
 
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {

@@ -103,6 +103,13 @@ void CoreTiming::resolve(bool to_the_end) {
     shorten_trail();
 }
 
+void CoreTiming::resolve_processes(std::uint32_t processes) {
+    if (ends_.empty())
+        connect();
+    settle(processes, 0);
+    shorten_trail();
+}
+
 void CoreTiming::resolve(Script& script) {
     if (ends_.empty())
         connect();

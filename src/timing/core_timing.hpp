@@ -35,6 +35,9 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
+    /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
+    void resolve_processes(std::uint32_t processes);
+
     /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
     /// then. There must be an automaton.
     void resolve(Script& script);

@@ -53,6 +53,7 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
         plan.phases.push_back(std::move(phase.second));
     plan.fill = shortest;
     plan.drain = static_cast<std::int64_t>(shape.depth) - static_cast<std::int64_t>(plan.ii + shortest);
+    plan.counting = iterations_that_count(shape);
     plan.delay_line.assign(plan.longest_lag + 1, 0);
     plans_.push_back(std::move(plan));
     loops_.push_back(std::move(shape));
@@ -293,8 +294,10 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
     // An iteration ended: one of those with accesses, or one of the `gap` that follow it.
     pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap();
     count_iterations(1);
-    if (pipeline_.gap_left == 0)
-        take_off(operation, 1);
+    if (pipeline_.gap_left > 0)
+        return false;
+    pipeline_run_ += operation.count() == 1 ? 1U : 0U;
+    take_off(operation, 1);
     return false;
 }
 
@@ -356,6 +359,17 @@ void ProcessTiming::enter_loop(unsigned loop) {
     mark(Region::of_loop(loop, Region::Part::iterations), time_);
     pipeline_ = PipelinePosition{};
     pipeline_.drain_left = plan().longest_lag;
+    ++pipeline_run_;
+}
+
+/// From so many on, (n - 1) II + L covers n times what II is above its target: see count_loop().
+std::uint64_t ProcessTiming::iterations_that_count(LoopShape const& loop) {
+    InitiationInterval const& interval = loop.interval;
+    Cycles const above_target = interval.recurrence_per_iteration + interval.port_conflict_per_iteration;
+    if (loop.depth >= interval.achieved || above_target == 0)
+        return 1;
+    Cycles const target = interval.achieved - above_target;
+    return std::max<std::uint64_t>(1, (interval.achieved - loop.depth + target - 1) / target);
 }
 
 void ProcessTiming::count_loop() {

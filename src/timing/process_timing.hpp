@@ -89,8 +89,10 @@ class ProcessTiming {
     /// Tells which process is at the other end of a port, as a bit for advance().
     void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
 
-    /// In the middle of a run with at least this many iterations left.
-    bool is_running(std::uint32_t iterations) const { return run_.active && log_.front().count() >= iterations; }
+    /// In the middle of equal iterations, at least this many of which are left.
+    bool is_running(std::uint32_t iterations) const {
+        return (run_.active || is_in_equal_iterations()) && log_.front().count() >= iterations;
+    }
 
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
@@ -102,6 +104,8 @@ class ProcessTiming {
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
     Cycles full_stall_cycles() const { return full_stall_cycles_; }
     LoopCost loop_cost(unsigned loop) const;
+    /// More iterations than so many cost a loop no more at its end.
+    static std::uint64_t iterations_that_count(LoopShape const& loop);
     /// What the process waited for its first access of all, if it had nothing to do before it; and the port.
     Cycles idle_before_cycles() const { return idle_before_cycles_; }
     unsigned first_port() const { return first_port_; }
@@ -163,6 +167,7 @@ class ProcessTiming {
         std::int64_t drain = 0;  ///< steps after the last iteration's II, in two's complement: may be negative
         bool aligned = true;
         std::uint64_t longest_lag = 0;  ///< iterations
+        std::uint64_t counting = 1;     ///< iterations_that_count()
         std::vector<Phase> phases;
         std::vector<std::uint8_t> delay_line;  ///< port masks of the last iterations, a ring
     };
@@ -227,6 +232,11 @@ class ProcessTiming {
             log_.consume();
     }
     bool skip_silent_iterations();
+    /// Of an unaligned loop.
+    bool is_in_equal_iterations() const {
+        return in_loop_ && !by_steps_ && !plans_[current_loop_].aligned && !log_.exhausted() &&
+               log_.front().kind() == Operation::Kind::iterate && log_.front().ports() != 0;
+    }
     Run make_run(std::uint8_t ports) const;
     void start_run(Operation const& operation);
     template <unsigned N, bool Writes> std::uint32_t run_accesses(std::uint32_t count);
@@ -268,6 +278,7 @@ class ProcessTiming {
     Run run_;
     std::vector<Run> runs_;  ///< by port mask, made when first needed
     PipelinePosition pipeline_;
+    std::uint64_t pipeline_run_ = 0;  ///< number of the operation at hand in an unaligned loop
     friend class SteadyState;
     friend class RelativeState;
 };

@@ -64,9 +64,11 @@ RelativeState::Waiting RelativeState::park(unsigned member) {
     ProcessTiming& p = process(member);
     Waiting waiting;
     waiting.arrival = waiting.since = p.time_;
+    parked_at_[member] = no_port;
     if (!waits_for_driver(member))
         return waiting;
     waiting.waits = blocked_port(member, waiting.port);
+    parked_at_[member] = waiting.port;
     for (std::uint32_t mask = next_ports(member); mask != 0; mask &= mask - 1) {
         auto const port = static_cast<unsigned>(__builtin_ctz(mask));
         if (port == waiting.port)
@@ -132,7 +134,7 @@ bool RelativeState::save(Words& words, std::uint32_t with_logs) const {
 }
 
 std::size_t RelativeState::most_words(std::uint32_t with_logs) const {
-    constexpr std::size_t own = 3, of_fifo = 2;
+    constexpr std::size_t own = 3, of_fifo = 4;
     std::size_t words = 0;
     for (unsigned m = 0; m < group_->members().size(); ++m) {
         ProcessTiming const& p = process(m);
@@ -155,8 +157,11 @@ std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool wit
     Outlook const& outlook = outlooks_[member];
     *words++ = outlook.frozen ? 0 : since(p.time_, base);
     std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
-    std::int64_t const begun = p.in_loop_ && p.iterations_ > 0 ? 1 : 0;
-    *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0);
+    auto const begun =
+        static_cast<std::int64_t>(p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0);
+    auto const waited_for = static_cast<std::int64_t>(parked_at_[member] + 1);
+    *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0) |
+               (waited_for << 32);
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
         std::uint64_t const iteration = p.pipeline_.iteration;
@@ -170,19 +175,32 @@ std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool wit
     return words;
 }
 
-/// A time before the local time of who waits for it decides nothing: it could as well be that time.
 std::int64_t* RelativeState::save_fifo(unsigned number, Cycles base, std::int64_t* words) const {
     Group::Inner const& inner = group_->fifos()[number];
     FifoTiming const& fifo = *inner.fifo;
-    Cycles const reader = not_before(inner.reader);
-    Cycles const writer = not_before(inner.writer);
     *words++ = static_cast<std::int64_t>(fifo.known_reads());
     *words++ = static_cast<std::int64_t>(fifo.max_occupancy_);
-    for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
-        *words++ = since(std::max(reader, fifo.earliest_read(i)), base);
-    bool const stale = outlooks_[inner.writer].frozen;
-    for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
-        *words++ = stale ? 0 : since(std::max(writer, fifo.earliest_write(i)), base);
+    Times const readable{fifo.readable_from_.data(), fifo.index_mask_, fifo.reads_, fifo.known_reads()};
+    words = save_times(readable, not_before(inner.reader), base, words);
+    if (outlooks_[inner.writer].frozen) {
+        *words++ = static_cast<std::int64_t>(fifo.known_writes());
+        return words;
+    }
+    Times const free{fifo.free_from_.data(), fifo.index_mask_, fifo.writes_ - fifo.room_, fifo.known_writes()};
+    return save_times(free, not_before(inner.writer), base, words);
+}
+
+/// How many of the times, which never fall, are not after `floor`, and the others. A time before the local time of who
+/// waits for it decides nothing: it could as well be that time.
+std::int64_t* RelativeState::save_times(Times const& times, Cycles floor, Cycles base, std::int64_t* words) const {
+    std::uint64_t past = times.count;
+    while (past > 0 && times[past - 1] > floor)
+        --past;
+    *words++ = static_cast<std::int64_t>(past);
+    if (past > 0)
+        since(floor, base);
+    for (std::uint64_t i = past; i < times.count; ++i)
+        *words++ = since(times[i], base);
     return words;
 }
 
@@ -206,14 +224,16 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
         p.in_loop_ = (flags & 0xFF) != 0;
         if (p.in_loop_)
             p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
-        p.iterations_ = static_cast<std::uint64_t>((flags >> 8) & 1);
+        p.iterations_ = static_cast<std::uint64_t>(flags >> 8) & most_iterations;
         outlooks_[m].next_ports = static_cast<std::uint8_t>(flags >> 16);
         outlooks_[m].frozen = ((flags >> 24) & 1) != 0;
+        parked_at_[m] = static_cast<unsigned>(flags >> 32) - 1;
         p.front_ports_ = 0;
         p.run_.active = false;
         if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
             ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
             p.pipeline_ = ProcessTiming::PipelinePosition{};
+            ++p.pipeline_run_;
             p.pipeline_.iteration = plan.longest_lag;
             p.pipeline_.drain_left = plan.longest_lag;
             for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
@@ -225,16 +245,26 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
             p.log_.put_back(Operation(static_cast<Operation::Code>(words[at + i - 1])));
         at += left;
     }
-    for (Group::Inner const& inner : group_->fifos()) {
-        FifoTiming& fifo = *inner.fifo;
-        auto const tokens = static_cast<std::uint64_t>(words[at++]);
-        fifo.max_occupancy_ = static_cast<std::uint64_t>(words[at++]);
-        fifo.writes_ = fifo.reads_ + tokens;
-        for (std::uint64_t i = 0; i < tokens; ++i)
-            fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = cycle();
-        for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
-            fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle();
-    }
+    std::int64_t const* next = words.data() + at;
+    for (Group::Inner const& inner : group_->fifos())
+        next = restore_fifo(inner, driver_time, next);
+}
+
+std::int64_t const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words) {
+    FifoTiming& fifo = *inner.fifo;
+    auto const tokens = static_cast<std::uint64_t>(*words++);
+    fifo.max_occupancy_ = static_cast<std::uint64_t>(*words++);
+    fifo.writes_ = fifo.reads_ + tokens;
+    auto const restore_times = [&](std::vector<Cycles>& ring, std::uint64_t first, std::uint64_t count, Cycles floor) {
+        auto const past = static_cast<std::uint64_t>(*words++);
+        for (std::uint64_t i = 0; i < past; ++i)
+            ring[(first + i) & fifo.index_mask_] = floor;
+        for (std::uint64_t i = past; i < count; ++i)
+            ring[(first + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
+    };
+    restore_times(fifo.readable_from_, fifo.reads_, tokens, not_before(inner.reader));
+    restore_times(fifo.free_from_, fifo.writes_ - fifo.room_, fifo.known_writes(), not_before(inner.writer));
+    return words;
 }
 
 std::vector<Cycles> RelativeState::room_times(unsigned number) const {
@@ -261,9 +291,14 @@ std::vector<std::uint64_t*> RelativeState::counters() const {
         ProcessTiming& p = *member.process;
         counters.push_back(&p.empty_stall_cycles_);
         counters.push_back(&p.full_stall_cycles_);
-        for (LoopCounters& loop : p.loop_counters_) {
+        for (unsigned i = 0; i < p.loops_.size(); ++i) {
+            LoopCounters& loop = p.loop_counters_[i];
             counters.push_back(&loop.entries);
             counters.push_back(&loop.iterations);
+            if (p.loops_[i].depth >= p.loops_[i].interval.achieved)
+                continue;
+            counters.push_back(&loop.recurrence_beyond_end);
+            counters.push_back(&loop.port_conflict_beyond_end);
         }
     }
     for (Group::Inner const& inner : group_->fifos()) {

@@ -11,6 +11,8 @@ namespace faster::timing {
 class RelativeState {
   public:
     using Words = std::vector<std::int64_t>;
+    /// Of the loop a process is in, a state tells up to so many.
+    static constexpr std::uint64_t most_iterations = 0xFF;
 
     /// What the timing of a process cannot tell, as its log may be empty.
     struct Outlook {
@@ -58,11 +60,8 @@ class RelativeState {
     std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
     std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
     void set_iterations(unsigned member, std::uint64_t iterations) { process(member).iterations_ = iterations; }
-    /// The port a follower waits for the driver at, or no_port.
-    unsigned waited_for(unsigned member) const {
-        unsigned port = no_port;
-        return waits_for_driver(member) && blocked_port(member, port) ? port : no_port;
-    }
+    /// The port a follower was parked at, before save() or load(), or no_port.
+    unsigned parked_at(unsigned member) const { return parked_at_[member]; }
     /// Moves a follower back to when its waiting for a port began.
     void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
@@ -82,10 +81,21 @@ class RelativeState {
     std::size_t most_words(std::uint32_t with_logs) const;
     std::int64_t* save_process(unsigned member, Cycles base, bool with_log, std::int64_t* words) const;
     std::int64_t* save_fifo(unsigned fifo, Cycles base, std::int64_t* words) const;
+    /// Some of those in a FIFO's ring.
+    struct Times {
+        Cycles const* ring;
+        std::uint64_t mask;
+        std::uint64_t first;
+        std::uint64_t count;
+        Cycles operator[](std::uint64_t i) const { return ring[(first + i) & mask]; }
+    };
+    std::int64_t* save_times(Times const& times, Cycles floor, Cycles base, std::int64_t* words) const;
+    std::int64_t const* restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words);
     std::int64_t since(Cycles cycle, Cycles base) const;
 
     Group const* group_;
     std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};
+    std::vector<unsigned> parked_at_{std::vector<unsigned>(group_->members().size(), no_port)};
     mutable std::int64_t reach_ = 0;
 };
 

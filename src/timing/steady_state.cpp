@@ -9,10 +9,15 @@ constexpr unsigned most_looks = 256;       // without finding a period, before g
 constexpr std::uint64_t most_room = 1024;  // tokens of FIFOs to compare at each look
 
 bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
+
+template <class Visit> void for_each_bit(std::uint32_t mask, Visit visit) {
+    for (; mask != 0; mask &= mask - 1)
+        visit(static_cast<unsigned>(__builtin_ctz(mask)));
+}
 }  // namespace
 
 void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    bool const led = leader_ != nullptr && leader_->run_.active && leader_->run_.number == leader_run_;
+    bool const led = leader_ != nullptr && leader_->is_running(1) && run_of(*leader_) == leader_run_;
     if (!led)
         follow(process);
     if (leader_ != &process || looks_ > most_looks || !find_group(processes))
@@ -26,8 +31,28 @@ void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& pro
 
 void SteadyState::follow(ProcessTiming& process) {
     leader_ = &process;
-    leader_run_ = process.run_.number;
+    leader_run_ = run_of(process);
     looks_ = 0;
+}
+
+/// A number that no two runs of a process have.
+std::uint64_t SteadyState::run_of(ProcessTiming const& process) {
+    return process.run_.active ? 2 * process.run_.number : 2 * process.pipeline_run_ + 1;
+}
+
+/// A mask: of the iterations at hand, and of those that an unaligned loop still has on their way.
+std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
+    std::uint32_t ports = process.log_.front().ports();
+    if (!process.run_.active)
+        for (std::uint8_t const begun : process.plans_[process.current_loop_].delay_line)
+            ports |= begun;
+    return ports;
+}
+
+bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
+    bool found = false;
+    for_each_bit(ports_of(process), [&](unsigned port) { found = found || process.ports_[port].fifo == &fifo; });
+    return found;
 }
 
 /// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
@@ -44,26 +69,46 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 }
 
 bool SteadyState::add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes) {
-    for (std::uint32_t mask = member.run_.neighbours; mask != 0; mask &= mask - 1) {
-        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(mask))];
-        if (!other.run_.active || other.log_.front().count() < 2)
-            return false;
+    std::uint32_t const ports = ports_of(member);
+    std::uint32_t neighbours = 0;
+    for_each_bit(ports, [&](unsigned port) { neighbours |= member.ports_[port].neighbour; });
+    bool all_run = true;
+    for_each_bit(neighbours, [&](unsigned index) {
+        ProcessTiming& other = processes[index];
+        all_run = all_run && other.is_running(2);
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
             group_.push_back(&other);
-    }
-    for (unsigned i = 0; i < member.run_.size; ++i) {
-        FifoTiming* const fifo = member.run_.fifos[i];
-        auto const takes_part = [fifo](ProcessTiming const* process) {
-            auto const* first = process->run_.fifos;
-            return std::find(first, first + process->run_.size, fifo) != first + process->run_.size;
-        };
+    });
+    for_each_bit(all_run ? ports : 0, [&](unsigned port) {
+        FifoTiming* const fifo = member.ports_[port].fifo;
+        auto const takes_part = [fifo](ProcessTiming const* process) { return accesses(*process, *fifo); };
         if (std::find(fifos_.begin(), fifos_.end(), fifo) != fifos_.end())
-            continue;
-        if (std::count_if(group_.begin(), group_.end(), takes_part) != 2)
-            return false;
+            return;
+        all_run = all_run && std::count_if(group_.begin(), group_.end(), takes_part) == 2;
         fifos_.push_back(fifo);
-    }
-    return true;
+    });
+    return all_run;
+}
+
+/// Where an unaligned loop stands in its iteration, and what it has yet to write.
+void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative) {
+    ProcessTiming::LoopPlan const& plan = process.plans_[process.current_loop_];
+    ProcessTiming::PipelinePosition const& at = process.pipeline_;
+    Operation const& operation = process.log_.front();
+    std::uint64_t const begun = at.iteration + (at.open ? 1 : 0);
+    std::uint64_t const lags = std::min<std::uint64_t>(begun, plan.delay_line.size());
+    for (std::uint64_t const word :
+         {std::uint64_t{operation.ports()}, std::uint64_t{operation.gap()}, std::uint64_t{at.open},
+          std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, std::uint64_t{process.front_ports_}, lags})
+        relative.push_back(static_cast<std::int64_t>(word));
+    for (std::uint64_t lag = 1; lag <= lags; ++lag)
+        relative.push_back(plan.delay_line[(begun - lag) % plan.delay_line.size()]);
+}
+
+void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
+    std::vector<std::uint8_t>& line = process.plans_[process.current_loop_].delay_line;
+    std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
+    process.pipeline_.iteration += iterations;
 }
 
 void SteadyState::take(Snapshot& snapshot) const {
@@ -74,8 +119,10 @@ void SteadyState::take(Snapshot& snapshot) const {
     snapshot.growing.assign(1, origin);
     for (ProcessTiming const* process : group_) {
         snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
-        snapshot.relative.push_back(static_cast<std::int64_t>(process->run_.number));
+        snapshot.relative.push_back(static_cast<std::int64_t>(run_of(*process)));
         snapshot.relative.push_back(since(process->time_));
+        if (!process->run_.active)
+            take_pipeline(*process, snapshot.relative);
         snapshot.growing.push_back(process->empty_stall_cycles_);
         snapshot.growing.push_back(process->full_stall_cycles_);
         snapshot.growing.push_back(process->iterations_);
@@ -87,9 +134,10 @@ void SteadyState::take(Snapshot& snapshot) const {
         Cycles writer = 0;
         Cycles reader = 0;
         for (ProcessTiming const* process : group_)
-            for (unsigned i = 0; i < process->run_.size; ++i)
-                if (process->run_.fifos[i] == fifo)
-                    (process->run_.writes ? writer : reader) = process->time_;
+            for_each_bit(ports_of(*process), [&](unsigned port) {
+                if (process->ports_[port].fifo == fifo)
+                    (process->ports_[port].writes ? writer : reader) = process->time_;
+            });
         for (std::uint64_t i = 0; i < fifo->known_reads(); ++i)
             snapshot.relative.push_back(since(std::max(reader, fifo->earliest_read(i))));
         for (std::uint64_t i = 0; i < fifo->known_writes(); ++i)
@@ -127,6 +175,8 @@ void SteadyState::jump(Snapshot const& now) {
         process->full_stall_cycles_ += growth(at++);
         std::uint64_t const iterations = growth(at++);
         process->iterations_ += iterations;
+        if (!process->run_.active)
+            shift_pipeline(*process, iterations);
         process->loop_counters_[process->current_loop_].iterations += iterations;
         Operation& operation = process->log_.front();
         operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));

@@ -24,21 +24,20 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
 
 TransitionBench::~TransitionBench() = default;
 
-void TransitionBench::note_before() {
-    counters_before_.resize(counters_.size());
-    std::transform(counters_.begin(), counters_.end(), counters_before_.begin(),
-                   [](std::uint64_t const* value) { return *value; });
+void TransitionBench::start_from(Words const& from) {
+    state_.load(from, time);
+    for (std::uint64_t* counter : counters_)
+        *counter = 0;
 }
 
 void TransitionBench::describe_growth(std::vector<Transition::Growth>& growth) const {
     for (std::uint32_t i = 0; i < counters_.size(); ++i)
-        if (*counters_[i] != counters_before_[i])
-            growth.push_back({i, *counters_[i] - counters_before_[i]});
+        if (*counters_[i] != 0)
+            growth.push_back({i, *counters_[i]});
 }
 
 std::vector<RelativeState::Waiting> TransitionBench::park(Words const& from) {
-    state_.load(from, time);
-    note_before();
+    start_from(from);
     std::vector<RelativeState::Waiting> waitings;
     for (unsigned m = 1; m < group_.members().size(); ++m)
         waitings.push_back(state_.park(m));
@@ -54,8 +53,7 @@ std::vector<TrailEvent> TransitionBench::take_trail() {
 }
 
 bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transition& transition) {
-    state_.load(from, time);
-    note_before();
+    start_from(from);
     std::size_t const members = group_.members().size();
     times_before_.clear();
     entries_before_.clear();
@@ -63,14 +61,14 @@ bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transiti
     for (unsigned m = 0; m < members; ++m) {
         times_before_.push_back(group_.members()[m].process->local_time());
         entries_before_.push_back(state_.entries(m));
-        ports_before_.push_back(state_.waited_for(m));
+        ports_before_.push_back(state_.parked_at(m));
         transition.iterations[m] = state_.iterations(m);
     }
     Phrase::write(phrase.codes(), phrase.size(), group_, [&](unsigned member, std::uint8_t next_ports, bool frozen) {
         transition.froze |= frozen ? 1U << member : 0U;
         state_.outlooks()[member] = {next_ports, frozen};
     });
-    core_->resolve();
+    core_->resolve_processes(processes_of(phrase));
     if (!group_.driver().finished()) {
         take_trail();  // it came to nothing
         return false;
@@ -84,6 +82,15 @@ bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transiti
     describe(phrase, transition);
     transition.trail = take_trail();
     return true;
+}
+
+/// The driver and those that a phrase gives something to do.
+std::uint32_t TransitionBench::processes_of(Phrase const& phrase) const {
+    std::uint32_t processes = 0;
+    for (unsigned m = 0; m < group_.members().size(); ++m)
+        if (m == 0 || ((phrase.active() >> m) & 1U) != 0)
+            processes |= 1U << group_.members()[m].process->index();
+    return processes;
 }
 
 void TransitionBench::describe(Phrase const& phrase, Transition& transition) {

@@ -35,7 +35,8 @@ class TransitionBench {
     static constexpr Cycles time = Cycles{1} << 40;  ///< of the driver, at the beginning: times before stay positive
 
   private:
-    void note_before();
+    void start_from(Words const& from);
+    std::uint32_t processes_of(Phrase const& phrase) const;
     void describe(Phrase const& phrase, Transition& transition);
     void describe_stands(Phrase const& phrase, Transition& transition);
     void describe_rooms(Transition& transition);
@@ -49,7 +50,6 @@ class TransitionBench {
     std::vector<Transition::Growth> parking_growth_;
     Words words_;
     // Where the members stood before a transition.
-    std::vector<std::uint64_t> counters_before_;
     std::vector<Cycles> times_before_;
     std::vector<std::uint64_t> entries_before_;  ///< of loops
     std::vector<unsigned> ports_before_;         ///< waited for

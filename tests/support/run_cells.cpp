@@ -131,6 +131,17 @@ Cells cells_of(TwinResult const& twin, Part part) {
     return cells.take();
 }
 
+namespace {
+/// What a process waited in a step that never came to pass is in no output, and not the same from both engines.
+void leave_out_stalls(Cells& cells) {
+    auto const tells_stalls = [](Cell const& cell) {
+        return cell.name.find("stall") != std::string::npos || cell.name.find(", busy") != std::string::npos ||
+               cell.name.find(", idle") != std::string::npos;
+    };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), tells_stalls), cells.end());
+}
+}  // namespace
+
 Cells all_cells(RunStatistics const& run) {
     Cells cells;
     for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
@@ -174,6 +185,8 @@ Cells all_cells(RunStatistics const& run) {
     }
     for (Cell& cell : more.take())
         cells.push_back(std::move(cell));
+    if (run.deadlocked())
+        leave_out_stalls(cells);
     return cells;
 }
 

@@ -101,16 +101,16 @@ void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>&
 
 /// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
 /// all.
-void check_flow(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+void check_parts(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     Parts const parts(loaded.config.accelerator);
     RunConfig const defaults;
     for (Key const& key : all_keys()) {
         bool const is_asked_for = loaded.origins.is_explicit(key.name()) &&
                                   json_text(key.read(loaded.config)) != json_text(key.read(defaults));
         if (is_asked_for && !applies_to(parts, key.name())) {
-            complaints.push_back(
-                complaint(loaded, key.name(),
-                          fmt::format("a key of the parts that {} has", with_value(loaded, "accelerator.flow"))));
+            complaints.push_back(complaint(loaded, key.name(),
+                                           fmt::format("a key of the parts that {} has",
+                                                       with_value(loaded, key_that_decides(parts, key.name())))));
         }
     }
 }
@@ -145,7 +145,7 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     check_edge_tokens(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     check_edge_extraction(loaded, complaints);
-    check_flow(loaded, complaints);
+    check_parts(loaded, complaints);
     return complaints;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "channels/port_binding.hpp"
 #include "config/clear_design.hpp"
 #include "modules/core_shapes.hpp"
 
@@ -12,24 +11,35 @@ namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 }  // namespace
 
-EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core)
+EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
     : sc_module(name),
       core_(core),
       clock_(core.timing, basename(), core.time_base),
-      maps_(datapath::make_edge_map_policy(core.config.edge_map.algorithm, core.stimulus.window)) {
+      buffers_(buffers),
+      read_out_(core, clock_) {
     SC_THREAD(run);
 }
 
 void EdgeMapBuilder::end_of_elaboration() {
     edge_token_ = &channel_of(edge_token_in);
     clock_.connect_reads(*edge_token_);
-    clock_.connect_writes(channel_of(edge_map_out));
+    map_free_ = channel_of(map_free_in);
+    map_full_ = channel_of(map_full_out);
+    ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out);
+    if (edge_map != nullptr) {
+        clock_.connect_writes(*edge_map);
+    } else {
+        clock_.connect_writes(*map_full_);
+        clock_.connect_reads(*map_free_);
+    }
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::edge_clear, core_.config));
     token_loop_ = clock_.add_loop(loop_shape(LoopId::token, core_.config));
-    output_loop_ = clock_.add_loop(loop_shape(LoopId::output, core_.config), {&channel_of(edge_map_out)});
+    if (edge_map != nullptr)
+        read_out_.add_loop(*edge_map);
 }
 
 void EdgeMapBuilder::run() {
+    maps_ = buffers_.claim(buffer_).get();
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         core_.begin_sample(ModuleId::edge_map_builder);
         clock_.advance(1);
@@ -38,9 +48,25 @@ void EdgeMapBuilder::run() {
         maps_->finish();
         if (core_.probe != nullptr)
             core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
-        clock_.advance(1);
-        output();
+        if (buffers_.size() > 1) {
+            hand_over();
+        } else {
+            clock_.advance(1);
+            read_out_.send(*maps_);
+        }
     }
+}
+
+/// The finished maps, for those that have been read out meanwhile.
+void EdgeMapBuilder::hand_over() {
+    buffers_.release(buffer_);
+    clock_.here();
+    map_full_->write(BufferNumber(buffer_));
+    clock_.advance(1);
+    clock_.here();
+    buffer_ = map_free_->read().number;
+    clock_.advance(1);
+    maps_ = buffers_.claim(buffer_).get();
 }
 
 void EdgeMapBuilder::clear() {
@@ -99,25 +125,6 @@ void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsign
 void EdgeMapBuilder::take_last(EdgeToken const& current) {
     bool const second = maps_->take_last(current, core_.config.edge_map.flush_last);
     clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
-}
-
-void EdgeMapBuilder::output() {
-    constexpr std::size_t burst = 1024;
-    auto& out = channel_of(edge_map_out);
-    LaneRows const rows = core_.window_rows();
-    clock_.enter_loop(output_loop_);
-    clock_.iterate(0, maps_->rows_read_ahead() * rows.tokens_per_row());
-    for (std::size_t done = 0; done < rows.tokens();) {
-        LaneRows::Run const run = rows.run(done, std::min(burst, rows.tokens() - done));
-        out.await_room();
-        std::uint8_t* const bits = out.reserve(run.tokens);
-        std::copy_n(maps_->edge() + run.first_pixel, run.pixels, bits);
-        std::fill(bits + run.pixels, bits + run.tokens * rows.lanes(), std::uint8_t{0});
-        out.commit(run.tokens);
-        clock_.iterate(out.write_port(), run.tokens);
-        done += run.tokens;
-    }
-    clock_.leave_loop();
 }
 
 }  // namespace faster

@@ -6,6 +6,8 @@
 #include "config/parts.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
+#include "modules/edge_map_output.hpp"
+#include "modules/inlier_sweep.hpp"
 #include "modules/inlier_unit.hpp"
 #include "modules/observation_reader.hpp"
 #include "modules/rasterizer.hpp"
@@ -50,7 +52,9 @@ class RasterCore : public sc_core::sc_module {
             call();
     }
     timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
-    std::unique_ptr<EdgeMapBuilder> make_edge_map_builder();
+    template <class Module, class Buffers> std::unique_ptr<Module> make_part(ModuleId id, Buffers& buffers);
+    void bind_edge_maps();
+    void bind_scoring();
     timing::FifoShape fifo_shape_of(FifoId id) const;
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
 
@@ -74,6 +78,13 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth), sweep_lanes()};
     ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge), sweep_lanes()};
     ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
+    ClockedFifo<BufferNumber> map_full_{"map_full", fifo_timing(FifoId::map_full)};
+    ClockedFifo<BufferNumber> map_free_{"map_free", fifo_timing(FifoId::map_free)};
+    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing(FifoId::depth_full)};
+    ClockedFifo<BufferNumber> depth_free_{"depth_free", fifo_timing(FifoId::depth_free)};
+
+    EdgeMapBuffers edge_map_buffers_;
+    DepthBuffers depth_buffers_;
 
   public:
     // In the order of ModuleId.
@@ -85,6 +96,8 @@ class RasterCore : public sc_core::sc_module {
     ObservationReader observation_reader;
     InlierUnit inlier_unit;
     ResultCollector result_collector;
+    std::unique_ptr<EdgeMapOutput> edge_map_output;  ///< null with one buffer
+    std::unique_ptr<InlierSweep> inlier_sweep;       ///< null with one buffer
 };
 
 }  // namespace faster

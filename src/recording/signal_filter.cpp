@@ -48,7 +48,7 @@ bool SignalFilter::shows(FifoId fifo) const {
     return has_part(parts_, fifo) && (matches(name_of(fifo)) || shows(ends.writer) || shows(ends.reader));
 }
 bool SignalFilter::shows(BramId bram) const {
-    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)));
+    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)) || shows(reader_of(bram)));
 }
 
 }  // namespace faster::recording

@@ -28,5 +28,9 @@ class SignalFilter {
 inline ModuleId owner_of(BramId bram) {
     return bram == BramId::depth_buffer ? ModuleId::inlier_unit : ModuleId::edge_map_builder;
 }
+/// And who reads it out, where there are two of it.
+inline ModuleId reader_of(BramId bram) {
+    return bram == BramId::depth_buffer ? ModuleId::inlier_sweep : ModuleId::edge_map_output;
+}
 
 }  // namespace faster::recording

@@ -42,7 +42,7 @@ struct Mutation {
 std::string text_of(Cycles value) { return std::to_string(value); }
 
 void add_fifo_mutations(std::vector<Mutation>& all, AcceleratorConfig const& defaults) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t const i : fifos_of({})) {
         auto const id = static_cast<FifoId>(i);
         std::vector<std::string> const items{std::string("fifos.") + fifo_names[i] + "."};
         for (char const* const depth : {"1", "3"})

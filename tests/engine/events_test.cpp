@@ -46,6 +46,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     options.fifo_depth = {1, 24};
     options.is_deadlock_free = seed % 3 != 0;
     options.any_partition = true;
+    options.any_buffers = true;  // for the depths of the FIFOs between them
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
@@ -75,6 +76,8 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     if (config.edge_map.algorithm != EdgeMapAlgorithm::threshold)
         config.rasterizer.scan = static_cast<ScanPolicy>((number / 2) % 3);
     config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
+    config.edge_map.buffers = 1 + static_cast<int>(number / 2 % 2);
+    config.inlier_unit.buffers = 1 + static_cast<int>(number / 3 % 2);
     return config;
 }
 

@@ -199,6 +199,13 @@ std::vector<BramConfig> maps_of(AcceleratorConfig const& config) {
     return {config.bram(BramId::edge_map), config.bram(BramId::object_map)};
 }
 
+void output(TwinProgram& program, LoopId id, TwinSampleFunction const& sample, AcceleratorConfig const& config,
+            std::size_t side) {
+    std::vector<std::uint8_t> iterations(sample.output_reads_ahead ? row_tokens(config, side) : 0, 0);
+    iterations.insert(iterations.end(), side * row_tokens(config, side), 1);
+    loop(program, id, {write_of(FifoId::edge_map)}, std::move(iterations));
+}
+
 TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
@@ -213,10 +220,21 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig
         }
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
-    pass(program, 1);
-    std::vector<std::uint8_t> output(sample.output_reads_ahead ? row_tokens(config, side) : 0, 0);
-    output.insert(output.end(), side * row_tokens(config, side), 1);
-    loop(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
+    if (config.edge_map.buffers == 2) {
+        step(program, {write_of(FifoId::map_full)});
+        step(program, {read_of(FifoId::map_free)});
+    } else {
+        pass(program, 1);
+        output(program, LoopId::output, sample, config, side);
+    }
+    return program;
+}
+
+/// With two buffers of the maps: takes one, which frees the other.
+TwinProgram edge_map_output(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::map_full), write_of(FifoId::map_free)});
+    output(program, LoopId::buffered_output, sample, config, side);
     return program;
 }
 
@@ -244,10 +262,10 @@ std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, std:
 }
 
 /// Flow fpga_grip: an iteration per pixel; line buffers have to fill up to the pixel half a neighbourhood behind.
-void extract(TwinProgram& program, EdgeExtractionConfig const& config, std::size_t side) {
+void extract(TwinProgram& program, LoopId id, EdgeExtractionConfig const& config, std::size_t side) {
     auto const reach = static_cast<std::size_t>(config.neighbourhood / 2);
     bool const fills = config.neighbour_access == NeighbourAccess::window;
-    uniform_loop(program, LoopId::extract, {}, side * side + (fills ? reach * side + reach : 0));
+    uniform_loop(program, id, {}, side * side + (fills ? reach * side + reach : 0));
     pass(program, 1);
 }
 
@@ -284,6 +302,22 @@ void take_in_one_loop(TwinProgram& program, TwinSampleFunction const& sample) {
     }
 }
 
+struct ScoringLoops {
+    LoopId extract;
+    LoopId sweep;
+};
+
+void score(TwinProgram& program, ScoringLoops const& loops, AcceleratorConfig const& config, std::size_t side) {
+    std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
+    if (config.flow == Flow::fpga_grip) {
+        extract(program, loops.extract, config.edge_extraction, side);
+    } else {
+        of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
+    }
+    loop(program, loops.sweep, std::move(of_pixel), sweep_iterations(config, side));
+    step(program, {write_of(FifoId::result)});
+}
+
 TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
@@ -294,15 +328,21 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
     } else {
         take_one_by_one(program, sample);
     }
-    pass(program, 1);
-    std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
-    if (config.flow == Flow::fpga_grip) {
-        extract(program, config.edge_extraction, side);
+    if (config.inlier_unit.buffers == 2) {
+        step(program, {write_of(FifoId::depth_full)});
+        step(program, {read_of(FifoId::depth_free)});
     } else {
-        of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
+        pass(program, 1);
+        score(program, {LoopId::extract, LoopId::sweep}, config, side);
     }
-    loop(program, LoopId::sweep, std::move(of_pixel), sweep_iterations(config, side));
-    step(program, {write_of(FifoId::result)});
+    return program;
+}
+
+/// With two depth buffers: takes one, which frees the other.
+TwinProgram inlier_sweep(AcceleratorConfig const& config, std::size_t side) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::depth_full), write_of(FifoId::depth_free)});
+    score(program, {LoopId::buffered_extract, LoopId::buffered_sweep}, config, side);
     return program;
 }
 
@@ -329,8 +369,12 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::area_reciprocal, area_reciprocal(function));
     if (config.flow == Flow::faster)
         set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
+    if (config.flow == Flow::faster && config.edge_map.buffers == 2)
+        set(ModuleId::edge_map_output, edge_map_output(function, config, side));
     set(ModuleId::observation_reader, observation_reader(side * row_tokens(config, side)));
     set(ModuleId::inlier_unit, inlier_unit(function, config, side));
+    if (config.inlier_unit.buffers == 2)
+        set(ModuleId::inlier_sweep, inlier_sweep(config, side));
     set(ModuleId::result_collector, result_collector());
     return result;
 }

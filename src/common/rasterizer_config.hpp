@@ -24,6 +24,11 @@ struct RasterizerConfig {
     /// scanned by a loop of its own (thesis A.1)
     std::uint64_t setup_overlap = 0;
     EdgeTokens edge_tokens = EdgeTokens::all;
+    /// Adjacent pixels of a row that an iteration of the scan tests and a token of it holds, 1 to most_scan_lanes
+    int lanes = 1;
 };
+
+/// A group's covered pixels are the bits of a word.
+constexpr int most_scan_lanes = 32;
 
 }  // namespace faster

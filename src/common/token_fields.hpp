@@ -54,6 +54,14 @@ template <> struct TokenFields<FragmentIndex> {
     static constexpr std::array<TokenField, 2> layout{{{"row", 16, true}, {"col", 16, true}}};
     static std::array<std::int64_t, 2> values(FragmentIndex const& t) { return {t.row, t.col}; }
 };
+template <> struct TokenFields<PixelGroup> {
+    static constexpr std::array<TokenField, 3> layout{{{"row", 16, true}, {"col", 16, true}, {"mask", 32}}};
+    static std::array<std::int64_t, 3> values(PixelGroup const& t) { return {t.row, t.col, t.mask}; }
+};
+template <> struct TokenFields<DepthGroup> {
+    static constexpr std::array<TokenField, 2> layout{{{"value", 64, true}, {"per_column", 64, true}}};
+    static std::array<std::int64_t, 2> values(DepthGroup const& t) { return {t.z_sum, t.z_sum_per_column}; }
+};
 template <> struct TokenFields<EdgeToken> {
     static constexpr std::array<TokenField, 3> layout{{{"row", 16, true}, {"col", 16, true}, {"kind", 2}}};
     static std::array<std::int64_t, 3> values(EdgeToken const& t) {

@@ -38,6 +38,22 @@ struct FragmentIndex {
     std::int16_t col = 0;
 };
 
+/// Tokens of `fragment_index` and `edge_token` with several `rasterizer.lanes`: covered pixels of a row. Bit k of
+/// `mask` is column col + k, relative to the window; pixels may lie outside it. An empty mask in `edge_token` closes
+/// the sample.
+struct PixelGroup {
+    std::int16_t row = 0;
+    std::int16_t col = 0;
+    std::uint32_t mask = 0;
+};
+
+/// Token of `fragment_depth` with several lanes: the z sum of a group's first column, covered or not, and what each
+/// column to the right adds.
+struct DepthGroup {
+    std::int64_t z_sum = 0;
+    std::int64_t z_sum_per_column = 0;
+};
+
 /// What an edge token says of its pixel; `End` closes the sample.
 enum class EdgeTokenKind : std::int32_t { Edge, Object, End };
 

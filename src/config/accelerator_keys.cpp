@@ -34,13 +34,13 @@ constexpr std::array<char const*, fifo_count> fifo_tokens{
 
 constexpr std::array<char const*, keyed_loop_count> loop_tasks{
     "transforms one vertex per iteration",
-    "visits one pixel per iteration, or sends a pending edge token",
+    "visits one pixel or group per iteration, or sends a pending edge token",
     "clears one pixel of both maps, or one of every bank, per iteration",
     "takes one edge token per iteration, or finishes the object token before it",
     "sends one token of edge bits per iteration",
     "reads one token of observed pixels per iteration",
     "fills one word of the depth buffer, or one of every bank, per iteration",
-    "takes one fragment per iteration",
+    "takes one fragment or group per iteration",
     "judges one token of pixels per iteration",
     "looks for an edge at one pixel of the window per iteration (flow fpga_grip)"};
 
@@ -137,6 +137,13 @@ void add_rasterizer_keys(Keys& keys) {
          "latter will do for inner_border.",
          "thesis A.1; object: this project"},
         [](auto& config) -> auto& { return config.accelerator.rasterizer.edge_tokens; }));
+    keys.push_back(integer_key(
+        {"accelerator.rasterizer.lanes", "px",
+         "Adjacent pixels of a row that an iteration of the scan tests, and per token of fragments and edges; more "
+         "than "
+         "1 needs inner_border with edge_tokens object, or flow fpga_grip.",
+         "thesis A.1; more than 1: this project"},
+        {1, most_scan_lanes}, [](auto& config) -> auto& { return config.accelerator.rasterizer.lanes; }));
 }
 
 void add_inlier_unit_keys(Keys& keys) {

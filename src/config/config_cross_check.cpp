@@ -87,6 +87,23 @@ void check_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaint
     }
 }
 
+/// Tokens of several pixels say which are covered, and nothing of those beside a triangle.
+void check_scan_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr char const* lanes_key = "accelerator.rasterizer.lanes";
+    AcceleratorConfig const& config = loaded.config.accelerator;
+    bool const needs_covered_only = config.flow == Flow::faster && config.rasterizer.lanes > 1;
+    if (needs_covered_only && (config.edge_map.algorithm != EdgeMapAlgorithm::inner_border ||
+                               config.rasterizer.edge_tokens != EdgeTokens::object)) {
+        complaints.push_back(complaint(loaded, lanes_key,
+                                       fmt::format("1, or {} to be inner_border and {} to be object",
+                                                   with_value(loaded, "accelerator.edge_map.algorithm"),
+                                                   with_value(loaded, "accelerator.rasterizer.edge_tokens"))));
+    } else if (config.rasterizer.lanes > config.window) {
+        complaints.push_back(
+            complaint(loaded, lanes_key, fmt::format("at most {}", with_value(loaded, "accelerator.window"))));
+    }
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -140,6 +157,7 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
         check_partition(loaded, BramId{index}, complaints);
     }
     check_lanes(loaded, complaints);
+    check_scan_lanes(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);

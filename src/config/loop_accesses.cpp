@@ -41,13 +41,13 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
         case LoopId::edge_clear:
             return to_maps(design.clear);
         case LoopId::token:
-            return to_maps(design.token);
+            return to_maps(design.token, config.flow == Flow::faster ? config.rasterizer.lanes : 1);
         case LoopId::output:
             return to_maps(output_touches(config.edge_map), config.inlier_unit.sweep_lanes);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, {{}, {own}}}};
         case LoopId::fragment:
-            return {{BramId::depth_buffer, {{own}, {own}}}};
+            return {{BramId::depth_buffer, widened({{own}, {own}}, config.rasterizer.lanes)}};
         case LoopId::sweep:
             return {{BramId::depth_buffer, sweep_design(config, config.window).accesses}};
         case LoopId::extract:

@@ -21,8 +21,9 @@ EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext 
 }
 
 void EdgeMapBuilder::end_of_elaboration() {
-    edge_token_ = &channel_of(edge_token_in);
-    clock_.connect_reads(*edge_token_);
+    edge_token_ = channel_of(edge_token_in.pixels);
+    edge_groups_ = channel_of(edge_token_in.groups);
+    clock_.connect_reads(*edge_token_in.channel());
     map_free_ = channel_of(map_free_in);
     map_full_ = channel_of(map_full_out);
     ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out);
@@ -44,7 +45,7 @@ void EdgeMapBuilder::run() {
         core_.begin_sample(ModuleId::edge_map_builder);
         clock_.advance(1);
         clear();
-        build();
+        edge_token_ != nullptr ? build() : build_of_groups();
         maps_->finish();
         if (core_.probe != nullptr)
             core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
@@ -81,7 +82,7 @@ void EdgeMapBuilder::clear() {
 
 void EdgeMapBuilder::build() {
     clock_.here();
-    EdgeToken current = edge_token_in.read();
+    EdgeToken current = edge_token_->read();
     clock_.advance(1);
     if (current.kind == EdgeTokenKind::End) {
         clock_.advance(1);

@@ -2,6 +2,7 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/pixels_fifo.hpp"
 #include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
 #include "modules/core_context.hpp"
@@ -21,7 +22,7 @@ namespace faster {
 /// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
-    sc_core::sc_fifo_in<EdgeToken> edge_token_in{"edge_token_in"};
+    PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
     OptionalFifoIn<BufferNumber> map_free_in{"map_free_in"};     ///< bound with two buffers
     OptionalFifoOut<BufferNumber> map_full_out{"map_full_out"};  ///< bound with two buffers
     OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
@@ -38,15 +39,19 @@ class EdgeMapBuilder : public sc_core::sc_module {
     bool take_tokens(EdgeToken& current);
     void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
     void take_last(EdgeToken const& current);
+    void build_of_groups();
+    bool take_groups(PixelGroup& current);
+    void take_group(PixelGroup const& group);
     void hand_over();
 
     CoreContext const& core_;
     ProcessClock clock_;
     EdgeMapBuffers& buffers_;
     std::size_t buffer_ = 0;
-    datapath::EdgeMapPolicy* maps_ = nullptr;  ///< of the sample at hand
-    EdgeMapReadOut read_out_;                  ///< one buffer
-    ClockedFifo<EdgeToken>* edge_token_ = nullptr;
+    datapath::EdgeMapPolicy* maps_ = nullptr;       ///< of the sample at hand
+    EdgeMapReadOut read_out_;                       ///< one buffer
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: tokens are groups
+    ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
     ClockedFifo<BufferNumber>* map_free_ = nullptr;  ///< two buffers
     ClockedFifo<BufferNumber>* map_full_ = nullptr;  ///< two buffers
     unsigned clear_loop_ = 0;

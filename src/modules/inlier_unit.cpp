@@ -19,14 +19,16 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
 
 void InlierUnit::end_of_elaboration() {
     area_reciprocal_ = &channel_of(area_reciprocal_in);
-    fragment_depth_ = &channel_of(fragment_depth_in);
-    fragment_index_ = &channel_of(fragment_index_in);
+    fragment_depth_ = channel_of(fragment_depth_in.pixels);
+    fragment_index_ = channel_of(fragment_index_in.pixels);
+    depth_groups_ = channel_of(fragment_depth_in.groups);
+    index_groups_ = channel_of(fragment_index_in.groups);
     command_ = &channel_of(command_in);
     // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
     // three.
     clock_.connect_reads(*area_reciprocal_);
-    clock_.connect_reads(*fragment_depth_);
-    clock_.connect_reads(*fragment_index_);
+    clock_.connect_reads(*fragment_depth_in.channel());
+    clock_.connect_reads(*fragment_index_in.channel());
     clock_.connect_reads(*command_);
     connect_scoring();
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
@@ -34,8 +36,8 @@ void InlierUnit::end_of_elaboration() {
     if (result_ != nullptr)
         scoring_.add_loops();
     triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
-    fragment_ports_ =
-        static_cast<std::uint8_t>(fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port());
+    fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_in.channel()->read_port() |
+                                                fragment_index_in.channel()->read_port() | command_->read_port());
 }
 
 /// Or what leads to it, where it is another process's.
@@ -154,6 +156,8 @@ void InlierUnit::take_triangle(std::uint64_t& reciprocal, Command& command) {
 }
 
 void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
+    if (fragment_depth_ == nullptr)
+        return take_groups(reciprocal, command);
     std::size_t const drawn = draw_burst(reciprocal, command);
     clock_.iterate(fragment_ports_, drawn);
     fragment_depth_->consume(drawn);

@@ -2,7 +2,7 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
-#include "channels/port_binding.hpp"
+#include "channels/pixels_fifo.hpp"
 #include "common/tokens.hpp"
 #include "datapath/depth.hpp"
 #include "modules/core_context.hpp"
@@ -26,8 +26,8 @@ namespace faster {
 class InlierUnit : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
-    sc_core::sc_fifo_in<std::int64_t> fragment_depth_in{"fragment_depth_in"};
-    sc_core::sc_fifo_in<FragmentIndex> fragment_index_in{"fragment_index_in"};
+    PixelsIn<std::int64_t, DepthGroup> fragment_depth_in{"fragment_depth_in"};
+    PixelsIn<FragmentIndex, PixelGroup> fragment_index_in{"fragment_index_in"};
     sc_core::sc_fifo_in<Command> command_in{"command_in"};
     OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip, too
     OptionalFifoIn<std::uint16_t> observed_depth_in{"observed_depth_in"};
@@ -50,6 +50,9 @@ class InlierUnit : public sc_core::sc_module {
     void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);
     std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
+    void take_groups(std::uint64_t reciprocal, Command& command);
+    std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
+    unsigned draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels);
     void connect_scoring();
     void score(std::size_t sample);
     void hand_over();
@@ -63,8 +66,10 @@ class InlierUnit : public sc_core::sc_module {
     Scoring scoring_;                                     ///< one buffer
     SampleCounters counters_;
     ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
-    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
+    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: fragments come in groups
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
+    ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
+    ClockedFifo<PixelGroup>* index_groups_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
     ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
     ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers

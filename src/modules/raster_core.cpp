@@ -31,8 +31,8 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     rasterizer.vertex_in(vertex_);
     rasterizer.area_out(area_);
     rasterizer.command_out(command_);
-    rasterizer.fragment_depth_out(fragment_depth_);
-    rasterizer.fragment_index_out(fragment_index_);
+    fragment_depth_.bind(rasterizer.fragment_depth_out, inlier_unit.fragment_depth_in);
+    fragment_index_.bind(rasterizer.fragment_index_out, inlier_unit.fragment_index_in);
 
     area_reciprocal_unit.area_in(area_);
     area_reciprocal_unit.area_reciprocal_out(area_reciprocal_);
@@ -45,8 +45,6 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     observation_reader.observed_edge_out(observed_edge_);
 
     inlier_unit.area_reciprocal_in(area_reciprocal_);
-    inlier_unit.fragment_depth_in(fragment_depth_);
-    inlier_unit.fragment_index_in(fragment_index_);
     inlier_unit.command_in(command_);
     bind_scoring();
 
@@ -64,8 +62,7 @@ template <class Module, class Buffers> std::unique_ptr<Module> RasterCore::make_
 }
 
 void RasterCore::bind_edge_maps() {
-    rasterizer.edge_token_out(edge_token_);
-    edge_map_builder->edge_token_in(edge_token_);
+    edge_token_.bind(rasterizer.edge_token_out, edge_map_builder->edge_token_in);
     if (edge_map_output == nullptr) {
         edge_map_builder->edge_map_out(edge_map_);
         return;
@@ -95,9 +92,24 @@ void RasterCore::bind_scoring() {
 }
 
 std::vector<FifoChannel*> RasterCore::channels() {
-    return {&sample_vertex_, &sample_raster_,  &sample_observation_, &vertex_,     &area_,       &area_reciprocal_,
-            &command_,       &fragment_depth_, &fragment_index_,     &edge_token_, &edge_map_,   &observed_depth_,
-            &observed_edge_, &result_,         &map_full_,           &map_free_,   &depth_full_, &depth_free_};
+    return {&sample_vertex_,
+            &sample_raster_,
+            &sample_observation_,
+            &vertex_,
+            &area_,
+            &area_reciprocal_,
+            &command_,
+            &fragment_depth_.channel(),
+            &fragment_index_.channel(),
+            &edge_token_.channel(),
+            &edge_map_,
+            &observed_depth_,
+            &observed_edge_,
+            &result_,
+            &map_full_,
+            &map_free_,
+            &depth_full_,
+            &depth_free_};
 }
 
 timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }

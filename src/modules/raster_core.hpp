@@ -56,6 +56,7 @@ class RasterCore : public sc_core::sc_module {
     void bind_edge_maps();
     void bind_scoring();
     timing::FifoShape fifo_shape_of(FifoId id) const;
+    bool scans_groups() const { return context_.config.rasterizer.lanes > 1; }
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
 
     std::vector<std::function<void()>> starts_;
@@ -71,9 +72,11 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<std::int64_t> area_{"area", fifo_timing(FifoId::area)};
     ClockedFifo<std::uint64_t> area_reciprocal_{"area_reciprocal", fifo_timing(FifoId::area_reciprocal)};
     ClockedFifo<Command> command_{"command", fifo_timing(FifoId::command)};
-    ClockedFifo<std::int64_t> fragment_depth_{"fragment_depth", fifo_timing(FifoId::fragment_depth)};
-    ClockedFifo<FragmentIndex> fragment_index_{"fragment_index", fifo_timing(FifoId::fragment_index)};
-    ClockedFifo<EdgeToken> edge_token_{"edge_token", fifo_timing(FifoId::edge_token)};
+    PixelsFifo<std::int64_t, DepthGroup> fragment_depth_{"fragment_depth", fifo_timing(FifoId::fragment_depth),
+                                                         scans_groups()};
+    PixelsFifo<FragmentIndex, PixelGroup> fragment_index_{"fragment_index", fifo_timing(FifoId::fragment_index),
+                                                          scans_groups()};
+    PixelsFifo<EdgeToken, PixelGroup> edge_token_{"edge_token", fifo_timing(FifoId::edge_token), scans_groups()};
     ClockedFifo<std::uint8_t> edge_map_{"edge_map", fifo_timing(FifoId::edge_map), sweep_lanes()};
     ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing(FifoId::observed_depth), sweep_lanes()};
     ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing(FifoId::observed_edge), sweep_lanes()};

@@ -28,20 +28,25 @@ void Rasterizer::end_of_elaboration() {
     vertex_ = &channel_of(vertex_in);
     area_ = &channel_of(area_out);
     command_ = &channel_of(command_out);
-    fragment_depth_ = &channel_of(fragment_depth_out);
-    fragment_index_ = &channel_of(fragment_index_out);
-    edge_token_ = channel_of(edge_token_out);
+    fragment_depth_ = channel_of(fragment_depth_out.pixels);
+    fragment_index_ = channel_of(fragment_index_out.pixels);
+    edge_token_ = channel_of(edge_token_out.pixels);
+    depth_groups_ = channel_of(fragment_depth_out.groups);
+    index_groups_ = channel_of(fragment_index_out.groups);
+    edge_groups_ = channel_of(edge_token_out.groups);
     clock_.connect_reads(channel_of(sample_raster_in));
     clock_.connect_reads(*vertex_);
     clock_.connect_writes(*area_);
-    clock_.connect_writes(*command_);
-    clock_.connect_writes(*fragment_depth_);
-    clock_.connect_writes(*fragment_index_);
-    std::vector<FifoChannel*> written{command_, fragment_depth_, fragment_index_};
-    if (edge_token_ != nullptr) {
-        clock_.connect_writes(*edge_token_);
-        written.push_back(edge_token_);
-    }
+    std::vector<FifoChannel*> written{command_, fragment_depth_out.channel(), fragment_index_out.channel()};
+    FifoChannel* const edges = edge_token_out.channel();
+    if (edges != nullptr)
+        written.push_back(edges);
+    for (FifoChannel* const fifo : written)
+        clock_.connect_writes(*fifo);
+    edge_port_ = edges != nullptr ? edges->write_port() : std::uint8_t{0};
+    fragment_ports_ = 0;
+    for (FifoChannel const* const fifo : written)
+        fragment_ports_ = static_cast<std::uint8_t>(fragment_ports_ | fifo->write_port());
     std::vector<FifoChannel*> read_as_well;
     if (core_.config.rasterizer.setup_overlap > 0) {
         written.push_back(area_);
@@ -49,9 +54,6 @@ void Rasterizer::end_of_elaboration() {
     }
     scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config), written, read_as_well);
     clock_.set_setup_cycles(setup_cycles(core_.config));
-    edge_port_ = edge_token_ != nullptr ? edge_token_->write_port() : std::uint8_t{0};
-    fragment_ports_ = static_cast<std::uint8_t>(command_->write_port() | fragment_depth_->write_port() |
-                                                fragment_index_->write_port() | edge_port_);
 }
 
 void Rasterizer::run() {
@@ -198,7 +200,9 @@ void Rasterizer::end_sample() {
         Step const step(clock_);
         command_out.write(Command::End);
         if (edge_token_ != nullptr)
-            edge_token_out->write({0, 0, EdgeTokenKind::End});
+            edge_token_->write({0, 0, EdgeTokenKind::End});
+        if (edge_groups_ != nullptr)
+            edge_groups_->write({0, 0, 0});
     }
     clock_.advance(1);
 }

@@ -3,8 +3,9 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
-#include "channels/port_binding.hpp"
+#include "channels/pixels_fifo.hpp"
 #include "common/tokens.hpp"
+#include "datapath/grouped_line.hpp"
 #include "datapath/near_edge_scan.hpp"
 #include "datapath/zigzag_scan.hpp"
 #include "modules/core_context.hpp"
@@ -20,8 +21,10 @@ namespace faster {
 ///         edge_token_out      flow faster: object and edge pixels (edge map algorithm threshold: pixels near an edge),
 ///         End per
 ///                             sample
-///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
-///   iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce triangles
+///         With several lanes the last three carry groups: the covered pixels of `lanes` adjacent ones, as one fragment
+///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel, group or edge flush
+///   per iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce
+///   triangles
 /// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3; setup_overlap and the scans but zigzag: this project.
 class Rasterizer : public sc_core::sc_module {
   public:
@@ -29,9 +32,9 @@ class Rasterizer : public sc_core::sc_module {
     sc_core::sc_fifo_in<VertexCode> vertex_in{"vertex_in"};
     sc_core::sc_fifo_out<std::int64_t> area_out{"area_out"};
     sc_core::sc_fifo_out<Command> command_out{"command_out"};
-    sc_core::sc_fifo_out<std::int64_t> fragment_depth_out{"fragment_depth_out"};
-    sc_core::sc_fifo_out<FragmentIndex> fragment_index_out{"fragment_index_out"};
-    OptionalFifoOut<EdgeToken> edge_token_out{"edge_token_out"};  ///< unbound in flow fpga_grip
+    PixelsOut<std::int64_t, DepthGroup> fragment_depth_out{"fragment_depth_out"};
+    PixelsOut<FragmentIndex, PixelGroup> fragment_index_out{"fragment_index_out"};
+    PixelsOut<EdgeToken, PixelGroup> edge_token_out{"edge_token_out"};  ///< unbound in flow fpga_grip
 
     SC_HAS_PROCESS(Rasterizer);
     Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core);
@@ -59,6 +62,9 @@ class Rasterizer : public sc_core::sc_module {
     template <class Lines, bool Ahead> void scan_covered(datapath::TriangleSetup const& setup);
     template <class Lines, bool Ahead> void send_covered(datapath::ScanLine const& line);
     template <class Lines, bool Ahead> Scan scan_along() const;
+    template <class Lines, bool Ahead> void scan_groups(datapath::TriangleSetup const& setup);
+    template <class Lines, bool Ahead> void send_groups(datapath::GroupedLine const& line);
+    void send_group_tokens(datapath::GroupedLine const& line);
     void send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch);
     void begin_burst(datapath::TriangleSetup const& setup);
     void hand_over();
@@ -89,11 +95,14 @@ class Rasterizer : public sc_core::sc_module {
     ClockedFifo<VertexCode>* vertex_ = nullptr;
     ClockedFifo<std::int64_t>* area_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
-    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
+    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: in groups, as the next two
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
-    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: no edges are looked for
-    std::uint8_t fragment_ports_ = 0;               ///< of an iteration that finds a covered pixel
-    std::uint8_t edge_port_ = 0;                    ///< of an iteration that sends an edge
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null also where no edges are looked for
+    ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
+    ClockedFifo<PixelGroup>* index_groups_ = nullptr;
+    ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
+    std::uint8_t fragment_ports_ = 0;  ///< of an iteration that finds a covered pixel
+    std::uint8_t edge_port_ = 0;       ///< of an iteration that sends an edge
 
     /// Where the scan at hand writes its next tokens, and which it has not handed over yet.
     struct Burst {

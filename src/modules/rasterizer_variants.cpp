@@ -7,6 +7,12 @@
 namespace faster {
 
 extern template void Rasterizer::scan<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::ZigzagScan, true>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, true>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::SpanScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::SpanScan, true>(datapath::TriangleSetup const& setup);
 
 /// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
 template <bool Ahead> void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {
@@ -57,6 +63,8 @@ template <class Lines, bool Ahead> void Rasterizer::send_covered(datapath::ScanL
 template <class Lines, bool Ahead> Rasterizer::Scan Rasterizer::scan_along() const {
     bool const only_covered =
         core_.config.flow == Flow::fpga_grip || core_.config.rasterizer.edge_tokens == EdgeTokens::object;
+    if (core_.config.rasterizer.lanes > 1)
+        return &Rasterizer::scan_groups<Lines, Ahead>;
     return only_covered ? &Rasterizer::scan_covered<Lines, Ahead> : &Rasterizer::scan<Lines, Ahead>;
 }
 

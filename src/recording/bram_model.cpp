@@ -24,6 +24,7 @@ BramModel::BramModel(AcceleratorConfig const& config)
       extract_radius_(config.edge_extraction.neighbourhood / 2),
       side_(config.window),
       lanes_(config.inlier_unit.sweep_lanes),
+      scans_groups_(config.rasterizer.lanes > 1),
       tokens_per_row_(
           static_cast<std::int64_t>(LaneRows(config.window, config.inlier_unit.sweep_lanes).tokens_per_row())) {
     for (std::size_t i = 0; i < bram_count; ++i) {
@@ -40,10 +41,10 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         loop_[core_event.module] = event.item;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::edge_token)) {
         token_ = next_;
-        next_ = {fields[0], fields[1], fields[2]};
+        next_ = token_of(fields);
         token_read_ = event.cycle;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::fragment_index)) {
-        fragment_ = {fields[0], fields[1], 0};
+        fragment_ = {fields[0], fields[1], 0, scans_groups_ ? fields[2] : 1};
         fragment_read_ = event.cycle;
     } else if (event.kind == Kind::read && hands_over_buffers(FifoId{event.item})) {
         buffer_[module_] = static_cast<std::size_t>(fields[0]);
@@ -51,6 +52,19 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         iterate(configured_as(static_cast<LoopId>(loop_[module_])), event);
     }
     return accesses_;
+}
+
+/// Groups are of object pixels, and the one that closes the sample has none.
+BramModel::Token BramModel::token_of(TokenValues const& fields) const {
+    if (!scans_groups_)
+        return {fields[0], fields[1], fields[2], 1};
+    return {fields[0], fields[1], static_cast<std::int64_t>(EdgeTokenKind::Object), fields[2]};
+}
+
+void BramModel::add_pixels(BramId bram, bool writes, Token const& token, Cycles cycle) {
+    for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
+        if ((token.mask >> lane) % 2 != 0)
+            add(bram, writes, token.row, token.col + lane, cycle);
 }
 
 void BramModel::iterate(LoopId loop, Event const& event) {
@@ -105,8 +119,9 @@ std::vector<std::int64_t> BramModel::pixels_of(std::int64_t iteration) const {
 
 /// An iteration that reads the next token consumes the one before; the one behind it is that token's second.
 void BramModel::token_iteration(Cycles cycle) {
-    auto const& [row, col, kind] = token_;
-    if (row < 0 || row >= side_ || col < 0 || col >= side_)
+    auto const& [row, col, kind, mask] = token_;
+    bool const has_neighbours = edge_map_.algorithm != EdgeMapAlgorithm::inner_border;
+    if (has_neighbours && (row < 0 || row >= side_ || col < 0 || col >= side_))
         return;
     switch (edge_map_.algorithm) {
         case EdgeMapAlgorithm::threshold:
@@ -118,7 +133,7 @@ void BramModel::token_iteration(Cycles cycle) {
             return dual_map_token(cycle == token_read_, cycle);
         case EdgeMapAlgorithm::inner_border:
             if (kind == static_cast<std::int64_t>(EdgeTokenKind::Object))
-                add(BramId::object_map, true, row, col, cycle);
+                add_pixels(BramId::object_map, true, token_, cycle);
             return;
     }
 }
@@ -126,7 +141,7 @@ void BramModel::token_iteration(Cycles cycle) {
 /// An edge token looks at its pixel and writes it; so does every token of `threshold`. An object token writes its
 /// pixel; in `bounded` it looks at the pixels above and below as well, and writes them.
 void BramModel::single_map_token(Cycles cycle) {
-    auto const& [row, col, kind] = token_;
+    auto const& [row, col, kind, mask] = token_;
     bool const is_edge = kind == static_cast<std::int64_t>(EdgeTokenKind::Edge);
     bool const looks_around = !is_edge && edge_map_.algorithm == EdgeMapAlgorithm::bounded;
     if (is_edge)
@@ -141,7 +156,7 @@ void BramModel::single_map_token(Cycles cycle) {
 }
 
 void BramModel::dual_map_token(bool is_first, Cycles cycle) {
-    auto const& [row, col, kind] = token_;
+    auto const& [row, col, kind, mask] = token_;
     bool const writes_first = edge_map_.algorithm == EdgeMapAlgorithm::dual_map_4_1_2;
     if (kind == static_cast<std::int64_t>(EdgeTokenKind::Edge)) {
         add(BramId::object_map, false, row, col, cycle);
@@ -178,8 +193,8 @@ void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
 void BramModel::fragment_iteration(Cycles cycle) {
     if (fragment_read_ != cycle)  // a triangle's, in a flattened loop
         return;
-    add(BramId::depth_buffer, false, fragment_.row, fragment_.col, cycle);
-    add(BramId::depth_buffer, true, fragment_.row, fragment_.col, cycle);
+    add_pixels(BramId::depth_buffer, false, fragment_, cycle);
+    add_pixels(BramId::depth_buffer, true, fragment_, cycle);
 }
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.

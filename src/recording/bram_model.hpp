@@ -57,6 +57,7 @@ class BramModel {
     std::int64_t extract_radius_;
     std::int64_t side_;
     std::int64_t lanes_;
+    bool scans_groups_;
     std::int64_t tokens_per_row_;
     std::array<std::uint64_t, bram_count> ports_{};  ///< of a bank
     std::vector<BankPartition> partitions_;          ///< [BramId]
@@ -65,9 +66,12 @@ class BramModel {
     std::size_t module_ = 0;                          ///< whose event is at hand
     struct Token {
         std::int64_t row = 0;
-        std::int64_t col = 0;
+        std::int64_t col = 0;  ///< of the first pixel
         std::int64_t kind = 0;
+        std::int64_t mask = 1;  ///< bit k: the pixel k columns to the right
     };
+    Token token_of(TokenValues const& fields) const;
+    void add_pixels(BramId bram, bool writes, Token const& token, Cycles cycle);
     Token token_;     ///< that the edge-map builder works on
     Token next_;      ///< read ahead
     Token fragment_;  ///< read last

@@ -29,11 +29,21 @@ unsigned result_bits(AcceleratorConfig const& config) {
     return 4 * bits_for(side * side) + valid_raster_bits;
 }
 
+/// Of a z sum: weights of a point inside add up to the area. Groups have their first column's, which modulo 2^48 is
+/// enough for the covered ones, and what a column adds: signed, an extent of the triangle times one of its depths.
+unsigned fragment_depth_bits(bool in_groups) {
+    constexpr unsigned z_sum_bits = magnitude_of_area + vertex_z_bits;
+    constexpr unsigned column_step_bits = vertex_xy_bits + vertex_z_bits + 1;
+    return in_groups ? z_sum_bits + column_step_bits : z_sum_bits;
+}
+
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
     if (!has_part(Parts(config), id))
         return 0;
+    bool const in_groups = config.rasterizer.lanes > 1;
+    unsigned const mask_bits = in_groups ? static_cast<unsigned>(config.rasterizer.lanes) : 0;
     auto const lanes = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
     switch (id) {
         case FifoId::sample_vertex:
@@ -48,12 +58,12 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
             return static_cast<unsigned>(config.fraction_bits.area_reciprocal + 2 * config.fraction_bits.vertex_xy) + 1;
         case FifoId::command:
             return 2;
-        case FifoId::fragment_depth:  // weights of a point inside add up to the area
-            return magnitude_of_area + vertex_z_bits;
+        case FifoId::fragment_depth:
+            return fragment_depth_bits(in_groups);
         case FifoId::fragment_index:
-            return pixel_bits;
+            return pixel_bits + mask_bits;
         case FifoId::edge_token:
-            return pixel_bits + 2;  // edge, object or end
+            return pixel_bits + (in_groups ? mask_bits : 2);  // an empty mask is the end; edge, object or end
         case FifoId::observed_depth:
             return depth_bits * lanes;
         case FifoId::edge_map:

@@ -49,10 +49,19 @@ std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
     return ports;
 }
 
+std::uint32_t SteadyState::neighbours_of(ProcessTiming const& process) {
+    if (process.run_.active)
+        return process.run_.neighbours;
+    std::uint32_t neighbours = 0;
+    for_each_bit(ports_of(process), [&](unsigned port) { neighbours |= process.ports_[port].neighbour; });
+    return neighbours;
+}
+
 bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
-    bool found = false;
-    for_each_bit(ports_of(process), [&](unsigned port) { found = found || process.ports_[port].fifo == &fifo; });
-    return found;
+    for (std::uint32_t ports = ports_of(process); ports != 0; ports &= ports - 1)
+        if (process.ports_[static_cast<unsigned>(__builtin_ctz(ports))].fifo == &fifo)
+            return true;
+    return false;
 }
 
 /// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
@@ -69,25 +78,23 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 }
 
 bool SteadyState::add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes) {
-    std::uint32_t const ports = ports_of(member);
-    std::uint32_t neighbours = 0;
-    for_each_bit(ports, [&](unsigned port) { neighbours |= member.ports_[port].neighbour; });
-    bool all_run = true;
-    for_each_bit(neighbours, [&](unsigned index) {
-        ProcessTiming& other = processes[index];
-        all_run = all_run && other.is_running(2);
+    for (std::uint32_t mask = neighbours_of(member); mask != 0; mask &= mask - 1) {
+        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(mask))];
+        if (!other.is_running(2))
+            return false;
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
             group_.push_back(&other);
-    });
-    for_each_bit(all_run ? ports : 0, [&](unsigned port) {
-        FifoTiming* const fifo = member.ports_[port].fifo;
-        auto const takes_part = [fifo](ProcessTiming const* process) { return accesses(*process, *fifo); };
-        if (std::find(fifos_.begin(), fifos_.end(), fifo) != fifos_.end())
-            return;
-        all_run = all_run && std::count_if(group_.begin(), group_.end(), takes_part) == 2;
-        fifos_.push_back(fifo);
-    });
-    return all_run;
+    }
+    for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
+        ProcessTiming::Port const& port = member.ports_[static_cast<unsigned>(__builtin_ctz(ports))];
+        if (std::find(fifos_.begin(), fifos_.end(), port.fifo) != fifos_.end())
+            continue;
+        if (port.neighbour == 0 ||
+            !accesses(processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))], *port.fifo))
+            return false;
+        fifos_.push_back(port.fifo);
+    }
+    return true;
 }
 
 /// Where an unaligned loop stands in its iteration, and what it has yet to write.

@@ -33,6 +33,7 @@ class SteadyState {
     bool add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes);
     static std::uint64_t run_of(ProcessTiming const& process);
     static std::uint32_t ports_of(ProcessTiming const& process);
+    static std::uint32_t neighbours_of(ProcessTiming const& process);
     static bool accesses(ProcessTiming const& process, FifoTiming const& fifo);
     static void take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative);
     static void shift_pipeline(ProcessTiming& process, std::uint64_t iterations);

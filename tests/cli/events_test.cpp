@@ -81,6 +81,7 @@ TEST_CASE("whatif refuses keys that decide about more than time, by name") {
     check("accelerator.rasterizer.scan=spans", "accelerator.rasterizer.scan decides which operations there are");
     check("accelerator.inlier_unit.fragment_loop=flattened",
           "accelerator.inlier_unit.fragment_loop decides which operations there are");
+    check("accelerator.rasterizer.lanes=2", "accelerator.rasterizer.lanes decides which operations there are");
     check("accelerator.edge_map.flush_last=true", "accelerator.edge_map.flush_last decides what is computed");
     check("accelerator.inlier_unit.sweep_lanes=2", "accelerator.inlier_unit.sweep_lanes decides which operations");
     check("workload.samples.count=4", "workload.samples.count is part of the workload");

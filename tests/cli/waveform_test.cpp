@@ -327,6 +327,33 @@ TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {
     CHECK(vcd.duration("core_0.fifo_edge_map.written_edge4", 1) > 0);
 }
 
+TEST_CASE("A waveform shows groups of pixels, and each of their memory accesses", "[vcd][partition][lanes]") {
+    Waves const waves;
+    Words options{"--vcd", "a.vcd", "--vcd-cores", "0"};
+    for (std::string const& setting :
+         Words{"accelerator.edge_map.algorithm=inner_border", "accelerator.rasterizer.edge_tokens=object",
+               "accelerator.rasterizer.lanes=4", "accelerator.brams.depth_buffer.partition.type=cyclic",
+               "accelerator.brams.depth_buffer.partition.factor=4",
+               "accelerator.brams.depth_buffer.partition.dimension=2"})
+        options.insert(options.end(), {"--set", setting});
+    require_done(waves.run("one_triangle", options));
+    Vcd const vcd = waves.vcd("a.vcd");
+    std::uint64_t sum = 0;
+    for (char const* const port : {"bank0_port0", "bank0_port1", "bank1_port0", "bank1_port1", "bank2_port0",
+                                   "bank2_port1", "bank3_port0", "bank3_port1"})
+        sum += vcd.duration("core_0.bram_depth_buffer." + std::string(port) + "_enable", 1);
+    CHECK(sum == 1024 + 15 * 2 + 30 * 30);
+    CHECK(vcd.duration("core_0.bram_object_map.port0_enable", 1) +
+              vcd.duration("core_0.bram_object_map.port1_enable", 1) ==
+          2 * 1024 + 15);
+    // Columns 14 to 18 of the window in the first row, one fewer in each of the four below: groups begin at 12 and 16.
+    CHECK(vcd.duration("core_0.fifo_fragment_index.write", 1) == 2 + 2 + 2 + 1 + 1);
+    CHECK(vcd.duration("core_0.fifo_fragment_depth.write", 1) == 8);
+    CHECK(vcd.duration("core_0.fifo_edge_token.write", 1) == 8 + 1);
+    CHECK(vcd.duration("core_0.fifo_fragment_index.written_mask", 0b1100) > 0);
+    CHECK(vcd.duration("core_0.fifo_edge_token.read_mask", 0b0111) > 0);
+}
+
 TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nanoseconds", "[vcd]") {
     Waves const waves;
     require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--set", "accelerator.clock_mhz=400"}));

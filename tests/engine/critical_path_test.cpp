@@ -108,6 +108,10 @@ TEST_CASE("The critical path adds up for any way to prepare and to scan triangle
         RandomConfigOptions config;
         config.cores = {1, 2};
         config.any_scan = true;
+        if (seed % 2 == 1) {
+            config.algorithm = EdgeMapAlgorithm::inner_border;
+            config.max_scan_lanes = 8;
+        }
         RandomStimulusOptions stimulus;
         stimulus.window = {4, 24};
         Trial const trial{random_config(seed, config), random_stimulus(seed, stimulus)};

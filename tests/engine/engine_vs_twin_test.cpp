@@ -231,6 +231,22 @@ TEST_CASE("Engines and twin agree: any scan, deep FIFOs, larger windows", "[engi
     check_seeds(8900, 20, options);
 }
 
+TEST_CASE("Engines and twin agree: any lanes of the scan, banks, clearings and scans", "[engine_vs_twin][lanes]") {
+    for (std::uint64_t const seed : {9000U, 9100U, 9200U}) {
+        TrialOptions options = small_windows();
+        options.config.algorithm = EdgeMapAlgorithm::inner_border;
+        options.config.any_scan = true;
+        options.config.any_clearing = true;
+        options.config.any_partition = true;
+        options.config.max_scan_lanes = seed == 9200 ? 32 : 8;
+        options.config.max_lanes = 8;
+        options.config.is_deadlock_free = seed != 9100;
+        options.stimulus.window = {9, 24};
+        options.config.max_ports = 2;
+        check_seeds(seed, 40, options);
+    }
+}
+
 TEST_CASE("Engines and twin agree: every kind of triangle under the default machine", "[engine_vs_twin]") {
     for (int kind = 0; kind < triangle_kind_count; ++kind) {
         CAPTURE(kind);

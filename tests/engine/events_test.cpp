@@ -78,6 +78,10 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     config.inlier_unit.sweep_lanes = 1 + static_cast<int>(number % 3);
     config.edge_map.buffers = 1 + static_cast<int>(number / 2 % 2);
     config.inlier_unit.buffers = 1 + static_cast<int>(number / 3 % 2);
+    if (config.edge_map.algorithm == EdgeMapAlgorithm::inner_border) {
+        config.rasterizer.edge_tokens = EdgeTokens::object;
+        config.rasterizer.lanes = 2 + static_cast<int>(seed % 7);
+    }
     return config;
 }
 

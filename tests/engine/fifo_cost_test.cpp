@@ -56,6 +56,11 @@ TEST_CASE("The formats decide how many bits a token has", "[sizing]") {
     config.inlier_unit.sweep_lanes = 4;
     CHECK(token_bits(FifoId::edge_map, config) == 4);
     CHECK(token_bits(FifoId::observed_depth, config) == 4 * 11);
+    config.rasterizer.lanes = 8;
+    CHECK(token_bits(FifoId::fragment_depth, config) == 48 + 33);  // and the step of a column
+    CHECK(token_bits(FifoId::fragment_index, config) == 32 + 8);
+    CHECK(token_bits(FifoId::edge_token, config) == 32 + 8);
+    CHECK(token_bits(FifoId::command, config) == 2);
     config.flow = Flow::fpga_grip;
     CHECK(token_bits(FifoId::edge_map, config) == 0);  // not there
     CHECK(token_bits(FifoId::edge_token, config) == 0);

@@ -22,7 +22,7 @@ AcceleratorConfig fpga_grip() {
     return config;
 }
 
-/// Every other one with banks, lanes and other ways to clear.
+/// Every other one with banks, lanes of sweep and scan, and other ways to clear.
 AcceleratorConfig random_machine(std::uint64_t seed, Stimulus const& stimulus, bool is_deadlock_free) {
     RandomConfigOptions options;
     options.flow = Flow::fpga_grip;
@@ -30,6 +30,7 @@ AcceleratorConfig random_machine(std::uint64_t seed, Stimulus const& stimulus, b
     options.any_clearing = seed % 2 == 0;
     options.any_partition = seed % 2 == 0;
     options.max_lanes = seed % 2 == 0 ? std::min(stimulus.window, 5) : 1;
+    options.max_scan_lanes = seed % 2 == 0 ? 5 : 1;
     options.is_deadlock_free = is_deadlock_free;
     AcceleratorConfig config = random_config(seed, options);
     config.window = stimulus.window;

@@ -72,6 +72,37 @@ TEST_CASE("The loops of a small triangle", "[scan_designs]") {
     CHECK(iterations(config, LoopId::fragment) == 4);
 }
 
+TEST_CASE("The loops of a small triangle with lanes", "[scan_designs][lanes]") {
+    // Row 1 from column 1 to the wall at 3, of which 1 and 2 are covered; row 2 back to column 1, the only one.
+    Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
+    AcceleratorConfig config = with_cores(1);
+    config.edge_map.algorithm = EdgeMapAlgorithm::inner_border;
+    config.rasterizer.edge_tokens = EdgeTokens::object;
+    auto const loops = [&](int lanes) {
+        config.rasterizer.lanes = lanes;
+        return run_forked(config, one_small_triangle(), engine).statistics;
+    };
+    RunStatistics const two = loops(2);  // 1 | 2, 3 and back
+    CHECK(loop_of(two, LoopId::scan).iterations == 4);
+    CHECK(loop_of(two, LoopId::fragment).iterations == 3);
+    CHECK(loop_of(two, LoopId::token).iterations == 3);
+    CHECK(loop_of(two, LoopId::fragment).ii == 2);  // two reads and two writes, two ports
+    CHECK(loop_of(two, LoopId::token).ii == 1);
+    RunStatistics const four = loops(4);  // a group per row
+    CHECK(loop_of(four, LoopId::scan).iterations == 2);
+    CHECK(loop_of(four, LoopId::fragment).iterations == 2);
+    CHECK(loop_of(four, LoopId::fragment).ii == 4);
+    CHECK(loop_of(four, LoopId::token).ii == 2);
+    config.rasterizer.scan = ScanPolicy::spans;  // not 3 and 2 on the way back
+    CHECK(loop_of(loops(2), LoopId::scan).iterations == 3);
+    for (BramId const bram : {BramId::object_map, BramId::depth_buffer})
+        config.bram(bram).partition = {PartitionType::cyclic, 4, 2};
+    RunStatistics const banked = loops(4);
+    CHECK(loop_of(banked, LoopId::fragment).ii == 1);
+    CHECK(loop_of(banked, LoopId::token).ii == 1);
+    CHECK(banked.samples.at(0).counters == two.samples.at(0).counters);
+}
+
 TEST_CASE("One loop over all fragments saves draining it for each triangle", "[scan_designs]") {
     AcceleratorConfig config = with_cores(1);
     config.rasterizer.setup_overlap = 5;

@@ -88,6 +88,14 @@ TEST_CASE("So it does with double buffers", "[sensitivities]") {
     }
 }
 
+TEST_CASE("So it does where the scan tests several pixels at a time", "[sensitivities][lanes]") {
+    Trial trial = random_trial(8031);
+    trial.config.edge_map.algorithm = EdgeMapAlgorithm::inner_border;
+    trial.config.rasterizer = {ScanPolicy::spans, 3, EdgeTokens::object, 4};
+    trial.config.fifo(FifoId::area).depth = 8;
+    CHECK(check_all_steps(trial, Engine::decoupled) > 5);
+}
+
 TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
     Trial trial = random_trial(8010);
     trial.config = AcceleratorConfig();

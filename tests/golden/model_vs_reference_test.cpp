@@ -139,6 +139,8 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         machine.any_clearing = algorithm != EdgeMapAlgorithm::dual_map || flow != Flow::faster;
         machine.any_partition = machine.any_clearing;
         machine.max_lanes = machine.any_clearing ? std::min(stimulus.window, 9) : 1;
+        bool const may_scan_groups = algorithm == EdgeMapAlgorithm::inner_border || flow == Flow::fpga_grip;
+        machine.max_scan_lanes = any_scan && may_scan_groups && seed % 2 == 0 ? 12 : 1;
         AcceleratorConfig config = random_config(seed, machine);
         config.window = stimulus.window;
         check_model(config, stimulus, Engine::decoupled);

@@ -107,9 +107,24 @@ struct BramUse {
     std::vector<Word> words;
 };
 
+/// What as many iterations side by side as there are lanes read or write together.
+std::vector<Word> side_by_side(std::vector<Word> const& words, int lanes) {
+    std::set<std::pair<int, int>> places;
+    for (Word const& word : words) {
+        for (int lane = 0; lane < lanes; ++lane) {
+            places.insert({word.row, word.col + lane});
+        }
+    }
+    std::vector<Word> together;
+    for (auto const& [row, col] : places) {
+        together.push_back({row, col});
+    }
+    return together;
+}
+
 /// Reads and writes of the worst branch, counted from the thesis's pseudo code.
-std::vector<BramUse> token_uses(EdgeMapAlgorithm algorithm) {
-    switch (algorithm) {
+std::vector<BramUse> token_uses(AcceleratorConfig const& config) {
+    switch (config.edge_map.algorithm) {
         case EdgeMapAlgorithm::threshold:
         case EdgeMapAlgorithm::transition:
             return {{BramId::edge_map, {own, own}}};
@@ -120,7 +135,7 @@ std::vector<BramUse> token_uses(EdgeMapAlgorithm algorithm) {
         case EdgeMapAlgorithm::dual_map_4_1_2:
             return {{BramId::edge_map, {below, above}}, {BramId::object_map, {own, below, above}}};
         case EdgeMapAlgorithm::inner_border:
-            return {{BramId::object_map, {own}}};
+            return {{BramId::object_map, side_by_side({own}, config.rasterizer.lanes)}};
     }
     return {{BramId::edge_map, {below, above}}, {BramId::object_map, {below, above}}};
 }
@@ -128,21 +143,6 @@ std::vector<BramUse> token_uses(EdgeMapAlgorithm algorithm) {
 bool has_one_map(EdgeMapAlgorithm algorithm) {
     return algorithm == EdgeMapAlgorithm::threshold || algorithm == EdgeMapAlgorithm::transition ||
            algorithm == EdgeMapAlgorithm::bounded;
-}
-
-/// What as many iterations side by side as there are lanes read or write together.
-std::vector<Word> side_by_side(std::vector<Word> const& words, AcceleratorConfig const& config) {
-    std::set<std::pair<int, int>> places;
-    for (Word const& word : words) {
-        for (int lane = 0; lane < config.inlier_unit.sweep_lanes; ++lane) {
-            places.insert({word.row, word.col + lane});
-        }
-    }
-    std::vector<Word> together;
-    for (auto const& [row, col] : places) {
-        together.push_back({row, col});
-    }
-    return together;
 }
 
 void append(std::vector<Word>& words, std::vector<Word> const& more) {
@@ -154,10 +154,19 @@ std::vector<Word> sweep_words(AcceleratorConfig const& config) {
     bool const once = config.flow == Flow::fpga_grip || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
                       config.inlier_unit.neighbour_access == NeighbourAccess::window;
     std::vector<Word> words =
-        side_by_side(once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}}, config);
+        side_by_side(once ? std::vector<Word>{own} : std::vector<Word>{own, below, above, {0, 1}, {0, -1}},
+                     config.inlier_unit.sweep_lanes);
     if (config.inlier_unit.clearing == MapClearing::on_read_out) {
-        append(words, side_by_side({once ? own : Word{-1, -config.inlier_unit.sweep_lanes}}, config));
+        append(words,
+               side_by_side({once ? own : Word{-1, -config.inlier_unit.sweep_lanes}}, config.inlier_unit.sweep_lanes));
     }
+    return words;
+}
+
+/// Every lane's pixel, read and written.
+std::vector<Word> fragment_words(AcceleratorConfig const& config) {
+    std::vector<Word> words = side_by_side({own}, config.rasterizer.lanes);
+    append(words, std::vector<Word>(words));
     return words;
 }
 
@@ -179,7 +188,7 @@ std::vector<Word> extract_words(EdgeExtractionConfig const& config) {
 std::vector<BramUse> output_uses(AcceleratorConfig const& config) {
     EdgeMapConfig const& edge_map = config.edge_map;
     bool const clears = edge_map.clearing == MapClearing::on_read_out;
-    std::vector<Word> const once = side_by_side({own}, config);
+    std::vector<Word> const once = side_by_side({own}, config.inlier_unit.sweep_lanes);
     std::vector<Word> sent = once;
     if (clears) {
         append(sent, once);
@@ -203,14 +212,14 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
                 return {{BramId::edge_map, {own}}};
             return {{BramId::edge_map, {own}}, {BramId::object_map, {own}}};
         case LoopId::token:
-            return token_uses(algorithm);
+            return token_uses(config);
         case LoopId::output:
         case LoopId::buffered_output:
             return output_uses(config);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, {own}}};
         case LoopId::fragment:
-            return {{BramId::depth_buffer, {own, own}}};
+            return {{BramId::depth_buffer, fragment_words(config)}};
         case LoopId::sweep:
         case LoopId::buffered_sweep:
             return {{BramId::depth_buffer, sweep_words(config)}};

@@ -401,6 +401,10 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     if (options.max_lanes > 1) {
         config.inlier_unit.sweep_lanes = dice.between(1, options.max_lanes);
     }
+    if (options.max_scan_lanes > 1) {
+        config.rasterizer.lanes = dice.between(1, options.max_scan_lanes);
+        config.rasterizer.edge_tokens = EdgeTokens::object;
+    }
     for (BramConfig& bram : config.brams) {
         if (options.any_partition) {
             bram.partition = {static_cast<PartitionType>(dice.between(0, 2)),

@@ -43,6 +43,7 @@ class Scanner {
           looks_for_edges_(config.flow == Flow::faster),
           sends_objects_only_(config.rasterizer.edge_tokens == EdgeTokens::object),
           scan_(config.rasterizer.scan),
+          lanes_(config.rasterizer.lanes),
           pixel_(std::int64_t{1} << stimulus.fraction.vertex_xy),
           row_offset_(sample.centre_row - stimulus.window / 2),
           col_offset_(sample.centre_col - stimulus.window / 2) {}
@@ -97,7 +98,6 @@ class Scanner {
             if (inside) {
                 fragments_.push_back(Fragment{relative(r, c), depth_at(triangle, v, result.area_code, r, c)});
                 iteration.sends_fragment = true;
-                ++result.fragments;
             }
             if (!looks_for_edges_) {
                 // fragments only
@@ -122,8 +122,10 @@ class Scanner {
             prev_c = c;
             prev_inside = inside;
             iteration.row = r;
+            iteration.group = group_of(c);
+            bool const ends_group = group_of(c + direction) != iteration.group;
             bool const at_wall = (c == left_wall || c == right_wall) && c != line_start;
-            if (at_wall || may_turn(v, r, c, direction, bottom)) {
+            if (at_wall || (ends_group && may_turn(v, r, c, direction, bottom))) {
                 if (r == bottom) {
                     is_done = true;
                 } else {
@@ -134,8 +136,11 @@ class Scanner {
             } else {
                 c += direction;
             }
-            result.scan.push_back(iteration);
+            add_visit(iteration, result.scan);
         }
+        result.fragments = static_cast<std::uint64_t>(
+            std::count_if(result.scan.begin(), result.scan.end(),
+                          [](TwinScanIteration const& visit) { return visit.sends_fragment; }));
         if (scan_ == ScanPolicy::spans) {
             result.scan = without_silence(result.scan);
         }
@@ -153,6 +158,20 @@ class Scanner {
             --quotient;
         }
         return static_cast<int>(quotient);
+    }
+
+    /// Pixels of the window's columns 0 to lanes - 1 are group 0; to the left of the window groups go on.
+    int group_of(int c) const { return static_cast<int>(std::floor(static_cast<double>(c - col_offset_) / lanes_)); }
+
+    /// Lanes of a group are tested in one iteration, which sends a token if one of them has something to send.
+    static void add_visit(TwinScanIteration const& visit, std::vector<TwinScanIteration>& scan) {
+        bool const is_same_group = !scan.empty() && scan.back().row == visit.row && scan.back().group == visit.group;
+        if (!is_same_group) {
+            scan.push_back(visit);
+            return;
+        }
+        scan.back().sends_fragment = scan.back().sends_fragment || visit.sends_fragment;
+        scan.back().sends_edge_token = scan.back().sends_edge_token || visit.sends_edge_token;
     }
 
     TwinPixel relative(int r, int c) const { return TwinPixel{r - row_offset_, c - col_offset_}; }
@@ -235,6 +254,7 @@ class Scanner {
     bool const looks_for_edges_;
     bool const sends_objects_only_;
     ScanPolicy const scan_;
+    int const lanes_;
     std::int64_t const pixel_;  ///< code of one pixel
     int const row_offset_;
     int const col_offset_;
@@ -514,6 +534,17 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
     return counters;
 }
 
+/// Tokens of the edge map builder where each holds a group.
+std::size_t groups_with_edges(std::vector<TwinTriangle> const& triangles) {
+    std::size_t groups = 0;
+    for (TwinTriangle const& triangle : triangles) {
+        for (TwinScanIteration const& iteration : triangle.scan) {
+            groups += iteration.sends_edge_token ? 1 : 0;
+        }
+    }
+    return groups;
+}
+
 }  // namespace
 
 TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample, AcceleratorConfig const& config) {
@@ -524,6 +555,9 @@ TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample,
         result.triangles.push_back(scanner.draw(stimulus.triangles.at(input.first_triangle + i)));
     }
     Image<std::uint8_t> edges = build(scanner.edge_tokens(), stimulus.window, config.edge_map, result);
+    if (config.rasterizer.lanes > 1) {
+        result.token_iteration_reads.assign(groups_with_edges(result.triangles), true);
+    }
     result.counters = score(stimulus, input, scanner.fragments(), std::move(edges), config);
     return result;
 }

@@ -20,19 +20,20 @@ struct TwinEdgeToken {
     bool is_object = false;
 };
 
-/// One iteration of the rasterizer's scan: a flush sends an edge token only, a visit sends a fragment, an edge token,
-/// both or nothing.
+/// One iteration of the rasterizer's scan: a flush sends an edge token only, a visit of a pixel or a group sends
+/// a fragment, an edge token, both or nothing.
 struct TwinScanIteration {
     bool sends_fragment = false;
     bool sends_edge_token = false;
-    int row = -1;  ///< of a visit; a flush belongs to none
+    int row = -1;   ///< of a visit; a flush belongs to none
+    int group = 0;  ///< of a visit, in its row: of as many pixels as there are lanes
 };
 
 struct TwinTriangle {
     std::int64_t area_code = 0;  ///< 0 for a rejected one
     bool is_drawn = false;
     std::vector<TwinScanIteration> scan;  ///< empty unless drawn
-    std::uint64_t fragments = 0;
+    std::uint64_t fragments = 0;          ///< tokens: with several lanes, groups that have a covered pixel
 };
 
 /// The function of SPEC section 2 for one sample, from triangle codes to counters, with the counts that decide the

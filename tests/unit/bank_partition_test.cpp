@@ -102,6 +102,23 @@ TEST_CASE("Loops know where they touch their memories", "[partition]") {
     CHECK(loop_accesses(LoopId::scan, config).empty());
 }
 
+TEST_CASE("Lanes of the scan touch a word each of the maps they draw in", "[partition][lanes]") {
+    AcceleratorConfig config;
+    config.edge_map.algorithm = EdgeMapAlgorithm::inner_border;
+    config.rasterizer.lanes = 4;
+    auto const crowd_of = [&config](LoopId loop, PartitionConfig const& partition) {
+        return crowd(loop_accesses(loop, config).at(0).pattern, partition);
+    };
+    CHECK(crowd_of(LoopId::fragment, {}) == 8);
+    CHECK(crowd_of(LoopId::fragment, {cyclic, 2, 2}) == 4);
+    CHECK(crowd_of(LoopId::fragment, {cyclic, 4, 2}) == 2);
+    CHECK(crowd_of(LoopId::fragment, {cyclic, 4, 1}) == 8);
+    CHECK(crowd_of(LoopId::token, {}) == 4);
+    CHECK(crowd_of(LoopId::token, {cyclic, 3, 2}) == 2);
+    CHECK(crowd_of(LoopId::token, {cyclic, 4, 2}) == 1);
+    CHECK(crowd_of(LoopId::sweep, {}) == 1);  // has lanes of its own
+}
+
 TEST_CASE("A split memory takes the primitives of its banks", "[partition][block_ram]") {
     AcceleratorConfig config;
     BramConfig& bram = config.bram(BramId::depth_buffer);

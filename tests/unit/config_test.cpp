@@ -260,6 +260,25 @@ TEST_CASE("There are no more lanes than columns", "[config][errors]") {
           "--set accelerator.inlier_unit.sweep_lanes=0: expected an integer from 1 to 4096");
 }
 
+TEST_CASE("The scan has lanes where only covered pixels are told of", "[config][errors]") {
+    CHECK(
+        set_error("accelerator.rasterizer.lanes=4") ==
+        "--set accelerator.rasterizer.lanes=4: expected 1, or accelerator.edge_map.algorithm = \"dual_map\" (default) "
+        "to be inner_border and accelerator.rasterizer.edge_tokens = \"all\" (default) to be object");
+    CHECK(set_error("accelerator.rasterizer.lanes=33") ==
+          "--set accelerator.rasterizer.lanes=33: expected an integer from 1 to 32");
+    CHECK(file_error("accelerator: {window: 16, edge_map: {algorithm: inner_border},\n"
+                     "  rasterizer: {edge_tokens: object,\n"
+                     "    lanes: 17}}\n") ==
+          "test.yaml:3: accelerator.rasterizer.lanes = 17, expected at most accelerator.window = 16");
+    CHECK(file_error("accelerator: {edge_map: {algorithm: inner_border}, rasterizer: {lanes: 2}}\n")
+              .find("to be object") != std::string::npos);
+    CHECK(file_error(
+              "accelerator: {edge_map: {algorithm: inner_border}, rasterizer: {edge_tokens: object, lanes: 2}}\n") ==
+          "(no error)");
+    CHECK(file_error("accelerator: {flow: fpga_grip, rasterizer: {lanes: 2}}\n") == "(no error)");
+}
+
 TEST_CASE("An override of an unknown key names the nearest valid one", "[config][errors]") {
     CHECK(set_error("accelerator.fifo.command.depth=4") ==
           "--set accelerator.fifo.command.depth=4: unknown key, did you mean accelerator.fifos.command.depth?");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "datapath/early_exit_scan.hpp"
+#include "datapath/grouped_line.hpp"
 #include "datapath/span_scan.hpp"
 #include "reference/edge_tokens.hpp"
 #include "reference/rasterize.hpp"
@@ -169,6 +170,124 @@ TEST_CASE("An early exit does not turn where the next row goes on", "[scan]") {
     // Row 1 rightwards from column 1 past the run of row 2, which ends at 5: to column 6. Row 2 back to the wall at 1;
     // row 3, whose run ends at 9, on to 14 because of row 4; back; row 5, to 17, on to the wall at 22; back to 1.
     CHECK(visits == std::vector<int>{6, 6, 14, 14, 22, 22});
+}
+
+namespace {
+
+/// The covered pixels of a scan's groups; in a line scanned leftwards each group's are put in that order.
+template <class Lines> std::vector<Covered> covered_in_groups(TriangleSetup const& setup, int lanes, int offset) {
+    std::vector<Covered> covered;
+    for (ScanLine const& line : lines_of<Lines>(setup)) {
+        GroupedLine const grouped(line, offset, offset, lanes);
+        for (int i = 0; i < (grouped.is_empty() ? 0 : grouped.inside()); ++i) {
+            PixelGroup const group = grouped.pixels(i);
+            DepthGroup const depths = grouped.depths(i);
+            std::vector<Covered> of_group;
+            for (int lane = 0; lane < lanes; ++lane)
+                if ((group.mask >> lane & 1U) != 0)
+                    of_group.push_back(
+                        {group.row + offset, group.col + lane + offset, depths.z_sum + lane * depths.z_sum_per_column});
+            if (line.step < 0)
+                std::reverse(of_group.begin(), of_group.end());
+            CHECK(group.mask >> (lanes - 1) <= 1);
+            CHECK(group.col % lanes == 0);
+            CHECK_FALSE(of_group.empty());
+            covered.insert(covered.end(), of_group.begin(), of_group.end());
+        }
+    }
+    return covered;
+}
+
+/// Groups that an early exit visits in a line: it tests whole groups until, from a group's last lane on, nothing can
+/// be covered in this row nor in the next. Tested on the triangle itself.
+class GroupWalk {
+  public:
+    GroupWalk(TriangleSetup const& setup, int lanes) : setup_(setup), lanes_(lanes), col_(setup.start_col) {}
+
+    int visit(int row, int step) {
+        int groups = 0;
+        for (bool goes_on = true; goes_on;) {
+            int const group = col_ / lanes_;
+            int const last_lane = step > 0 ? group * lanes_ + lanes_ - 1 : group * lanes_;
+            int const wall = step > 0 ? setup_.right_wall : setup_.left_wall;
+            col_ = step > 0 ? std::min(last_lane, wall) : std::max(last_lane, wall);
+            ++groups;
+            goes_on = col_ != wall && !(falls(row, step) && (row == setup_.bottom || falls(row + 1, step)));
+            col_ += goes_on ? step : 0;
+        }
+        return groups;
+    }
+
+  private:
+    bool falls(int row, int step) const {
+        return std::any_of(std::begin(setup_.edge), std::end(setup_.edge), [&](EdgeFunction const& edge) {
+            std::int64_t const here =
+                edge.at_start + (col_ - setup_.start_col) * edge.per_column + (row - setup_.start_row) * edge.per_row;
+            return here < 0 && here + step * edge.per_column <= here;
+        });
+    }
+
+    TriangleSetup const& setup_;
+    int lanes_;
+    int col_;
+};
+
+}  // namespace
+
+TEST_CASE("Groups cover the pixels of the reference, in the order of their lines", "[scan][lanes]") {
+    for_random_triangles(24, [](int trial, TriangleCode const& triangle, TriangleSetup const& setup) {
+        int const lanes = 1 + trial % 32;
+        int const offset = trial % 77;  // a window that begins to the right of some pixels
+        std::vector<Covered> const expected = reference_of(triangle);
+        bool const same = covered_in_groups<ZigzagScan>(setup, lanes, offset) == expected &&
+                          covered_in_groups<EarlyExitScan>(setup, lanes, offset) == expected &&
+                          covered_in_groups<SpanScan>(setup, lanes, offset) == expected;
+        if (!same)
+            FAIL("trial " << trial);
+    });
+}
+
+TEST_CASE("An early exit of groups ends where a test of the last lane says so", "[scan][lanes]") {
+    for_random_triangles(25, [](int trial, TriangleCode const& /*triangle*/, TriangleSetup const& setup) {
+        int const lanes = 2 + trial % 9;
+        GroupWalk walk(setup, lanes);
+        for (ScanLine const& line : lines_of<EarlyExitScan>(setup))
+            if (GroupedLine(line, 0, 0, lanes).groups() != walk.visit(line.row, line.step))
+                FAIL("trial " << trial << " row " << line.row);
+    });
+}
+
+TEST_CASE("Groups of a line begin at multiples of the lanes, and its ends lie within them", "[scan][lanes]") {
+    // Columns 5 to 18, of which 9 to 14 are covered, in groups of 4: 4 | 8, 12 | 16. From the right the same.
+    ScanLine line;
+    line.first_col = 5;
+    line.before = 4;
+    line.inside = 6;
+    line.after = 4;
+    line.z_sum = 100;
+    line.z_sum_per_step = 10;
+    GroupedLine const rightwards(line, 0, 0, 4);
+    CHECK(rightwards.groups() == 4);
+    CHECK(rightwards.before() == 1);
+    CHECK(rightwards.inside() == 2);
+    CHECK(rightwards.after() == 1);
+    CHECK(rightwards.pixels(0).col == 8);
+    CHECK(rightwards.pixels(0).mask == 0b1110);
+    CHECK(rightwards.pixels(1).mask == 0b0111);
+    CHECK(rightwards.depths(0).z_sum == 90);  // of column 8, which is not covered
+    CHECK(rightwards.depths(1).z_sum == 130);
+    line.first_col = 18;
+    line.step = -1;
+    GroupedLine const leftwards(line, 0, 0, 4);
+    CHECK(leftwards.pixels(0).col == 12);
+    CHECK(leftwards.pixels(0).mask == 0b0111);
+    CHECK(leftwards.depths(0).z_sum == 120);  // 100 at column 14, ten less per column to the right
+    CHECK(leftwards.depths(0).z_sum_per_column == -10);
+    GroupedLine const moved(line, 0, 22, 4);  // to the left of the window: columns -17 to -4, covered -13 to -8
+    CHECK(moved.groups() == 5);
+    CHECK(moved.before() == 1);
+    CHECK(moved.pixels(0).col == -8);
+    CHECK(moved.pixels(0).mask == 0b0001);
 }
 
 }  // namespace faster::datapath

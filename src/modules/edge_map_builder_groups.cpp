@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <array>
+
+#include "modules/edge_map_builder.hpp"
+
+namespace faster {
+
+namespace {
+bool is_end(PixelGroup const& group) { return group.mask == 0; }
+}  // namespace
+
+/// As build(), with tokens of several pixels. inner_border alone has them, and no second iterations.
+void EdgeMapBuilder::build_of_groups() {
+    clock_.here();
+    PixelGroup current = edge_groups_->read();
+    clock_.advance(1);
+    if (is_end(current)) {
+        clock_.advance(1);
+        return;
+    }
+    clock_.enter_loop(token_loop_);
+    while (take_groups(current)) {
+    }
+    clock_.leave_loop();
+}
+
+/// Works off the tokens at hand. True until the end has been read.
+bool EdgeMapBuilder::take_groups(PixelGroup& current) {
+    std::size_t const available = edge_groups_->peek();
+    PixelGroup const* const next = edge_groups_->front();
+    std::size_t taken = 0;
+    while (taken < available && !is_end(current)) {
+        take_group(current);
+        current = next[taken++];
+    }
+    clock_.iterate(edge_groups_->read_port(), taken);
+    edge_groups_->consume(taken);
+    return !is_end(current);
+}
+
+void EdgeMapBuilder::take_group(PixelGroup const& group) {
+    std::array<EdgeToken, most_scan_lanes> tokens;
+    unsigned count = 0;
+    int col = group.col;
+    for (std::uint32_t mask = group.mask; mask != 0; mask >>= 1U, ++col)
+        if ((mask & 1U) != 0)
+            tokens[count++] = {group.row, static_cast<std::int16_t>(col), EdgeTokenKind::Object};
+    maps_->take(tokens[0], &tokens[1], count);
+}
+
+}  // namespace faster

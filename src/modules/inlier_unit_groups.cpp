@@ -1,0 +1,47 @@
+#include <algorithm>
+
+#include "modules/inlier_unit.hpp"
+
+namespace faster {
+
+/// As take_fragments(), of which each token holds the covered pixels of several lanes.
+void InlierUnit::take_groups(std::uint64_t reciprocal, Command& command) {
+    std::size_t const drawn = draw_groups(reciprocal, command);
+    clock_.iterate(fragment_ports_, drawn);
+    depth_groups_->consume(drawn);
+    index_groups_->consume(drawn);
+    command_->consume(drawn);
+}
+
+/// Returns the number of groups drawn.
+std::size_t InlierUnit::draw_groups(std::uint64_t reciprocal, Command& command) {
+    std::size_t available = depth_groups_->peek();
+    available = std::min(available, index_groups_->peek());
+    available = std::min(available, command_->peek());
+    std::size_t n = 0;
+    for (; n < available && command == Command::Fragment; ++n) {
+        counters_.valid_raster += draw_group(reciprocal, depth_groups_->front()[n], index_groups_->front()[n]);
+        command = command_->front()[n];
+    }
+    return n;
+}
+
+/// Returns how many pixels of a group were drawn. What lies outside the window is dropped lane by lane.
+unsigned InlierUnit::draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels) {
+    int const side = core_.stimulus.window;
+    if (pixels.row < 0 || pixels.row >= side)
+        return 0;
+    std::uint16_t* const row = depth_buffer_->data() + std::ptrdiff_t{pixels.row} * side;
+    unsigned drawn = 0;
+    std::int64_t z_sum = depths.z_sum;
+    int col = pixels.col;
+    for (std::uint32_t mask = pixels.mask; mask != 0; mask >>= 1U, ++col, z_sum += depths.z_sum_per_column) {
+        if ((mask & 1U) == 0 || col < 0 || col >= side)
+            continue;
+        std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal);
+        drawn += depth_unit_.draw(depth, row[col]) ? 1U : 0U;
+    }
+    return drawn;
+}
+
+}  // namespace faster

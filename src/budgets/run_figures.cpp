@@ -24,9 +24,11 @@ void add_module(Figures& figures, std::string const& core, Parts const& parts, s
     Section section(figures, core + "modules." + module_names[i] + ".");
     for (std::size_t c = 0; c < cycle_class_count; ++c)
         section.set(std::string(cycle_class_names[c]) + "_cycles", process.cycles[c]);
-    for (std::size_t const f : fifos_of(parts))
-        if (index_of(fifo_ends[f].writer) == i || index_of(fifo_ends[f].reader) == i)
+    for (std::size_t const f : fifos_of(parts)) {
+        FifoEnds const ends = ends_of(parts, FifoId{f});
+        if (index_of(ends.writer) == i || index_of(ends.reader) == i)
             section.set(std::string("stalls.") + fifo_names[f], process.stalls[f]);
+    }
     for (std::size_t const b : brams_of(parts))
         section.set(std::string("port_conflicts.") + bram_names[b], process.port_conflicts[b]);
 }
@@ -64,13 +66,14 @@ void add_loop(Figures& figures, std::string const& core, std::size_t i, LoopStat
 
 void add_core(Figures& figures, std::string const& prefix, AcceleratorConfig const& config,
               CoreStatistics const& core) {
-    for (std::size_t const i : modules_of(config))
-        add_module(figures, prefix, config, i, core.processes[i]);
-    for (std::size_t const i : fifos_of(config))
+    Parts const parts(config);
+    for (std::size_t const i : modules_of(parts))
+        add_module(figures, prefix, parts, i, core.processes[i]);
+    for (std::size_t const i : fifos_of(parts))
         add_fifo(figures, prefix, i, core.fifos[i]);
-    for (std::size_t const i : brams_of(config))
+    for (std::size_t const i : brams_of(parts))
         add_bram(figures, prefix, i, config, core);
-    for (std::size_t const i : loops_of(config))
+    for (std::size_t const i : loops_of(parts))
         add_loop(figures, prefix, i, core.loops[i]);
 }
 

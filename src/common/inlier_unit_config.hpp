@@ -26,6 +26,7 @@ struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
     FragmentLoop fragment_loop = FragmentLoop::per_triangle;
+    int buffers = 1;      ///< depth buffers, 1 or 2; 2: one is swept by a process of its own
     int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
     SweepRegion sweep_region = SweepRegion::window;
 };

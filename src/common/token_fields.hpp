@@ -78,6 +78,17 @@ template <> struct TokenFields<std::uint16_t> {
     static constexpr std::array<TokenField, 1> layout{{{"depth", 16}}};
     static std::array<std::int64_t, 1> values(std::uint16_t t) { return {t}; }
 };
+/// map_full, map_free, depth_free.
+template <> struct TokenFields<BufferNumber> {
+    static constexpr std::array<TokenField, 1> layout{{{"buffer", 1}}};
+    static std::array<std::int64_t, 1> values(BufferNumber t) { return {t.number}; }
+};
+template <> struct TokenFields<FullDepthBuffer> {
+    static constexpr std::array<TokenField, 2> layout{{{"buffer", 1}, {"valid_raster", 64}}};
+    static std::array<std::int64_t, 2> values(FullDepthBuffer const& t) {
+        return {t.number, static_cast<std::int64_t>(t.valid_raster)};
+    }
+};
 template <> struct TokenFields<SampleCounters> {
     static constexpr std::array<TokenField, 5> layout{
         {{"valid_raster", 64}, {"valid_depth", 64}, {"inlier", 64}, {"valid_edge", 64}, {"edge_inlier", 64}}};

@@ -17,8 +17,8 @@ std::array<FifoConfig, fifo_count> AcceleratorConfig::default_fifos() {
     return fifos;
 }
 
-std::array<LoopConfig, loop_count> AcceleratorConfig::default_loops() {
-    std::array<LoopConfig, loop_count> loops;
+std::array<LoopConfig, keyed_loop_count> AcceleratorConfig::default_loops() {
+    std::array<LoopConfig, keyed_loop_count> loops;
     auto const depth = [&loops](LoopId id, Cycles stages) { loops[index_of(id)].depth = stages; };
     depth(LoopId::vertex, 41);
     depth(LoopId::scan, 8);

@@ -53,18 +53,18 @@ struct AcceleratorConfig {
     InlierUnitConfig inlier_unit;
     Cycles setup_depth = 12;  ///< loops.rasterizer.setup.depth
     std::array<FifoConfig, fifo_count> fifos = default_fifos();
-    std::array<LoopConfig, loop_count> loops = default_loops();
+    std::array<LoopConfig, keyed_loop_count> loops = default_loops();
     std::array<BramConfig, bram_count> brams;
 
     FifoConfig const& fifo(FifoId id) const { return fifos[index_of(id)]; }
     FifoConfig& fifo(FifoId id) { return fifos[index_of(id)]; }
-    LoopConfig const& loop(LoopId id) const { return loops[index_of(id)]; }
-    LoopConfig& loop(LoopId id) { return loops[index_of(id)]; }
+    LoopConfig const& loop(LoopId id) const { return loops[index_of(configured_as(id))]; }
+    LoopConfig& loop(LoopId id) { return loops[index_of(configured_as(id))]; }
     BramConfig const& bram(BramId id) const { return brams[index_of(id)]; }
     BramConfig& bram(BramId id) { return brams[index_of(id)]; }
 
     static std::array<FifoConfig, fifo_count> default_fifos();
-    static std::array<LoopConfig, loop_count> default_loops();
+    static std::array<LoopConfig, keyed_loop_count> default_loops();
 };
 
 }  // namespace faster

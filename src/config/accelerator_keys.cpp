@@ -28,9 +28,13 @@ constexpr std::array<char const*, fifo_count> fifo_tokens{
     "observed edge bits from the observation reader to the inlier unit",
     "counters of a sample from the inlier unit to the result collector",
     "two corners of the touched region from the rasterizer to the observation reader (sweep_region: touched)",
-    "observed pixels of valid depth from the observation reader to the result collector (sweep_region: touched)"};
+    "observed pixels of valid depth from the observation reader to the result collector (sweep_region: touched)",
+    "finished maps from the edge map builder to the edge map output (edge_map.buffers 2)",
+    "maps read out, from the edge map output to the edge map builder (edge_map.buffers 2)",
+    "drawn depth buffers from the inlier unit to the inlier sweep (inlier_unit.buffers 2)",
+    "swept depth buffers from the inlier sweep to the inlier unit (inlier_unit.buffers 2)"};
 
-constexpr std::array<char const*, loop_count> loop_tasks{
+constexpr std::array<char const*, keyed_loop_count> loop_tasks{
     "transforms one vertex per iteration",
     "visits one pixel or group per iteration, or sends a pending edge token",
     "clears one pixel of both maps, or one of every bank, per iteration",
@@ -76,6 +80,14 @@ template <class Field> Key threshold_key(std::string const& weight, std::string 
         {0, std::numeric_limits<double>::infinity()}, field);
 }
 
+template <class Field> Key buffers_key(std::string const& module, std::string const& what, Field field) {
+    return integer_key({"accelerator." + module + ".buffers", "",
+                        what + " for samples in turn; with 2, a process of its own reads one out while the next "
+                               "sample's tokens go into the other.",
+                        "thesis A.2, A.3; 2: this project"},
+                       {1, 2}, field);
+}
+
 template <class Field> Key clearing_key(std::string const& module, std::string const& what, Field field) {
     return choice_key({"accelerator." + module + ".clearing", "",
                        "How " + what +
@@ -98,6 +110,8 @@ void add_edge_map_keys(Keys& keys) {
         [](auto& config) -> auto& { return config.accelerator.edge_map.flush_last; }));
     keys.push_back(clearing_key(
         "edge_map", "the maps", [](auto& config) -> auto& { return config.accelerator.edge_map.clearing; }));
+    keys.push_back(buffers_key(
+        "edge_map", "Copies of the maps", [](auto& config) -> auto& { return config.accelerator.edge_map.buffers; }));
     keys.push_back(threshold_key(
         "w0", "1 and 2", [](auto& config) -> auto& { return config.accelerator.edge_map.thresholds[0]; }));
     keys.push_back(threshold_key(
@@ -143,6 +157,8 @@ void add_inlier_unit_keys(Keys& keys) {
     keys.push_back(clearing_key(
         "inlier_unit", "the depth buffer's words",
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.clearing; }));
+    keys.push_back(buffers_key(
+        "inlier_unit", "Depth buffers", [](auto& config) -> auto& { return config.accelerator.inlier_unit.buffers; }));
     keys.push_back(choice_key(
         {"accelerator.inlier_unit.fragment_loop", "",
          "Whether each triangle's fragments are a loop that drains, or all commands of a sample are one loop.",
@@ -279,7 +295,7 @@ void add_partition_keys(Keys& keys, BramId id) {
 }
 
 void add_loops_keys(Keys& keys) {
-    for (std::size_t index = 0; index < loop_count; ++index) {
+    for (std::size_t index = 0; index < keyed_loop_count; ++index) {
         if (LoopId{index} == LoopId::scan) {
             add_setup_key(keys);
         }

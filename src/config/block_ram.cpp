@@ -56,6 +56,10 @@ std::uint64_t bits_of(BramId id, AcceleratorConfig const& config) {
     return extracts ? depth_bits + 1 : depth_bits;  // extracted edge bits ride in the words of the depth buffer
 }
 
+int buffers_of(BramId id, AcceleratorConfig const& config) {
+    return id == BramId::depth_buffer ? config.inlier_unit.buffers : config.edge_map.buffers;
+}
+
 std::uint64_t line_buffer_rows(AcceleratorConfig const& config) {
     if (config.flow == Flow::fpga_grip) {
         return extract_design(config).line_buffer_rows;
@@ -74,6 +78,7 @@ MemoryShape memory_shape(BramId id, AcceleratorConfig const& config) {
     memory.ports = config.bram(id).ports * partition.banks();
     memory.partition = partition.banks();
     memory.bank_words = partition.bank_words();
+    memory.buffers = static_cast<std::uint64_t>(buffers_of(id, config));
     return memory;
 }
 
@@ -95,7 +100,7 @@ double ramb36_count(MemoryShape const& memory) {
     std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
     double const banks = static_cast<double>(copies * memory.partition);
     std::uint64_t const words = std::max(memory.bank_words, divided_up(memory.words, memory.partition));
-    return banks * ramb36_of_bank(words, memory.bits);
+    return static_cast<double>(memory.buffers) * banks * ramb36_of_bank(words, memory.bits);
 }
 
 }  // namespace faster

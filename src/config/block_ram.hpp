@@ -12,6 +12,7 @@ struct MemoryShape {
     std::uint64_t ports = 2;       ///< accesses per cycle, of all banks together
     std::uint64_t partition = 1;   ///< banks that share the words
     std::uint64_t bank_words = 0;  ///< of the largest bank; 0: they share evenly
+    std::uint64_t buffers = 1;     ///< how often all of this is there
 };
 
 MemoryShape memory_shape(BramId id, AcceleratorConfig const& config);
@@ -24,8 +25,8 @@ MemoryShape line_buffer_shape(AcceleratorConfig const& config);
 ///
 /// Every bank is laid out in one of the primitive's true dual-port shapes, the one that takes fewest; a bank for which
 /// one RAMB18 is enough takes that, any other whole RAMB36. A primitive has two ports: where the banks together have
-/// fewer than `ports`, the whole memory is there several times. Source: AMD UG573 (shapes); thesis Table 6.2 (whole
-/// RAMB36: two maps of 40,000 x 1 on ten cores make 40).
+/// fewer than `ports`, the whole memory is there several times. Each buffer is a memory of its own. Source: AMD UG573
+/// (shapes); thesis Table 6.2 (whole RAMB36: two maps of 40,000 x 1 on ten cores make 40).
 double ramb36_count(MemoryShape const& memory);
 
 }  // namespace faster

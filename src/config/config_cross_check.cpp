@@ -116,6 +116,16 @@ void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& co
     }
 }
 
+/// The corners of a region reach those that draw, not those that read the other buffer.
+void check_buffers(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    Parts const parts(loaded.config.accelerator);
+    if (parts.sweep_region != SweepRegion::touched || !(parts.has_map_buffers || parts.has_depth_buffers))
+        return;
+    char const* const key = parts.has_map_buffers ? "accelerator.edge_map.buffers" : "accelerator.inlier_unit.buffers";
+    complaints.push_back(complaint(
+        loaded, key, fmt::format("1 because of {}", with_value(loaded, "accelerator.inlier_unit.sweep_region"))));
+}
+
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -131,16 +141,15 @@ void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>&
 /// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
 /// all.
 void check_parts(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    Parts const parts = loaded.config.accelerator;
+    Parts const parts(loaded.config.accelerator);
     RunConfig const defaults;
     for (Key const& key : all_keys()) {
         bool const is_asked_for = loaded.origins.is_explicit(key.name()) &&
                                   json_text(key.read(loaded.config)) != json_text(key.read(defaults));
         if (is_asked_for && !applies_to(parts, key.name())) {
-            bool const flow_has_it = applies_to({parts.flow, SweepRegion::touched}, key.name());
-            char const* const reason = flow_has_it ? "accelerator.inlier_unit.sweep_region" : "accelerator.flow";
             complaints.push_back(complaint(loaded, key.name(),
-                                           fmt::format("a key of the parts that {} has", with_value(loaded, reason))));
+                                           fmt::format("a key of the parts that {} has",
+                                                       with_value(loaded, key_that_decides(parts, key.name())))));
         }
     }
 }
@@ -172,6 +181,7 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     check_lanes(loaded, complaints);
     check_scan_lanes(loaded, complaints);
     check_sweep_region(loaded, complaints);
+    check_buffers(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);

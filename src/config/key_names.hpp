@@ -12,7 +12,7 @@ inline std::string fifo_key_name(FifoId id, std::string const& field) {
 }
 
 inline std::string loop_key_name(LoopId id, std::string const& field) {
-    LoopName const& loop = loop_names[index_of(id)];
+    LoopName const& loop = loop_names[index_of(configured_as(id))];
     return std::string("accelerator.loops.") + name_of(loop.module) + '.' + loop.name + '.' + field;
 }
 

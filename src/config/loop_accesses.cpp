@@ -37,7 +37,7 @@ std::vector<MemoryAccess> to_maps(PerMap const& touches, int lanes = 1) {
 
 std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& config) {
     EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
-    switch (id) {
+    switch (configured_as(id)) {
         case LoopId::edge_clear:
             return to_maps(design.clear);
         case LoopId::token:
@@ -55,6 +55,7 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
         case LoopId::vertex:
         case LoopId::scan:
         case LoopId::read:
+        default:
             break;
     }
     return {};

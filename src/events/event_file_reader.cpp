@@ -4,6 +4,7 @@
 #include "common/input_error.hpp"
 #include "config/config_sources.hpp"
 #include "config/keys.hpp"
+#include "config/parts.hpp"
 #include "events/event_file.hpp"
 #include "events/event_file_format.hpp"
 #include "events/machine_json.hpp"
@@ -37,7 +38,7 @@ class Reader {
             if (index.at("header_checksum") != header_checksum_)
                 fail("its header does not belong to its index, expected both from one run");
             read_configuration(header.at("configuration"), file.loaded);
-            read_machine(header.at("machine"), file.run);
+            read_machine(header.at("machine"), process_places(Parts(file.loaded.config.accelerator)), file.run);
             read_samples(index.at("samples"), file);
             file.summary = index.at("summary").dump();
         } catch (Json::exception const& error) {

@@ -115,11 +115,11 @@ Json machine_json(timing::CoreTiming const& blueprint) {
     return processes;
 }
 
-void read_machine(Json const& machine, retiming::RecordedRun& run) {
+void read_machine(Json const& machine, std::size_t processes, retiming::RecordedRun& run) {
     MachineReader reader(run);
     for (Json const& process : machine)
         reader.read_process(process);
-    if (run.blueprint->processes().size() != module_count)
+    if (run.blueprint->processes().size() != processes)
         throw std::invalid_argument("missing processes");
 }
 

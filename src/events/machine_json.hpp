@@ -10,8 +10,8 @@ using Json = nlohmann::ordered_json;
 /// A core's processes with their ports and loops, and where those stand in the source.
 Json machine_json(timing::CoreTiming const& blueprint);
 
-/// And back: blueprint and source files of a run. Throws Json::exception or std::invalid_argument for what is no
-/// machine of this version.
-void read_machine(Json const& machine, retiming::RecordedRun& run);
+/// And back: blueprint, of so many processes, and source files of a run. Throws Json::exception or
+/// std::invalid_argument for what is no machine of this version.
+void read_machine(Json const& machine, std::size_t processes, retiming::RecordedRun& run);
 
 }  // namespace faster::events

@@ -17,7 +17,7 @@ Accelerator::Accelerator(sc_core::sc_module_name const& name, AcceleratorConfig 
         cores_.push_back(std::make_unique<RasterCore>(core_name.c_str(), config, stimulus, share, time_base));
         if (engine == Engine::lockstep)
             continue;
-        cores_.back()->timing().let_follow(rasterizer_and_followers(config), automaton);
+        cores_.back()->timing().let_follow(rasterizer_and_followers(Parts(config)), automaton);
         if (core > 0)
             cores_[core]->run_after(*cores_[core - 1]);
     }

@@ -11,11 +11,12 @@ namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 }  // namespace
 
-EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core)
+EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
     : sc_module(name),
       core_(core),
       clock_(core.timing, basename(), core.time_base),
-      maps_(datapath::make_edge_map_policy(core.config.edge_map.algorithm, core.stimulus.window)) {
+      buffers_(buffers),
+      read_out_(core, clock_) {
     SC_THREAD(run);
 }
 
@@ -23,13 +24,23 @@ void EdgeMapBuilder::end_of_elaboration() {
     edge_token_ = channel_of(edge_token_in.pixels);
     edge_groups_ = channel_of(edge_token_in.groups);
     clock_.connect_reads(*edge_token_in.channel());
-    clock_.connect_writes(channel_of(edge_map_out));
+    map_free_ = channel_of(map_free_in);
+    map_full_ = channel_of(map_full_out);
+    ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out);
+    if (edge_map != nullptr) {
+        clock_.connect_writes(*edge_map);
+    } else {
+        clock_.connect_writes(*map_full_);
+        clock_.connect_reads(*map_free_);
+    }
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::edge_clear, core_.config));
     token_loop_ = clock_.add_loop(loop_shape(LoopId::token, core_.config));
-    output_loop_ = clock_.add_loop(loop_shape(LoopId::output, core_.config), {&channel_of(edge_map_out)});
+    if (edge_map != nullptr)
+        read_out_.add_loop(*edge_map);
 }
 
 void EdgeMapBuilder::run() {
+    maps_ = buffers_.claim(buffer_).get();
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         core_.begin_sample(ModuleId::edge_map_builder);
         clock_.advance(1);
@@ -38,8 +49,23 @@ void EdgeMapBuilder::run() {
         maps_->finish();
         if (core_.probe != nullptr)
             core_.probe->edge_maps_done(core_.first_sample + i, {maps_->edge(), maps_->object(), maps_->side()});
-        output(core_.rows_of(turn_to_output()));
+        if (buffers_.size() > 1)
+            hand_over();
+        else
+            read_out_.send(*maps_, core_.rows_of(turn_to_output()));
     }
+}
+
+/// The finished maps, for those that have been read out meanwhile.
+void EdgeMapBuilder::hand_over() {
+    buffers_.release(buffer_);
+    clock_.here();
+    map_full_->write(BufferNumber(buffer_));
+    clock_.advance(1);
+    clock_.here();
+    buffer_ = map_free_->read().number;
+    clock_.advance(1);
+    maps_ = buffers_.claim(buffer_).get();
 }
 
 void EdgeMapBuilder::clear() {
@@ -122,28 +148,6 @@ FragmentIndex EdgeMapBuilder::read_corner() {
     }
     EdgeToken const token = edge_token_->read();
     return {token.row, token.col};
-}
-
-void EdgeMapBuilder::output(LaneRows const& rows) {
-    constexpr std::size_t burst = 1024;
-    auto& out = channel_of(edge_map_out);
-    if (rows.tokens() == 0) {
-        clock_.advance(1);
-        return;
-    }
-    clock_.enter_loop(output_loop_);
-    clock_.iterate(0, maps_->rows_read_ahead() * rows.tokens_per_row());
-    for (std::size_t done = 0; done < rows.tokens();) {
-        LaneRows::Run const run = rows.run(done, std::min(burst, rows.tokens() - done));
-        out.await_room();
-        std::uint8_t* const bits = out.reserve(run.tokens);
-        std::copy_n(maps_->edge() + run.first_pixel, run.pixels, bits);
-        std::fill(bits + run.pixels, bits + run.tokens * rows.lanes(), std::uint8_t{0});
-        out.commit(run.tokens);
-        clock_.iterate(out.write_port(), run.tokens);
-        done += run.tokens;
-    }
-    clock_.leave_loop();
 }
 
 }  // namespace faster

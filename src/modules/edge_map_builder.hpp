@@ -1,29 +1,35 @@
 #pragma once
-#include <memory>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
+#include "channels/port_binding.hpp"
 #include "common/tokens.hpp"
-#include "datapath/edge_map/edge_map_policy.hpp"
 #include "modules/core_context.hpp"
+#include "modules/edge_map_buffers.hpp"
+#include "modules/edge_map_read_out.hpp"
 
 namespace faster {
 
 /// Merges the edges of single triangles into the contour of the object, as accelerator.edge_map.algorithm says.
 ///   in    edge_token_in  object and edge pixels in any order, End per sample; sweep_region touched: then the corners
-///   of
-///                        the touched region
+///                        of the touched region
 ///   out   edge_map_out   W x W bits per sample, or those of the region, row-major, `sweep_lanes` bits of a row per
 ///   token time  loop `clear`, loop `token` (some tokens take two iterations), loop `output`
+/// With two buffers, EdgeMapOutput reads the maps out:
+///   in    map_free_in    the buffer of the next sample
+///   out   map_full_out   the finished one, instead of edge_map_out
+///   time  a step each instead of loop `output`
 /// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
     PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
-    sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
+    OptionalFifoIn<BufferNumber> map_free_in{"map_free_in"};     ///< bound with two buffers
+    OptionalFifoOut<BufferNumber> map_full_out{"map_full_out"};  ///< bound with two buffers
+    OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
 
     SC_HAS_PROCESS(EdgeMapBuilder);
-    EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core);
+    EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }
 
   private:
@@ -39,16 +45,20 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void take_group(PixelGroup const& group);
     PixelBox turn_to_output();
     FragmentIndex read_corner();
-    void output(LaneRows const& rows);
+    void hand_over();
 
     CoreContext const& core_;
     ProcessClock clock_;
-    std::unique_ptr<datapath::EdgeMapPolicy> maps_;
+    EdgeMapBuffers& buffers_;
+    std::size_t buffer_ = 0;
+    datapath::EdgeMapPolicy* maps_ = nullptr;       ///< of the sample at hand
+    EdgeMapReadOut read_out_;                       ///< one buffer
     ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: tokens are groups
     ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
+    ClockedFifo<BufferNumber>* map_free_ = nullptr;  ///< two buffers
+    ClockedFifo<BufferNumber>* map_full_ = nullptr;  ///< two buffers
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;
-    unsigned output_loop_ = 0;
 };
 
 }  // namespace faster

@@ -3,21 +3,17 @@
 #include <algorithm>
 
 #include "config/clear_design.hpp"
-#include "config/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {
 
-InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core)
+InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
     : sc_module(name),
       core_(core),
       clock_(core.timing, basename(), core.time_base),
       depth_unit_(core.stimulus.fraction),
-      window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer,
-                    contour_has_depth(core.config) ? datapath::ContourDepth::own : datapath::ContourDepth::neighbour),
-      depth_buffer_(core.window_pixels(), far_depth_code) {
-    if (core.config.flow == Flow::fpga_grip)
-        edge_extractor_.emplace(core, clock_);
+      buffers_(buffers),
+      scoring_(core, clock_) {
     SC_THREAD(run);
 }
 
@@ -28,32 +24,38 @@ void InlierUnit::end_of_elaboration() {
     depth_groups_ = channel_of(fragment_depth_in.groups);
     index_groups_ = channel_of(fragment_index_in.groups);
     command_ = &channel_of(command_in);
-    edge_map_ = channel_of(edge_map_in);
     // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
     // three.
     clock_.connect_reads(*area_reciprocal_);
     clock_.connect_reads(*fragment_depth_in.channel());
     clock_.connect_reads(*fragment_index_in.channel());
     clock_.connect_reads(*command_);
-    if (edge_map_ != nullptr)
-        clock_.connect_reads(*edge_map_);
-    clock_.connect_reads(channel_of(observed_depth_in));
-    clock_.connect_reads(channel_of(observed_edge_in));
-    clock_.connect_writes(channel_of(result_out));
+    connect_scoring();
     clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
     fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
-    sweep_loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
-    if (edge_extractor_)
-        edge_extractor_->add_loop();
+    if (result_ != nullptr)
+        scoring_.add_loops();
     triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
     fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_in.channel()->read_port() |
                                                 fragment_index_in.channel()->read_port() | command_->read_port());
-    unsigned const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : 0U;
-    sweep_ports_ = static_cast<std::uint8_t>(edge_port | channel_of(observed_depth_in).read_port() |
-                                             channel_of(observed_edge_in).read_port());
+}
+
+/// Or what leads to it, where it is another process's.
+void InlierUnit::connect_scoring() {
+    result_ = channel_of(result_out);
+    depth_full_ = channel_of(depth_full_out);
+    depth_free_ = channel_of(depth_free_in);
+    if (result_ != nullptr) {
+        scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
+        clock_.connect_writes(*result_);
+    } else {
+        clock_.connect_writes(*depth_full_);
+        clock_.connect_reads(*depth_free_);
+    }
 }
 
 void InlierUnit::run() {
+    depth_buffer_ = &buffers_.claim(buffer_);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         core_.begin_sample(ModuleId::inlier_unit);
         counters_ = SampleCounters{};
@@ -61,24 +63,38 @@ void InlierUnit::run() {
         clear();
         core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
         if (core_.probe != nullptr)
-            core_.probe->depth_buffer_done(core_.first_sample + i, depth_buffer_);
-        PixelBox const box = turn_to_sweep();
-        if (edge_extractor_) {
-            edge_extractor_->extract(core_.first_sample + i, depth_buffer_, box);
-            clock_.advance(1);
-        }
-        sweep(box);
-        clock_.here();
-        result_out.write(counters_);
-        clock_.advance(1);
+            core_.probe->depth_buffer_done(core_.first_sample + i, *depth_buffer_);
+        buffers_.size() > 1 ? hand_over() : score(core_.first_sample + i);
     }
+}
+
+void InlierUnit::score(std::size_t sample) {
+    PixelBox const box = turn_to_sweep();
+    scoring_.score(sample, *depth_buffer_, box, counters_);
+    if (core_.sweeps_touched() && core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+        forget(box);
+    clock_.here();
+    result_->write(counters_);
+    clock_.advance(1);
+}
+
+/// The drawn buffer, for one that has been swept meanwhile.
+void InlierUnit::hand_over() {
+    buffers_.release(buffer_);
+    clock_.here();
+    depth_full_->write({static_cast<std::uint8_t>(buffer_), counters_.valid_raster});
+    clock_.advance(1);
+    clock_.here();
+    buffer_ = depth_free_->read().number;
+    clock_.advance(1);
+    depth_buffer_ = &buffers_.claim(buffer_);
 }
 
 void InlierUnit::clear() {
     std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
     bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: forget()
     if (!is_clear)
-        std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
+        std::fill(depth_buffer_->begin(), depth_buffer_->end(), far_depth_code);
     if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
@@ -161,6 +177,7 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
     std::int64_t const* z_sum = fragment_depth_->front();
     FragmentIndex const* index = fragment_index_->front();
     Command const* next = command_->front();
+    std::uint16_t* const words = depth_buffer_->data();
     auto const side = static_cast<unsigned>(core_.stimulus.window);
     std::uint64_t drawn = 0;
     std::size_t n = 0;
@@ -169,7 +186,7 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
         auto const col = static_cast<unsigned>(int{index[n].col});
         if (row < side && col < side) {
             std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum[n]), reciprocal);
-            drawn += depth_unit_.draw(depth, depth_buffer_[std::size_t{row} * side + col]) ? 1U : 0U;
+            drawn += depth_unit_.draw(depth, words[std::size_t{row} * side + col]) ? 1U : 0U;
         }
         command = next[n];
     }
@@ -199,53 +216,12 @@ FragmentIndex InlierUnit::read_corner() {
     return {group.row, group.col};
 }
 
-/// In a region nothing is known of the rest of the window: its valid depths come to the host another way.
-void InlierUnit::sweep(PixelBox const& box) {
-    LaneRows const rows = core_.rows_of(box);
-    if (rows.tokens() == 0)
-        clock_.advance(1);
-    else
-        sweep_rows(rows);
-    if (!core_.sweeps_touched())
-        return;
-    counters_.valid_depth = 0;
-    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
-        forget(box);
-}
-
+/// As if all of a region were "far" again.
 void InlierUnit::forget(PixelBox const& box) {
     auto const side = static_cast<std::size_t>(core_.stimulus.window);
     for (auto row = static_cast<std::size_t>(box.first_row); row < static_cast<std::size_t>(box.end_row); ++row)
-        std::fill_n(depth_buffer_.begin() + static_cast<std::ptrdiff_t>(row * side) + box.first_col, box.cols(),
+        std::fill_n(depth_buffer_->begin() + static_cast<std::ptrdiff_t>(row * side) + box.first_col, box.cols(),
                     far_depth_code);
-}
-
-void InlierUnit::sweep_rows(LaneRows const& rows) {
-    auto& observed_depth = channel_of(observed_depth_in);
-    auto& observed_edge = channel_of(observed_edge_in);
-    SweepDesign const design = sweep_design(core_.config);
-    clock_.enter_loop(sweep_loop_);
-    clock_.iterate(0, design.lead(rows.tokens_per_row()));
-    for (std::size_t done = 0; done < rows.tokens();) {
-        std::size_t n = rows.tokens() - done;
-        if (edge_map_ != nullptr)
-            n = std::min(n, edge_map_->peek());
-        n = std::min(n, observed_depth.peek());
-        n = std::min(n, observed_edge.peek());
-        LaneRows::Run const run = rows.run(done, n);
-        std::uint8_t const* const edge =
-            edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + run.first_pixel;
-        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer_.data(), edge, observed_depth.front(),
-                            observed_edge.front(), counters_);
-        clock_.iterate(sweep_ports_, run.tokens);
-        if (edge_map_ != nullptr)
-            edge_map_->consume(run.tokens);
-        observed_depth.consume(run.tokens);
-        observed_edge.consume(run.tokens);
-        done += run.tokens;
-    }
-    clock_.iterate(0, design.tail(rows.tokens_per_row()));
-    clock_.leave_loop();
 }
 
 }  // namespace faster

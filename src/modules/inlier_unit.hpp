@@ -1,14 +1,13 @@
 #pragma once
-#include <optional>
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
 #include "common/tokens.hpp"
 #include "datapath/depth.hpp"
-#include "datapath/window_sweep.hpp"
 #include "modules/core_context.hpp"
-#include "modules/edge_extractor.hpp"
+#include "modules/depth_buffers.hpp"
+#include "modules/scoring.hpp"
 
 namespace faster {
 
@@ -20,8 +19,11 @@ namespace faster {
 ///                                                               `sweep_lanes` pixels of a row per token
 ///   out   result_out  one set of counters per sample
 ///   time  loop `clear`; per triangle one step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip
-///   loop
-///         `extract`; loop `sweep`
+///         loop `extract`; loop `sweep`
+/// With two buffers, InlierSweep does what comes after the drawing:
+///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
+///   out   depth_full_out  the drawn one, instead of result_out
+///   time  a step each instead of loops `extract` and `sweep`
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
 class InlierUnit : public sc_core::sc_module {
   public:
@@ -29,13 +31,15 @@ class InlierUnit : public sc_core::sc_module {
     PixelsIn<std::int64_t, DepthGroup> fragment_depth_in{"fragment_depth_in"};
     PixelsIn<FragmentIndex, PixelGroup> fragment_index_in{"fragment_index_in"};
     sc_core::sc_fifo_in<Command> command_in{"command_in"};
-    OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip
-    sc_core::sc_fifo_in<std::uint16_t> observed_depth_in{"observed_depth_in"};
-    sc_core::sc_fifo_in<std::uint8_t> observed_edge_in{"observed_edge_in"};
-    sc_core::sc_fifo_out<SampleCounters> result_out{"result_out"};
+    OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip, too
+    OptionalFifoIn<std::uint16_t> observed_depth_in{"observed_depth_in"};
+    OptionalFifoIn<std::uint8_t> observed_edge_in{"observed_edge_in"};
+    OptionalFifoOut<SampleCounters> result_out{"result_out"};
+    OptionalFifoIn<BufferNumber> depth_free_in{"depth_free_in"};        ///< bound with two buffers
+    OptionalFifoOut<FullDepthBuffer> depth_full_out{"depth_full_out"};  ///< bound with two buffers
 
     SC_HAS_PROCESS(InlierUnit);
-    InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core);
+    InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }
 
   private:
@@ -53,16 +57,18 @@ class InlierUnit : public sc_core::sc_module {
     unsigned draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels);
     PixelBox turn_to_sweep();
     FragmentIndex read_corner();
-    void sweep(PixelBox const& box);
-    void sweep_rows(LaneRows const& rows);
     void forget(PixelBox const& box);
+    void connect_scoring();
+    void score(std::size_t sample);
+    void hand_over();
 
     CoreContext const& core_;
     ProcessClock clock_;
     datapath::DepthUnit depth_unit_;
-    datapath::WindowSweep window_sweep_;
-    std::optional<EdgeExtractor> edge_extractor_;  ///< flow fpga_grip
-    std::vector<std::uint16_t> depth_buffer_;      ///< W x W, row-major
+    DepthBuffers& buffers_;
+    std::size_t buffer_ = 0;
+    std::vector<std::uint16_t>* depth_buffer_ = nullptr;  ///< of the sample at hand
+    Scoring scoring_;                                     ///< one buffer
     SampleCounters counters_;
     ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
     ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: fragments come in groups
@@ -70,13 +76,13 @@ class InlierUnit : public sc_core::sc_module {
     ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
     ClockedFifo<PixelGroup>* index_groups_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
-    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
+    ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
+    ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers
+    ClockedFifo<FullDepthBuffer>* depth_full_ = nullptr;  ///< two buffers
     std::uint8_t triangle_ports_ = 0;
     std::uint8_t fragment_ports_ = 0;
-    std::uint8_t sweep_ports_ = 0;
     unsigned clear_loop_ = 0;
     unsigned fragment_loop_ = 0;
-    unsigned sweep_loop_ = 0;
 };
 
 }  // namespace faster

@@ -31,7 +31,7 @@ unsigned InlierUnit::draw_group(std::uint64_t reciprocal, DepthGroup const& dept
     int const side = core_.stimulus.window;
     if (pixels.row < 0 || pixels.row >= side)
         return 0;
-    std::uint16_t* const row = depth_buffer_.data() + std::ptrdiff_t{pixels.row} * side;
+    std::uint16_t* const row = depth_buffer_->data() + std::ptrdiff_t{pixels.row} * side;
     unsigned drawn = 0;
     std::int64_t z_sum = depths.z_sum;
     int col = pixels.col;

@@ -6,6 +6,8 @@
 #include "config/parts.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
+#include "modules/edge_map_output.hpp"
+#include "modules/inlier_sweep.hpp"
 #include "modules/inlier_unit.hpp"
 #include "modules/observation_reader.hpp"
 #include "modules/rasterizer.hpp"
@@ -21,7 +23,7 @@ class RasterCore : public sc_core::sc_module {
     RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
                CoreShare share, TimeBase const& time_base);
 
-    Parts parts() const { return context_.config; }
+    Parts parts() const { return Parts(context_.config); }
     CoreShare share() const { return {context_.first_sample, context_.sample_count}; }
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
     void set_progress(std::function<void()> progress) { context_.progress = std::move(progress); }
@@ -50,7 +52,9 @@ class RasterCore : public sc_core::sc_module {
             call();
     }
     timing::FifoTiming& fifo_timing(FifoId id) { return timing_.add_fifo(fifo_shape_of(id)); }
-    std::unique_ptr<EdgeMapBuilder> make_edge_map_builder();
+    template <class Module, class Buffers> std::unique_ptr<Module> make_part(ModuleId id, Buffers& buffers);
+    void bind_edge_maps();
+    void bind_scoring();
     timing::FifoShape fifo_shape_of(FifoId id) const;
     bool scans_groups() const { return context_.config.rasterizer.lanes > 1; }
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
@@ -79,6 +83,13 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
     ClockedFifo<FragmentIndex> region_{"region", fifo_timing(FifoId::region)};
     ClockedFifo<std::uint64_t> valid_depth_{"valid_depth", fifo_timing(FifoId::valid_depth)};
+    ClockedFifo<BufferNumber> map_full_{"map_full", fifo_timing(FifoId::map_full)};
+    ClockedFifo<BufferNumber> map_free_{"map_free", fifo_timing(FifoId::map_free)};
+    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing(FifoId::depth_full)};
+    ClockedFifo<BufferNumber> depth_free_{"depth_free", fifo_timing(FifoId::depth_free)};
+
+    EdgeMapBuffers edge_map_buffers_;
+    DepthBuffers depth_buffers_;
 
   public:
     // In the order of ModuleId.
@@ -90,6 +101,8 @@ class RasterCore : public sc_core::sc_module {
     ObservationReader observation_reader;
     InlierUnit inlier_unit;
     ResultCollector result_collector;
+    std::unique_ptr<EdgeMapOutput> edge_map_output;  ///< null with one buffer
+    std::unique_ptr<InlierSweep> inlier_sweep;       ///< null with one buffer
 };
 
 }  // namespace faster

@@ -9,6 +9,13 @@ namespace faster::recording {
 
 using Kind = Event::Kind;
 
+namespace {
+/// Its tokens say which buffer their reader has from now on.
+bool hands_over_buffers(FifoId id) {
+    return id == FifoId::map_full || id == FifoId::map_free || id == FifoId::depth_full || id == FifoId::depth_free;
+}
+}  // namespace
+
 BramModel::BramModel(AcceleratorConfig const& config)
     : edge_map_(config.edge_map),
       depth_clearing_(config.inlier_unit.clearing),
@@ -28,6 +35,7 @@ BramModel::BramModel(AcceleratorConfig const& config)
 std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, TokenValues const& fields) {
     Event const& event = core_event.event;
     accesses_.clear();
+    module_ = core_event.module;
     if (event.kind == Kind::enter) {
         loop_[core_event.module] = event.item;
     } else if (event.kind == Kind::read && event.item == index_of(FifoId::edge_token)) {
@@ -38,8 +46,10 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         fragment_before_ = fragment_;
         fragment_ = {fields[0], fields[1], 0, scans_groups_ ? fields[2] : 1};
         fragment_read_ = event.cycle;
+    } else if (event.kind == Kind::read && hands_over_buffers(FifoId{event.item})) {
+        buffer_[module_] = static_cast<std::size_t>(fields[0]);
     } else if (event.kind == Kind::iterate) {
-        iterate(static_cast<LoopId>(loop_[core_event.module]), event);
+        iterate(configured_as(static_cast<LoopId>(loop_[module_])), event);
     }
     return accesses_;
 }
@@ -79,7 +89,7 @@ void BramModel::iterate(LoopId loop, Event const& event) {
             return extract_iteration(event.value, event.cycle);
         case LoopId::vertex:
         case LoopId::scan:
-        case LoopId::read:
+        default:
             return;
     }
 }
@@ -264,10 +274,12 @@ void BramModel::add(BramId bram, bool writes, std::int64_t row, std::int64_t col
 
 void BramModel::add(BramId bram, bool writes, std::int64_t address, Cycles cycle) {
     std::size_t const i = index_of(bram);
-    std::uint64_t const bank = partitions_[i].bank_of(address / side_, address % side_);
+    std::size_t const buffer = buffer_[module_];
+    std::uint64_t const bank =
+        buffer * partitions_[i].banks() + partitions_[i].bank_of(address / side_, address % side_);
     std::uint64_t const number = accesses_so_far(i, bank);
     accesses_.push_back({i, bank * ports_[i] + number % ports_[i], cycle + number / ports_[i], writes,
-                         static_cast<std::uint64_t>(address)});
+                         static_cast<std::uint64_t>(address), buffer});
 }
 
 std::uint64_t BramModel::accesses_so_far(std::size_t bram, std::uint64_t bank) const {

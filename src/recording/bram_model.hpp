@@ -13,10 +13,12 @@ namespace faster::recording {
 /// One access of a block RAM port, as the static schedule of a loop iteration has it.
 struct BramAccess {
     std::size_t bram = 0;
-    std::uint64_t port = 0;  ///< of all banks: bank b has ports b * ports .. (b + 1) * ports - 1
+    /// Of all banks: bank b has ports b * ports .. (b + 1) * ports - 1; then those of the next buffer.
+    std::uint64_t port = 0;
     Cycles cycle = 0;
     bool writes = false;  ///< the slot of a write; whether the data let it happen is not looked at
     std::uint64_t address = 0;
+    std::size_t buffer = 0;  ///< which of two
 };
 
 /// Which addresses the iterations of one core access, from the tokens its processes read (thesis chapter 5,
@@ -70,6 +72,8 @@ class BramModel {
     std::array<std::uint64_t, bram_count> ports_{};  ///< of a bank
     std::vector<BankPartition> partitions_;          ///< [BramId]
     std::array<std::size_t, module_count> loop_{};
+    std::array<std::size_t, module_count> buffer_{};  ///< that a module is at
+    std::size_t module_ = 0;                          ///< whose event is at hand
     Token token_of(TokenValues const& fields) const;
     void add_pixels(BramId bram, bool writes, Token const& token, Cycles cycle);
     Token token_;     ///< that the edge-map builder works on; in the end a region's first corner

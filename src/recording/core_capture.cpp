@@ -13,8 +13,12 @@ CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& 
     for (std::size_t loop = loop_count; loop-- > 0;)
         first_loop_[index_of(loop_names[loop].module)] = static_cast<std::uint8_t>(loop);
     for (ProcessTiming const& process : core.processes())
-        for (unsigned port = 0; port < process.port_count(); ++port)
-            fifo_at_[process.index()][port] = static_cast<std::uint8_t>(core.number_of(process.fifo(port)));
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            std::size_t const fifo = core.number_of(process.fifo(port));
+            fifo_at_[process.index()][port] = static_cast<std::uint8_t>(fifo);
+            if (process.writes(port))
+                writers_[fifo] = process.index();
+        }
     take_down_state();
     for (std::size_t i = 0; i < core.processes().size(); ++i)
         core.process(i).set_observer(this);
@@ -29,7 +33,7 @@ void CoreCapture::take_down_state() {
 }
 
 /// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
-/// they are told as written and read before.
+/// they are told as written and read before, the read a cycle later if events of one cycle come reader first.
 void CoreCapture::take_down_tokens(ProcessTiming const& process) {
     struct Access {
         Cycles cycle;
@@ -43,8 +47,9 @@ void CoreCapture::take_down_tokens(ProcessTiming const& process) {
         std::uint8_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
         Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
+        Cycles const read_at = fifo.shape().issue_latency + (writers_[number] > process.index() ? 1 : 0);
         for (std::uint64_t i = std::min(tokens_in_use_, fifo.reads()); i > 0; --i)
-            accesses.push_back({writes ? 0 : fifo.shape().issue_latency, number, fifo.reads() - i, writes});
+            accesses.push_back({writes ? 0 : read_at, number, fifo.reads() - i, writes});
         for (std::uint64_t i = 0; writes && i < fifo.known_reads(); ++i)
             accesses.push_back({fifo.earliest_read(i) - latency, number, fifo.reads() + i, true});
     }

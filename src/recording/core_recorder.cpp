@@ -45,7 +45,7 @@ CoreRecorder::CoreRecorder(RasterCore& core, RecordingWindow const& window) : co
 }
 
 void CoreRecorder::tape_to(Tape* tape) {
-    for (std::size_t i = 0; i < module_count; ++i) {
+    for (std::size_t i = 0; i < core_.timing().processes().size(); ++i) {
         timing::ProcessTiming& process = core_.timing().process(i);
         if (taped_to_ != nullptr)
             process.remove_tape((*taped_to_)[i]);
@@ -77,7 +77,7 @@ void CoreRecorder::make_checkpoint() {
     Checkpoint checkpoint;
     checkpoint.timing = core_.timing().copy();
     checkpoint.latest = latest_of(*checkpoint.timing);
-    checkpoint.tape.resize(module_count);
+    checkpoint.tape.resize(core_.timing().processes().size());
     checkpoints_.push_back(std::move(checkpoint));
     tape_to(&checkpoints_.back().tape);
 }
@@ -134,7 +134,7 @@ void CoreRecorder::feed() {
     if (to_)
         capture_->set_end(*to_);
     for (Checkpoint& checkpoint : checkpoints_)
-        for (std::size_t i = 0; i < module_count; ++i) {
+        for (std::size_t i = 0; i < checkpoint.tape.size(); ++i) {
             timing::OperationLog& tape = checkpoint.tape[i];
             for (timing::Operation const* operation = tape.begin(); operation != tape.begin() + tape.pending();
                  ++operation)

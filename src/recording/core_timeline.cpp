@@ -97,7 +97,7 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
         open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
     if (!goes_on) {
         close(open, open.span.end);
-        bool const writes = index_of(fifo_ends[event.item].writer) == module;
+        bool const writes = index_of(ends_of(core_.parts, FifoId{event.item}).writer) == module;
         auto const kind = writes ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
         open = {{module, kind, event.item, event.cycle, 0, 0}, true};
     }

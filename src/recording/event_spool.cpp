@@ -1,5 +1,6 @@
 #include "recording/event_spool.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -13,6 +14,9 @@ namespace {
     throw InputError(std::string("temporary file of a recording: cannot ") + what + ": " + std::strerror(errno) +
                      ", expected room in the system's folder for temporary files");
 }
+
+/// A number in four bits: the item itself has a byte of its own.
+constexpr unsigned large_item = 0xF;
 
 /// Small numbers of either sign become small numbers without.
 std::uint64_t folded(std::int64_t value) {
@@ -31,7 +35,10 @@ void EventSpool::put(Event const& event) {
     }
     if (end_ - at_ < static_cast<std::ptrdiff_t>(longest_event))
         spill();
-    *at_++ = static_cast<std::uint8_t>(static_cast<unsigned>(event.kind) << 4 | event.item);
+    unsigned const item = std::min<unsigned>(event.item, large_item);
+    *at_++ = static_cast<std::uint8_t>(static_cast<unsigned>(event.kind) << 4 | item);
+    if (item == large_item)
+        *at_++ = event.item;
     put_number(folded(static_cast<std::int64_t>(event.cycle - cycle_)));
     put_number(folded(event.value));
     if (event.kind == Event::Kind::iterate) {
@@ -86,7 +93,9 @@ bool EventSpool::get(Event& event) {
         return false;
     std::uint8_t const head = *at_++;
     event.kind = static_cast<Event::Kind>(head >> 4);
-    event.item = head & 0xFU;
+    event.item = head & large_item;
+    if (event.item == large_item)
+        event.item = *at_++;
     cycle_ += static_cast<Cycles>(unfolded(get_number()));
     event.cycle = cycle_;
     event.value = unfolded(get_number());

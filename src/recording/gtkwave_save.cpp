@@ -158,8 +158,8 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
         add_core(save, config, core, filter, tables);
-    write(tables.states, state_table(config));
-    write(tables.stalls, stall_table(config));
+    write(tables.states, state_table(Parts(config)));
+    write(tables.stalls, stall_table(Parts(config)));
     write(beside(".gtkw"), save.text());
 }
 

@@ -7,7 +7,6 @@
 
 #include "common/input_error.hpp"
 #include "common/nearest_name.hpp"
-#include "config/parts.hpp"
 
 namespace faster::recording {
 
@@ -45,11 +44,11 @@ bool SignalFilter::matches(char const* name) const {
 
 bool SignalFilter::shows(ModuleId module) const { return has_part(parts_, module) && matches(name_of(module)); }
 bool SignalFilter::shows(FifoId fifo) const {
-    FifoEnds const& ends = fifo_ends[index_of(fifo)];
+    FifoEnds const ends = ends_of(parts_, fifo);
     return has_part(parts_, fifo) && (matches(name_of(fifo)) || shows(ends.writer) || shows(ends.reader));
 }
 bool SignalFilter::shows(BramId bram) const {
-    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)));
+    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)) || shows(reader_of(bram)));
 }
 
 }  // namespace faster::recording

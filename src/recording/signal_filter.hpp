@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "config/machine.hpp"
 #include "config/parts.hpp"
 
 namespace faster::recording {
@@ -28,6 +27,10 @@ class SignalFilter {
 /// Where a block RAM belongs.
 inline ModuleId owner_of(BramId bram) {
     return bram == BramId::depth_buffer ? ModuleId::inlier_unit : ModuleId::edge_map_builder;
+}
+/// And who reads it out, where there are two of it.
+inline ModuleId reader_of(BramId bram) {
+    return bram == BramId::depth_buffer ? ModuleId::inlier_sweep : ModuleId::edge_map_output;
 }
 
 }  // namespace faster::recording

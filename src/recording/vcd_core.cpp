@@ -111,7 +111,8 @@ void VcdCore::take(CoreEvent const& core_event) {
             set(module.iteration, event.value);
             break;
         case Kind::stall:
-            set(module.stall, stall_on(event.item, index_of(fifo_ends[event.item].writer) == core_event.module));
+            set(module.stall,
+                stall_on(event.item, index_of(ends_of(core_.parts, FifoId{event.item}).writer) == core_event.module));
             break;
         case Kind::resume:
             set(module.stall, no_stall);

@@ -46,8 +46,8 @@ std::string loop_sentence(Cause const& cause, Diagnosis const& diagnosis, Accele
     return sentence + ".";
 }
 
-std::string stall_sentence(Cause const& cause, Diagnosis const& diagnosis) {
-    FifoEnds const& ends = fifo_ends[cause.item];
+std::string stall_sentence(Cause const& cause, Diagnosis const& diagnosis, Parts const& parts) {
+    FifoEnds const ends = ends_of(parts, FifoId{cause.item});
     bool const reads = index_of(ends.reader) == diagnosis.module;
     return fmt::format("{} {} waits for {}: {} is {}.", share(cause.cycles, diagnosis), module_names[diagnosis.module],
                        name_of(reads ? ends.writer : ends.reader), fifo_names[cause.item], reads ? "empty" : "full");
@@ -60,7 +60,7 @@ std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, Accelera
         case Cause::Kind::loop:
             return loop_sentence(cause, diagnosis, config, run);
         case Cause::Kind::stall:
-            return stall_sentence(cause, diagnosis);
+            return stall_sentence(cause, diagnosis, run.parts);
         case Cause::Kind::setup:
             return fmt::format(
                 "{} is {} {}, {} cycles each.", share(cause.cycles, diagnosis), module,

@@ -28,20 +28,16 @@ Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, 
             {"words", memory.words},
             {"bits", memory.bits},
             {"banks", memory.partition},
+            {"buffers", memory.buffers},
             {"ports", memory.ports},
             {"ramb36", ramb36_count(memory)},
             {"port_conflict_cycles", port_conflict_cycles(statistics, id)}};
 }
 
 Json line_buffer_row(std::size_t core, MemoryShape const& memory) {
-    return {{"core", core},
-            {"bram", "line_buffers"},
-            {"words", memory.words},
-            {"bits", memory.bits},
-            {"banks", memory.partition},
-            {"ports", memory.ports},
-            {"ramb36", ramb36_count(memory)},
-            {"port_conflict_cycles", 0}};
+    return {{"core", core},          {"bram", "line_buffers"},         {"words", memory.words},
+            {"bits", memory.bits},   {"banks", memory.partition},      {"buffers", memory.buffers},
+            {"ports", memory.ports}, {"ramb36", ramb36_count(memory)}, {"port_conflict_cycles", 0}};
 }
 
 }  // namespace

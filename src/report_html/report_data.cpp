@@ -32,8 +32,8 @@ Json modules(RunStatistics const& run) {
     return rows;
 }
 
-Json stall_row(std::size_t module, std::size_t fifo, Cycles cycles) {
-    FifoEnds const& ends = fifo_ends[fifo];
+Json stall_row(Parts const& parts, std::size_t module, std::size_t fifo, Cycles cycles) {
+    FifoEnds const ends = ends_of(parts, FifoId{fifo});
     bool const reads = index_of(ends.reader) == module;
     return {{"module", module_names[module]},
             {"kind", name_of(reads ? CycleClass::empty_stall : CycleClass::full_stall)},
@@ -57,7 +57,7 @@ Json stalls(RunStatistics const& run) {
         ProcessStatistics const process = process_sum(run, i);
         for (std::size_t f = 0; f < fifo_count; ++f)
             if (process.stalls[f] > 0)
-                rows.push_back(stall_row(i, f, process.stalls[f]));
+                rows.push_back(stall_row(run.parts, i, f, process.stalls[f]));
         for (std::size_t b = 0; b < bram_count; ++b)
             if (process.port_conflicts[b] > 0)
                 rows.push_back(conflict_row(i, b, process.port_conflicts[b]));

@@ -37,7 +37,9 @@ template <std::size_t N> std::size_t number_of(std::string const& name, std::arr
 
 LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, AcceleratorConfig const& config) {
     timing::InitiationInterval const interval = initiation_interval(id, config);
-    timing::LoopCounters const counters = counters_of(id, core.processes()[index_of(loop_names[index_of(id)].module)]);
+    std::size_t const process = index_of(loop_names[index_of(id)].module);
+    timing::LoopCounters const counters =
+        process < core.processes().size() ? counters_of(id, core.processes()[process]) : timing::LoopCounters{};
     LoopStatistics row;
     row.ii_target = interval.target;
     row.ii_recurrence = interval.recurrence;
@@ -134,7 +136,7 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 
 RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config) {
     RunStatistics run;
-    run.parts = config;
+    run.parts = Parts(config);
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
         add_stuck(core.timing, index, run.stuck);
@@ -145,8 +147,11 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig 
     for (std::size_t k = 0; k < run.cores.size(); ++k)
         for (std::size_t i = 0; i < module_count; ++i) {
             timing::CoreTiming const& core = cores[k].timing;
-            run.cores[k].processes[i] =
-                process_statistics(core.processes()[i], cycles_of_setups(i, core, config), run.total_cycles);
+            if (i < core.processes().size())
+                run.cores[k].processes[i] =
+                    process_statistics(core.processes()[i], cycles_of_setups(i, core, config), run.total_cycles);
+            else
+                run.cores[k].processes[i][CycleClass::idle_after] = run.total_cycles;
         }
     return run;
 }

@@ -108,7 +108,7 @@ std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, Scripted
                                                 AcceleratorConfig const& config, std::size_t core, Automaton automaton,
                                                 bool leaves_trail) {
     std::unique_ptr<timing::CoreTiming> timing = core_variant(*run.blueprint, config);
-    timing->let_follow(rasterizer_and_followers(config), std::move(automaton));
+    timing->let_follow(rasterizer_and_followers(Parts(config)), std::move(automaton));
     if (leaves_trail)
         timing->leave_trail();
     CoreShare const share = share_of(core, config.raster_cores, run.tape.samples());

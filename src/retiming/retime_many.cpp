@@ -24,7 +24,7 @@ template <class Run> void retime_all(Run const& run, std::vector<AcceleratorConf
 void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done) {
     constexpr std::size_t worth_scripting = 3;  // to make a run ready takes as long as to retime it once
     if (configs.size() >= worth_scripting)
-        retime_many(ScriptedRun(run, configs.front()), configs, done);
+        retime_many(ScriptedRun(run, Parts(configs.front())), configs, done);
     else
         retime_all(run, configs, done);
 }

@@ -28,7 +28,7 @@ void add_step(LoadedConfig const& loaded, Key const& key, std::int64_t value, Se
 
 std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
                                        std::function<void(std::size_t, std::size_t)> const& progress) {
-    Keys const keys = timing_keys(loaded.config.accelerator);
+    Keys const keys = timing_keys(Parts(loaded.config.accelerator));
     std::vector<Sensitivity> rows(keys.size());
     Tasks tasks;
     for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -84,13 +84,13 @@ class Search {
 
 void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total_cycles, std::vector<Sensitivity>& rows,
                 std::function<void(std::size_t, std::size_t)> const& progress) {
-    Keys const keys = timing_keys(loaded.config.accelerator);
+    Keys const keys = timing_keys(Parts(loaded.config.accelerator));
     std::vector<Search> searches;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);
         searches.emplace_back(loaded, keys[i], 1, total_cycles, rows[i].up);
     }
-    ScriptedRun const scripted(run, loaded.config.accelerator);
+    ScriptedRun const scripted(run, Parts(loaded.config.accelerator));
     for (std::size_t done = 0;;) {
         std::vector<AcceleratorConfig> configs;
         std::vector<Search*> open;

@@ -7,7 +7,10 @@
 namespace faster {
 
 Taping::Taping(Accelerator& accelerator, retiming::RecordedRun& run)
-    : accelerator_(accelerator), run_(run), tapes_(accelerator.cores().size()), writer_(run.tape, module_count) {
+    : accelerator_(accelerator),
+      run_(run),
+      tapes_(accelerator.cores().size()),
+      writer_(run.tape, accelerator.cores().front()->timing().processes().size()) {
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(

@@ -133,7 +133,7 @@ CriticalPath trace_path(Accelerator const& accelerator) {
     auto const collector = static_cast<unsigned>(ModuleId::result_collector);
     timing::PathSums sums = critical_path(core.timing(), collector, result_cycles(core).back());
     ++sums.of(collector, timing::Region(), Share::own);  // the cycle of the last read itself
-    for (unsigned process = 0; process < module_count; ++process)
+    for (unsigned process = 0; process < core.timing().processes().size(); ++process)
         ProcessRows(core.timing(), process, sums, path.rows).add();
     std::stable_sort(path.rows.begin(), path.rows.end(),
                      [](PathRow const& a, PathRow const& b) { return a.cycles > b.cycles; });

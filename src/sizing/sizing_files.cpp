@@ -42,7 +42,7 @@ Json summary(SizedChoice const& choice, AcceleratorConfig const& config) {
     json["cost_luts"] = rounded(choice.cost);
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
-    json["depths"] = depths(choice.choice, config);
+    json["depths"] = depths(choice.choice, Parts(config));
     return json;
 }
 
@@ -98,7 +98,7 @@ std::string sizing_json(Sizing const& sizing) {
     json["configured"] = summary(sizing.configured, sizing.config);
     json["answer"] = summary(sizing.answer, sizing.config);
     json["fifos"] = Json::array();
-    for (std::size_t const i : fifos_of(sizing.config))
+    for (std::size_t const i : fifos_of(Parts(sizing.config)))
         json["fifos"].push_back(fifo_row(sizing, i));
     json["certificate"] = Json::array();
     for (CertificateRow const& row : sizing.certificate)
@@ -122,14 +122,14 @@ static bool belongs_to_answer(ResolvedKey const& key, Parts const& parts) {
 
 std::string pareto_csv(Sizing const& sizing) {
     std::string text = "cost_luts,luts,ramb36,total_cycles,milliseconds,proven";
-    for (std::size_t const i : fifos_of(sizing.config))
+    for (std::size_t const i : fifos_of(Parts(sizing.config)))
         text += std::string(",") + fifo_names[i];
     text += '\n';
     for (FrontPoint const& point : sizing.front) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", rounded(point.cost), point.primitives.luts,
                        static_cast<double>(point.primitives.ramb18) / 2, point.found.total_cycles,
                        milliseconds(point.found.total_cycles, sizing.config), point.found.is_proven ? 1 : 0);
-        for (std::size_t const i : fifos_of(sizing.config))
+        for (std::size_t const i : fifos_of(Parts(sizing.config)))
             fmt::format_to(std::back_inserter(text), ",{}", point.found.choice[i].depth);
         text += '\n';
     }
@@ -141,7 +141,7 @@ std::string depths_yaml(Sizing const& sizing, std::string const& title) {
     sized.accelerator = with_choice(sizing.config, sizing.answer.choice);
     std::vector<ResolvedKey> keys;
     for (ResolvedKey& key : resolved_keys(sized))
-        if (belongs_to_answer(key, sizing.config))
+        if (belongs_to_answer(key, Parts(sizing.config)))
             keys.push_back(std::move(key));
     return fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\n", title, sizing.answer.total_cycles,
                        sizing.answer.primitives.luts, static_cast<double>(sizing.answer.primitives.ramb18) / 2) +

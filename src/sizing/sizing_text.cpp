@@ -58,7 +58,7 @@ std::string head(Sizing const& sizing) {
 std::string depths(Sizing const& sizing) {
     std::string text = fmt::format("\nThe answer\n  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12}{:>9}  {}\n", "FIFO",
                                    "configured", "depth", "kind", "bits", "cost [LUT]", "holds", "primitives");
-    for (std::size_t const i : fifos_of(sizing.config)) {
+    for (std::size_t const i : fifos_of(Parts(sizing.config))) {
         FifoChoice const& choice = sizing.answer.choice[i];
         Primitives const primitives = primitives_of(choice.kind, choice.depth, sizing.bits[i], sizing.options.weights);
         fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo_names[i],

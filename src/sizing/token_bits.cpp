@@ -9,8 +9,10 @@ namespace {
 constexpr unsigned vertex_xy_bits = 16;
 constexpr unsigned vertex_z_bits = 16;
 constexpr unsigned depth_bits = 11;
-constexpr unsigned header_bits = 4 * 32;  // sample, centre_row, centre_col, triangles
-constexpr unsigned pixel_bits = 2 * 16;   // row and column relative to the window, which may lie outside it
+constexpr unsigned header_bits = 4 * 32;    // sample, centre_row, centre_col, triangles
+constexpr unsigned valid_raster_bits = 32;  // counts redraws
+constexpr unsigned buffer_bits = 1;
+constexpr unsigned pixel_bits = 2 * 16;  // row and column relative to the window, which may lie outside it
 /// A triangle's doubled area is no more than its bounding box: x range times y range, both below 2^16.
 constexpr unsigned magnitude_of_area = 2 * vertex_xy_bits;
 
@@ -24,7 +26,7 @@ constexpr unsigned bits_for(std::uint64_t largest) {
 /// Four counters count pixels of the window once; valid_raster counts redraws too.
 unsigned result_bits(AcceleratorConfig const& config) {
     auto const side = static_cast<std::uint64_t>(config.window);
-    return 4 * bits_for(side * side) + 32;
+    return 4 * bits_for(side * side) + valid_raster_bits;
 }
 
 /// Of a z sum: weights of a point inside add up to the area. Groups have their first column's, which modulo 2^48 is
@@ -38,7 +40,7 @@ unsigned fragment_depth_bits(bool in_groups) {
 }  // namespace
 
 unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
-    if (!has_part(config, id))
+    if (!has_part(Parts(config), id))
         return 0;
     bool const in_groups = config.rasterizer.lanes > 1;
     unsigned const mask_bits = in_groups ? static_cast<unsigned>(config.rasterizer.lanes) : 0;
@@ -71,6 +73,12 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
             return 2 * (bits_for(static_cast<std::uint64_t>(config.window)) + 1);
         case FifoId::valid_depth:
             return bits_for(static_cast<std::uint64_t>(config.window) * static_cast<std::uint64_t>(config.window));
+        case FifoId::map_full:
+        case FifoId::map_free:
+        case FifoId::depth_free:
+            return buffer_bits;
+        case FifoId::depth_full:
+            return buffer_bits + valid_raster_bits;
         case FifoId::result:
             break;
     }

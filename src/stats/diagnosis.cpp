@@ -16,12 +16,12 @@ std::size_t last_to_end(RunStatistics const& run) {
     return static_cast<std::size_t>(std::max_element(run.cores.begin(), run.cores.end(), before) - run.cores.begin());
 }
 
-std::size_t least_waiting(CoreStatistics const& core) {
-    auto const waits_less = [](ProcessStatistics const& a, ProcessStatistics const& b) {
-        return waits_of(a) < waits_of(b);
+std::size_t least_waiting(CoreStatistics const& core, Parts const& parts) {
+    std::vector<std::size_t> const modules = modules_of(parts);
+    auto const waits_less = [&core](std::size_t a, std::size_t b) {
+        return waits_of(core.processes[a]) < waits_of(core.processes[b]);
     };
-    auto const least = std::min_element(core.processes.begin(), core.processes.end(), waits_less);
-    return static_cast<std::size_t>(least - core.processes.begin());
+    return *std::min_element(modules.begin(), modules.end(), waits_less);
 }
 
 Cause loop_cause(LoopStatistics const& row, std::size_t loop) {
@@ -41,7 +41,7 @@ Diagnosis diagnose(RunStatistics const& run) {
         return diagnosis;
     diagnosis.core = last_to_end(run);
     CoreStatistics const& core = run.cores[diagnosis.core];
-    diagnosis.module = least_waiting(core);
+    diagnosis.module = least_waiting(core, run.parts);
     diagnosis.cycles = run.total_cycles;
     ProcessStatistics const& process = core.processes[diagnosis.module];
     diagnosis.waits = waits_of(process);

@@ -88,7 +88,7 @@ struct StuckProcess {
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
 struct RunStatistics {
-    Parts parts;  ///< decides which modules, FIFOs, loops and block RAMs there are
+    Parts parts;  ///< modules, FIFOs, loops and block RAMs that there are
     Cycles total_cycles = 0;
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;

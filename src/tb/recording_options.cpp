@@ -168,7 +168,7 @@ std::vector<Recording> make_recordings(RecordingRequest const& request, Accelera
         require_writable("--vcd", request.vcd);
         Recording vcd;
         vcd.window = vcd_window(request, config, samples);
-        recording::SignalFilter const filter(request.vcd_modules, config);
+        recording::SignalFilter const filter(request.vcd_modules, Parts(config));
         vcd.done = [&request, &config, filter](std::vector<recording::RecordedCore> const& cores) {
             recording::write_vcd(request.vcd, config, cores, filter);
         };

@@ -10,6 +10,8 @@ namespace faster::timing {
 FifoTiming& CoreTiming::add_fifo(FifoShape shape) { return fifos_.emplace_back(std::move(shape)); }
 
 ProcessTiming& CoreTiming::add_process(std::string name) {
+    if (processes_.size() == most_processes)
+        throw std::logic_error(name + ": a core has at most 31 processes");
     return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()));
 }
 
@@ -133,8 +135,6 @@ bool CoreTiming::follow(Script& script, std::uint32_t all) {
 }
 
 void CoreTiming::leave_trail(std::size_t length) {
-    if (processes_.size() > PathSums::most_processes)
-        throw std::logic_error("a trail is for at most 8 processes");
     trail_ = std::make_unique<Trail>(length);
     for (ProcessTiming& process : processes_)
         process.set_trail(trail_.get());

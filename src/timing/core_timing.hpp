@@ -27,6 +27,8 @@ struct Wait {
 /// matters: an access gets its cycle once everything that decides it is known.
 class CoreTiming {
   public:
+    static constexpr std::size_t most_processes = 31;  ///< a bit each
+
     FifoTiming& add_fifo(FifoShape shape);
     ProcessTiming& add_process(std::string name);
 

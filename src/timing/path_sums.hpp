@@ -36,11 +36,14 @@ class Region {
     std::uint8_t number_ = 0;
 };
 
-/// What the cycles of a path were spent with, by process and region.
+/// What the cycles of a path were spent with, by process and region. Of no processes: nothing.
 class PathSums {
   public:
     enum class Share : std::uint8_t { own, recurrence, port_conflict };
-    static constexpr unsigned most_processes = 8, most_regions = 16, most_ports = 8, shares = 3;
+    static constexpr unsigned most_regions = 16, most_ports = 8, shares = 3;
+
+    explicit PathSums(std::size_t processes = 0)
+        : own_(processes * most_regions * shares), turns_(processes * most_regions * most_ports) {}
 
     std::uint64_t& of(unsigned process, Region region, Share share) { return own_[place(process, region, share)]; }
     std::uint64_t of(unsigned process, Region region, Share share) const { return own_[place(process, region, share)]; }
@@ -52,7 +55,7 @@ class PathSums {
         return turns_[place(process, region) * most_ports + port];
     }
 
-    /// this += times * (other - base)
+    /// this += times * (other - base), all of the same processes.
     void add(PathSums const& other, PathSums const& base, std::uint64_t times);
     void add(PathSums const& other);
 
@@ -62,8 +65,8 @@ class PathSums {
         return place(process, region) * shares + static_cast<std::size_t>(share);
     }
 
-    std::vector<std::uint64_t> own_ = std::vector<std::uint64_t>(most_processes * most_regions * shares);
-    std::vector<std::uint64_t> turns_ = std::vector<std::uint64_t>(most_processes * most_regions * most_ports);
+    std::vector<std::uint64_t> own_;
+    std::vector<std::uint64_t> turns_;
 };
 
 }  // namespace faster::timing

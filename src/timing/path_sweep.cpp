@@ -43,6 +43,7 @@ PathSweep::PathSweep(CoreTiming const& core, std::vector<Position> const& from)
     : core_(core),
       trail_(*core.trail()),
       standing_(core.processes().size()),
+      sums_(core.processes().size()),
       next_event_(trail_.events().size()),
       next_transition_(trail_.transitions().size()) {
     for (Position const& position : from)

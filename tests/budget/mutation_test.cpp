@@ -55,7 +55,7 @@ void add_fifo_mutations(std::vector<Mutation>& all, AcceleratorConfig const& def
 }
 
 void add_loop_mutations(std::vector<Mutation>& all, AcceleratorConfig const& defaults) {
-    for (std::size_t const i : loops_of(Flow::faster)) {
+    for (std::size_t const i : loops_of({})) {
         auto const id = static_cast<LoopId>(i);
         std::string const module = name_of(loop_names[i].module);
         std::vector<std::string> const items{"loops." + module + "." + loop_names[i].name + ".",

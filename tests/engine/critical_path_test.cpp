@@ -185,7 +185,7 @@ TEST_CASE("What makes a row of the critical path longer makes the run longer by 
                     [l, cause](PathRow const& row) { return row.cause == cause && row.loop == static_cast<LoopId>(l); };
             };
             longer = trial.config;
-            longer.loops[l].ii = run.cores.front().loops[l].ii + 1;
+            longer.loop(LoopId{l}).ii = run.cores.front().loops[l].ii + 1;
             // Where the interval has more than one cycle, all of them are one iteration's.
             Cycles const iterations =
                 (cycles_where(run, of_loop(PathCause::busy)) + cycles_where(run, of_loop(PathCause::port_conflict))) /

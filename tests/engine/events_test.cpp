@@ -47,6 +47,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     options.is_deadlock_free = seed % 3 != 0;
     options.any_partition = true;
     options.any_region = true;
+    options.any_buffers = true;  // for the depths of the FIFOs between them
     AcceleratorConfig config = random_config(seed, options);
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
@@ -81,6 +82,10 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
         config.rasterizer.lanes = 2 + static_cast<int>(seed % 7);
     }
     config.inlier_unit.sweep_region = number % 4 < 2 ? SweepRegion::window : SweepRegion::touched;
+    if (config.inlier_unit.sweep_region == SweepRegion::window) {
+        config.edge_map.buffers = 1 + static_cast<int>(number / 4 % 2);
+        config.inlier_unit.buffers = 1 + static_cast<int>(number % 2);
+    }
     return config;
 }
 
@@ -135,7 +140,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run, recorded);
+        retiming::ScriptedRun const scripted(file.run, Parts(recorded));
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -254,7 +259,7 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     events::EventFile const file = events::read_event_file(folder / "events");
     std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
     retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
-    Keys const keys = timing_keys(Flow::faster);
+    Keys const keys = timing_keys({});
     auto const costs = [&](std::size_t i, std::int64_t value) {
         RunConfig config = file.loaded.config;
         keys[i].write(config, KeyValue{value});

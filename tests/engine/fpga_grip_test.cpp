@@ -77,7 +77,7 @@ bool check_seed(std::uint64_t seed, bool is_deadlock_free) {
     for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
         CHECK(first_difference(cells_of(decoupled, part), cells_of(twin, part)) == "");
     for (CoreStatistics const& core : decoupled.cores)
-        for (std::size_t const i : modules_of(Flow::fpga_grip))
+        for (std::size_t const i : modules_of({Flow::fpga_grip}))
             CHECK(core.processes[i].sum() == decoupled.total_cycles);
     return true;
 }
@@ -174,7 +174,7 @@ TEST_CASE("The rows of the critical path of flow fpga_grip add up", "[fpga_grip]
         for (PathRow const& row : run.critical_path.value().rows) {
             sum += row.cycles;
             in_extraction += row.loop == LoopId::extract ? row.cycles : 0;
-            CHECK(has_part(Flow::fpga_grip, row.module));
+            CHECK(has_part({Flow::fpga_grip}, row.module));
         }
         CHECK(sum == run.total_cycles);
         CHECK(first_difference(path_cells(run), path_cells(lockstep)) == "");

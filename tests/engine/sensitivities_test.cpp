@@ -45,7 +45,7 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
     ForkOptions options;
     options.sensitivities = true;
     RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
-    Keys const keys = timing_keys(trial.config);
+    Keys const keys = timing_keys(Parts(trial.config));
     REQUIRE(run.sensitivities.size() == keys.size());
     std::size_t changes = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -75,6 +75,16 @@ TEST_CASE("So it does where one loop prepares and scans all triangles", "[sensit
         trial.config.rasterizer = {ScanPolicy::spans, seed - 8019};
         trial.config.inlier_unit.fragment_loop = FragmentLoop::flattened;
         trial.config.fifo(FifoId::area).depth = 8;
+        CHECK(check_all_steps(trial, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep) > 5);
+    }
+}
+
+TEST_CASE("So it does with double buffers", "[sensitivities]") {
+    for (std::uint64_t seed = 8030; seed < 8032; ++seed) {
+        CAPTURE(seed);
+        Trial trial = random_trial(seed);
+        trial.config.edge_map.buffers = 2;
+        trial.config.inlier_unit.buffers = 2;
         CHECK(check_all_steps(trial, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep) > 5);
     }
 }

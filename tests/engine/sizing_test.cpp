@@ -253,6 +253,22 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
     }
 }
 
+TEST_CASE("FIFOs between two buffers are sized too", "[sizing]") {
+    for (std::uint64_t seed = 230; seed < 234; ++seed) {
+        CAPTURE(seed);
+        Case const plain = random_case(seed);
+        AcceleratorConfig config = plain.config;
+        config.edge_map.buffers = config.inlier_unit.buffers = 2;
+        Case const one(plain.stimulus, config);
+        Sizing const sizing = size_fifos(one.file.run, one.config, within(0));
+        check_certificate(one, sizing);
+        CHECK(sizing.answer.choice[index_of(FifoId::map_full)].depth == 1);  // one token at a time
+        CHECK(sizing.answer.choice[index_of(FifoId::depth_free)].depth == 1);
+        CHECK(sizing.bits[index_of(FifoId::map_free)] == 1);
+        CHECK(sizing.bits[index_of(FifoId::depth_full)] == 33);
+    }
+}
+
 TEST_CASE("Where block RAM is nearly free, a memory may be cheaper than a shift register", "[sizing]") {
     std::size_t memories = 0;
     for (std::uint64_t seed = 220; seed < 226; ++seed) {

@@ -214,14 +214,17 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
         case LoopId::token:
             return token_uses(config);
         case LoopId::output:
+        case LoopId::buffered_output:
             return output_uses(config);
         case LoopId::depth_clear:
             return {{BramId::depth_buffer, {own}}};
         case LoopId::fragment:
             return {{BramId::depth_buffer, fragment_words(config)}};
         case LoopId::sweep:
+        case LoopId::buffered_sweep:
             return {{BramId::depth_buffer, sweep_words(config)}};
         case LoopId::extract:
+        case LoopId::buffered_extract:
             return {{BramId::depth_buffer, extract_words(config.edge_extraction)}};
         case LoopId::vertex:
         case LoopId::scan:
@@ -234,7 +237,8 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
 /// The square root and the divider are stages of their own.
 Cycles depth_of(AcceleratorConfig const& config, LoopId id) {
     EdgeExtractionConfig const& units = config.edge_extraction;
-    return config.loop(id).depth + (id == LoopId::extract ? units.square_root_latency + units.divider_latency : 0);
+    bool const extracts = id == LoopId::extract || id == LoopId::buffered_extract;
+    return config.loop(id).depth + (extracts ? units.square_root_latency + units.divider_latency : 0);
 }
 
 /// How many stretches of the dimension have banks of their own.

@@ -16,7 +16,7 @@ ProcessStatistics example_process(std::size_t module) {
     process[CycleClass::idle_before] = 1000 * module;
     process[CycleClass::idle_after] = 5000;
     Cycles left = total_cycles - process.sum();
-    for (std::size_t f = 0; f < fifo_count; ++f) {
+    for (std::size_t const f : fifos_of({})) {
         bool const reads = index_of(fifo_ends[f].reader) == module;
         if (!reads && index_of(fifo_ends[f].writer) != module)
             continue;
@@ -32,11 +32,11 @@ ProcessStatistics example_process(std::size_t module) {
 CoreStatistics example_core() {
     CoreStatistics core;
     core.end_cycle = total_cycles;
-    for (std::size_t i = 0; i < module_count; ++i)
+    for (std::size_t const i : modules_of({}))
         core.processes[i] = example_process(i);
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t const i : fifos_of({}))
         core.fifos[i] = {FifoKind::shift_register, 2, 2, 1, 1000 * (i + 1), 1000 * (i + 1), 70 * i, 900 - 60 * i, 2};
-    for (std::size_t i = 0; i < loop_count; ++i)
+    for (std::size_t const i : loops_of({}))
         core.loops[i] = {1, 1, 1, 3 + i, 10, 1000 * (i + 1), 0, 0, "", "", 0};
     LoopStatistics& sweep = core.loops[index_of(LoopId::sweep)];
     sweep.ii = 3;

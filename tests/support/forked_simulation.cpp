@@ -177,6 +177,7 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         options.probe = wanted.with_maps ? &collector : nullptr;
         options.critical_path = wanted.critical_path;
         options.trail_length = wanted.trail_length;
+        options.recordings = wanted.recordings;
         retiming::RecordedRun recorded;
         options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
         RunStatistics run = simulate(config, stimulus, engine, options);

@@ -4,6 +4,7 @@
 
 #include "common/stimulus.hpp"
 #include "config/run_config.hpp"
+#include "simulation/simulate.hpp"
 #include "stats/run_statistics.hpp"
 #include "timing/trail.hpp"
 
@@ -20,6 +21,7 @@ struct ForkOptions {
     bool sensitivities = false;
     std::filesystem::path events{};  ///< event file to be written, unless the run deadlocks; empty: none
     std::size_t trail_length = timing::Trail::usual_length;
+    std::vector<Recording> recordings{};  ///< handed over in the child: they can tell by throwing
 };
 
 /// simulate() in a child process, because the SystemC kernel elaborates once per process. Throws std::runtime_error

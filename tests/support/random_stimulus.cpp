@@ -359,19 +359,20 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         bram.ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
     }
     config.flow = options.flow;
-    for (std::size_t const i : loops_of(options.flow)) {
-        LoopConfig& loop = config.loops[i];
+    for (std::size_t const i : loops_of(Parts(config))) {
+        LoopConfig& loop = config.loop(LoopId{i});
         loop.ii = skewed_cycles(dice, options.max_target_ii);
         loop.recurrence_ii = skewed_cycles(dice, options.max_recurrence_ii);
         loop.depth = static_cast<Cycles>(dice.one_in(2) ? dice.between(1, 4) : dice.between(1, 24));
     }
-    auto const draw_fifo = [&](FifoConfig& fifo) {
+    auto const draw_fifo = [&](FifoId id) {
+        FifoConfig& fifo = config.fifo(id);
         fifo.depth = static_cast<std::uint64_t>(skewed(dice, options.fifo_depth));
         fifo.kind = static_cast<FifoKind>(dice.between(0, 2));
         fifo.write_latency = 0;
     };
     for (std::size_t i = 0; i <= index_of(FifoId::result); ++i) {
-        draw_fifo(config.fifos[i]);
+        draw_fifo(FifoId{i});
     }
     auto const draw_latency = [&](FifoId fifo, LoopId loop) {
         int const last_stage = static_cast<int>(config.loop(loop).depth) - 1;
@@ -419,8 +420,16 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     }
     if (options.any_region) {
         config.inlier_unit.sweep_region = static_cast<SweepRegion>(dice.between(0, 1));
-        draw_fifo(config.fifo(FifoId::region));
-        draw_fifo(config.fifo(FifoId::valid_depth));
+        draw_fifo(FifoId::region);
+        draw_fifo(FifoId::valid_depth);
+    }
+    bool const may_have_buffers = config.inlier_unit.sweep_region == SweepRegion::window;
+    if (options.any_buffers && may_have_buffers) {  // last, so that what is drawn before does not depend on it
+        config.edge_map.buffers = options.flow == Flow::faster ? dice.between(1, 2) : 1;
+        config.inlier_unit.buffers = dice.between(1, 2);
+        for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free}) {
+            draw_fifo(fifo);
+        }
     }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);

@@ -57,6 +57,7 @@ struct RandomConfigOptions {
     bool any_clearing = false;   ///< draws how maps are cleared, and how the sweep reads
     bool any_partition = false;  ///< draws banks of block RAMs, for windows of at least 4; and clearings that use them
     int max_lanes = 1;           ///< of the sweep, at most the window
+    bool any_buffers = false;    ///< draws one or two buffers of maps and of the depth buffer
     int max_scan_lanes = 1;      ///< of the scan: only with inner_border, which then gets object tokens, or fpga_grip
     bool any_region = false;     ///< draws which pixels are swept
     /// Makes the FIFOs that are written and read side by side (command, fragment_depth, fragment_index; observed_depth,

@@ -231,6 +231,13 @@ std::vector<BramConfig> maps_of(AcceleratorConfig const& config) {
     return {config.bram(BramId::edge_map), config.bram(BramId::object_map)};
 }
 
+void output(TwinProgram& program, LoopId id, TwinSampleFunction const& sample, AcceleratorConfig const& config) {
+    std::size_t const row = row_tokens(config, sample.region);
+    std::vector<std::uint8_t> iterations(sample.output_reads_ahead ? row : 0, 0);
+    iterations.insert(iterations.end(), rows_of(sample.region) * row, 1);
+    loop_or_pass(program, id, {write_of(FifoId::edge_map)}, std::move(iterations));
+}
+
 TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
@@ -245,11 +252,21 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig
         }
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
-    turn(program, config, FifoId::edge_token);
-    std::size_t const row = row_tokens(config, sample.region);
-    std::vector<std::uint8_t> output(sample.output_reads_ahead ? row : 0, 0);
-    output.insert(output.end(), rows_of(sample.region) * row, 1);
-    loop_or_pass(program, LoopId::output, {write_of(FifoId::edge_map)}, std::move(output));
+    if (config.edge_map.buffers == 2) {
+        step(program, {write_of(FifoId::map_full)});
+        step(program, {read_of(FifoId::map_free)});
+    } else {
+        turn(program, config, FifoId::edge_token);
+        output(program, LoopId::output, sample, config);
+    }
+    return program;
+}
+
+/// With two buffers of the maps: takes one, which frees the other.
+TwinProgram edge_map_output(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::map_full), write_of(FifoId::map_free)});
+    output(program, LoopId::buffered_output, sample, config);
     return program;
 }
 
@@ -288,12 +305,12 @@ std::vector<std::uint8_t> sweep_iterations(AcceleratorConfig const& config, Twin
 }
 
 /// Flow fpga_grip: an iteration per pixel; line buffers have to fill up to the pixel half a neighbourhood behind.
-void extract(TwinProgram& program, EdgeExtractionConfig const& config, TwinRegion const& region) {
+void extract(TwinProgram& program, LoopId id, EdgeExtractionConfig const& config, TwinRegion const& region) {
     auto const reach = static_cast<std::size_t>(config.neighbourhood / 2);
     bool const fills = config.neighbour_access == NeighbourAccess::window;
     std::size_t const cols = region.end_col - region.first_col;
     std::size_t const pixels = rows_of(region) * cols;
-    loop_or_pass(program, LoopId::extract, {},
+    loop_or_pass(program, id, {},
                  std::vector<std::uint8_t>(pixels + (fills && pixels > 0 ? reach * cols + reach : 0), 0));
     pass(program, 1);
 }
@@ -331,6 +348,23 @@ void take_in_one_loop(TwinProgram& program, TwinSampleFunction const& sample) {
     }
 }
 
+struct ScoringLoops {
+    LoopId extract;
+    LoopId sweep;
+};
+
+void score(TwinProgram& program, ScoringLoops const& loops, TwinSampleFunction const& sample,
+           AcceleratorConfig const& config) {
+    std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
+    if (config.flow == Flow::fpga_grip) {
+        extract(program, loops.extract, config.edge_extraction, sample.region);
+    } else {
+        of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
+    }
+    loop_or_pass(program, loops.sweep, std::move(of_pixel), sweep_iterations(config, sample.region));
+    step(program, {write_of(FifoId::result)});
+}
+
 TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
@@ -341,15 +375,21 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
     } else {
         take_one_by_one(program, sample);
     }
-    turn(program, config, FifoId::fragment_index);
-    std::vector<TwinAccess> of_pixel{read_of(FifoId::observed_depth), read_of(FifoId::observed_edge)};
-    if (config.flow == Flow::fpga_grip) {
-        extract(program, config.edge_extraction, sample.region);
+    if (config.inlier_unit.buffers == 2) {
+        step(program, {write_of(FifoId::depth_full)});
+        step(program, {read_of(FifoId::depth_free)});
     } else {
-        of_pixel.insert(of_pixel.begin(), read_of(FifoId::edge_map));
+        turn(program, config, FifoId::fragment_index);
+        score(program, {LoopId::extract, LoopId::sweep}, sample, config);
     }
-    loop_or_pass(program, LoopId::sweep, std::move(of_pixel), sweep_iterations(config, sample.region));
-    step(program, {write_of(FifoId::result)});
+    return program;
+}
+
+/// With two depth buffers: takes one, which frees the other.
+TwinProgram inlier_sweep(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
+    TwinProgram program;
+    step(program, {read_of(FifoId::depth_full), write_of(FifoId::depth_free)});
+    score(program, {LoopId::buffered_extract, LoopId::buffered_sweep}, sample, config);
     return program;
 }
 
@@ -380,8 +420,12 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::area_reciprocal, area_reciprocal(function));
     if (config.flow == Flow::faster)
         set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
+    if (config.flow == Flow::faster && config.edge_map.buffers == 2)
+        set(ModuleId::edge_map_output, edge_map_output(function, config));
     set(ModuleId::observation_reader, observation_reader(function, config));
     set(ModuleId::inlier_unit, inlier_unit(function, config, side));
+    if (config.inlier_unit.buffers == 2)
+        set(ModuleId::inlier_sweep, inlier_sweep(function, config));
     set(ModuleId::result_collector, result_collector(config));
     return result;
 }

@@ -60,4 +60,21 @@ TEST_CASE("Memories follow the edge map algorithm and the window", "[block_ram]"
     CHECK(memory_shape(BramId::depth_buffer, config).words == 10000);
 }
 
+TEST_CASE("Two buffers take twice the block RAMs", "[block_ram]") {
+    AcceleratorConfig config;
+    auto const counts = [&config] {
+        std::vector<double> all;
+        for (BramId const id : {BramId::edge_map, BramId::object_map, BramId::depth_buffer})
+            all.push_back(ramb36_count(memory_shape(id, config)));
+        return all;
+    };
+    CHECK(counts() == std::vector<double>{2, 2, 15});
+    config.edge_map.buffers = 2;
+    CHECK(counts() == std::vector<double>{4, 4, 15});
+    config.inlier_unit.buffers = 2;
+    config.bram(BramId::depth_buffer).partition = {PartitionType::cyclic, 20, 2};
+    CHECK(counts() == std::vector<double>{4, 4, 40});
+    CHECK(memory_shape(BramId::depth_buffer, config).words == 40000);  // of each
+}
+
 }  // namespace faster

@@ -393,7 +393,7 @@ TEST_CASE("An object of the scene has a class, a place and nothing unknown", "[c
 TEST_CASE("A section is a map and a key is not", "[config][errors]") {
     CHECK(file_error("accelerator:\n  edge_map: true\n") ==
           "test.yaml:2: accelerator.edge_map = true, expected a map with algorithm, flush_last, clearing, "
-          "threshold_w0, threshold_w1, threshold_w2");
+          "buffers, threshold_w0, threshold_w1, threshold_w2");
     CHECK(file_error("accelerator:\n  window: {size: 3}\n") ==
           "test.yaml:2: accelerator.window = a map, expected an integer from 1 to 4096");
     CHECK(file_error("- accelerator\n") ==
@@ -540,9 +540,18 @@ TEST_CASE("FIFOs of the touched region have keys where it is swept", "[config][e
           "accelerator.fraction_bits.depth_buffer = 10, with which pixels that nothing touched are nearer than 2 m");
 }
 
+TEST_CASE("A touched region and double buffers are refused together", "[config]") {
+    CHECK(error_of([] { loaded("accelerator: {inlier_unit: {sweep_region: touched, buffers: 2}}"); }) ==
+          "test.yaml:1: accelerator.inlier_unit.buffers = 2, expected 1 because of "
+          "accelerator.inlier_unit.sweep_region = \"touched\"");
+    CHECK(error_of([] { loaded("accelerator: {edge_map: {buffers: 2}, inlier_unit: {sweep_region: touched}}"); }) ==
+          "test.yaml:1: accelerator.edge_map.buffers = 2, expected 1 because of "
+          "accelerator.inlier_unit.sweep_region = \"touched\"");
+}
+
 TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {
     auto const has = [](faster::Flow flow, std::string const& name) {
-        auto const keys = faster::timing_keys(flow);
+        auto const keys = faster::timing_keys({flow});
         return std::any_of(keys.begin(), keys.end(), [&](faster::Key const& key) { return key.name() == name; });
     };
     for (std::string const name :
@@ -555,6 +564,62 @@ TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {
         CHECK_FALSE(has(faster::Flow::faster, name));
         CHECK(has(faster::Flow::fpga_grip, name));
     }
+}
+
+TEST_CASE("Keys of FIFOs between two buffers are refused where there is one", "[config][errors]") {
+    CHECK(set_error("accelerator.fifos.map_full.depth=3") ==
+          "--set accelerator.fifos.map_full.depth=3: expected a key of the parts that accelerator.edge_map.buffers = 1 "
+          "(default) has");
+    CHECK(set_error("accelerator.fifos.depth_free.kind=memory") ==
+          "--set accelerator.fifos.depth_free.kind=memory: expected a key of the parts that "
+          "accelerator.inlier_unit.buffers = 1 (default) has");
+    CHECK(error_of([] {
+              loaded("", {"accelerator.edge_map.buffers=2", "accelerator.fifos.map_full.depth=3"});
+          }) == "(no error)");
+    CHECK(error_of([] {
+              loaded("", {"accelerator.flow=fpga_grip", "accelerator.fifos.map_full.depth=3"});
+          }) ==
+          "--set accelerator.fifos.map_full.depth=3: expected a key of the parts that accelerator.flow = "
+          "\"fpga_grip\" has");
+    CHECK(set_error("accelerator.inlier_unit.buffers=3") != "(no error)");
+    CHECK(error_of([] {
+              loaded("", {"accelerator.flow=fpga_grip", "accelerator.edge_map.buffers=2"});
+          }) != "(no error)");
+}
+
+TEST_CASE("Loops keep their keys when buffers move them to another process", "[config]") {
+    std::vector<std::string> const settings{"accelerator.edge_map.buffers=2", "accelerator.inlier_unit.buffers=2",
+                                            "accelerator.loops.edge_map_builder.output.depth=5",
+                                            "accelerator.loops.inlier_unit.sweep.ii=2"};
+    faster::AcceleratorConfig const config = loaded("", settings).config.accelerator;
+    CHECK(config.loop(faster::LoopId::buffered_output).depth == 5);
+    CHECK(config.loop(faster::LoopId::buffered_sweep).ii == 2);
+    CHECK(faster::loop_key_name(faster::LoopId::buffered_sweep, "ii") == "accelerator.loops.inlier_unit.sweep.ii");
+    faster::Parts const parts(config);
+    CHECK(faster::applies_to(parts, "accelerator.loops.inlier_unit.sweep.ii"));
+    CHECK_FALSE(faster::applies_to(parts, "accelerator.loops.inlier_unit.extract.ii"));
+    CHECK_FALSE(faster::has_part(parts, faster::LoopId::sweep));
+    CHECK(faster::has_part(parts, faster::LoopId::buffered_sweep));
+}
+
+TEST_CASE("Two buffers put other modules at the ends of FIFOs", "[config]") {
+    using faster::FifoId, faster::ModuleId;
+    faster::AcceleratorConfig config;
+    auto const writer = [&config](FifoId id) { return ends_of(faster::Parts(config), id).writer; };
+    auto const reader = [&config](FifoId id) { return ends_of(faster::Parts(config), id).reader; };
+    CHECK(writer(FifoId::edge_map) == ModuleId::edge_map_builder);
+    CHECK(reader(FifoId::edge_map) == ModuleId::inlier_unit);
+    config.edge_map.buffers = 2;
+    CHECK(writer(FifoId::edge_map) == ModuleId::edge_map_output);
+    CHECK(reader(FifoId::edge_map) == ModuleId::inlier_unit);
+    config.inlier_unit.buffers = 2;
+    for (FifoId const fifo : {FifoId::edge_map, FifoId::observed_depth, FifoId::observed_edge}) {
+        CHECK(reader(fifo) == ModuleId::inlier_sweep);
+    }
+    CHECK(writer(FifoId::result) == ModuleId::inlier_sweep);
+    CHECK(reader(FifoId::command) == ModuleId::inlier_unit);
+    CHECK(process_places(faster::Parts(config)) == faster::module_count);
+    CHECK(process_places(faster::Parts()) == 8);
 }
 
 TEST_CASE("A trace replaces what the file says", "[config][trace]") {

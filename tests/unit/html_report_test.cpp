@@ -46,13 +46,13 @@ TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     CHECK(data["headline"]["raster_cores"] == 2);
     CHECK(data["bound_by"][0].get<std::string>().rfind("Bound by ", 0) == 0);
     CHECK(data["cycle_classes"].size() == cycle_class_count);
-    REQUIRE(data["modules"].size() == module_count);
+    REQUIRE(data["modules"].size() == modules_of({}).size());
     CHECK(data["modules"][2]["module"] == "rasterizer");
     CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);  // of both cores
     CHECK(data["fifos"].size() == 2 * fifos_of(Flow::faster).size());
     CHECK(data["fifos"][3]["fifo"] == "vertex");
     CHECK(data["fifos"][3]["writes"] == 4000);
-    CHECK(data["loops"].size() == 2 * loops_of(Flow::faster).size());
+    CHECK(data["loops"].size() == 2 * loops_of({}).size());
     CHECK(data["latency"]["min"] == 345000);
     CHECK(data["latency"]["max"] == 349000);
     CHECK(data["pictures"][0] == Json{{"title", "Sample 0"}, {"png", "bm90IHJlYWxseSBhIFBORw=="}});

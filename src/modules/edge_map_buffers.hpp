@@ -1,0 +1,20 @@
+#pragma once
+#include <memory>
+
+#include "config/accelerator_config.hpp"
+#include "datapath/edge_map/edge_map_policy.hpp"
+#include "modules/ping_pong.hpp"
+
+namespace faster {
+
+/// Maps of a sample, `accelerator.edge_map.buffers` times.
+using EdgeMapBuffers = PingPong<std::unique_ptr<datapath::EdgeMapPolicy>>;
+
+inline EdgeMapBuffers make_edge_map_buffers(EdgeMapConfig const& config, int window) {
+    std::vector<std::unique_ptr<datapath::EdgeMapPolicy>> maps;
+    for (int i = 0; i < config.buffers; ++i)
+        maps.push_back(datapath::make_edge_map_policy(config.algorithm, window));
+    return EdgeMapBuffers(std::move(maps));
+}
+
+}  // namespace faster

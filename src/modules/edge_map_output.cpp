@@ -1,0 +1,41 @@
+#include "modules/edge_map_output.hpp"
+
+#include "channels/port_binding.hpp"
+
+namespace faster {
+
+EdgeMapOutput::EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
+    : sc_module(name),
+      core_(core),
+      clock_(core.timing, basename(), core.time_base),
+      buffers_(buffers),
+      read_out_(core, clock_) {
+    SC_THREAD(run);
+}
+
+void EdgeMapOutput::end_of_elaboration() {
+    clock_.connect_reads(channel_of(map_full_in));
+    clock_.connect_writes(channel_of(map_free_out));
+    clock_.connect_writes(channel_of(edge_map_out));
+    read_out_.add_loop(channel_of(edge_map_out));
+}
+
+void EdgeMapOutput::run() {
+    for (std::size_t i = 0; i < core_.sample_count; ++i) {
+        core_.begin_sample(ModuleId::edge_map_output);
+        std::size_t const buffer = take();
+        clock_.advance(1);
+        read_out_.send(*buffers_.claim(buffer), core_.window_rows());
+        buffers_.release(buffer);
+    }
+}
+
+/// Whoever takes the next buffer has done with the one before.
+std::size_t EdgeMapOutput::take() {
+    Step const step(clock_);
+    BufferNumber const full = map_full_in.read();
+    map_free_out.write(BufferNumber(buffers_.after(full.number)));
+    return full.number;
+}
+
+}  // namespace faster

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "channels/clocked_fifo.hpp"
+#include "common/tokens.hpp"
+#include "datapath/window_sweep.hpp"
+#include "modules/core_context.hpp"
+#include "modules/edge_extractor.hpp"
+
+namespace faster {
+
+/// Compares a drawn depth buffer with the observation: part of the inlier unit's process, or of one of its own
+/// (InlierSweep).
+///   in    edge_map, observed_depth, observed_edge  W x W each, row-major, `sweep_lanes` pixels of a row per token
+///   time  in flow fpga_grip loop `extract` and a cycle; loop `sweep`
+/// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
+class Scoring {
+  public:
+    Scoring(CoreContext const& core, ProcessClock& clock);
+    /// When elaboration has ended: the reads, in program order. `edge_map`: null in flow fpga_grip.
+    void connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint16_t>& observed_depth,
+                 ClockedFifo<std::uint8_t>& observed_edge);
+    /// Behind the other loops of the process.
+    void add_loops();
+    /// Adds to the counters of a sample what a box of pixels has.
+    void score(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box,
+               SampleCounters& counters);
+
+  private:
+    void sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows const& rows, SampleCounters& counters);
+
+    CoreContext const& core_;
+    ProcessClock& clock_;
+    datapath::WindowSweep window_sweep_;
+    std::optional<EdgeExtractor> edge_extractor_;    ///< flow fpga_grip
+    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
+    ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
+    ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
+    std::uint8_t ports_ = 0;
+    unsigned loop_ = 0;
+};
+
+}  // namespace faster

@@ -120,7 +120,7 @@ TEST_CASE("compare-architectures judges edge maps", "[architectures]") {
     CHECK_THAT(lines_of(workspace.text("a.csv")).at(1), Catch::EndsWith(",2,1.0000,0.9924,0.5000,1.0000"));
 }
 
-TEST_CASE("Our own design takes a fifteenth of the time on all five classes", "[architectures]") {
+TEST_CASE("Our own design takes a twentieth of the time on all five classes", "[architectures]") {
     TempFolder const folder;
     Words words{"compare-architectures",     "faster", "next",  "--set",
                 "workload.samples.count=60", "--csv",  "a.csv", "--workloads"};
@@ -135,6 +135,6 @@ TEST_CASE("Our own design takes a fifteenth of the time on all five classes", "[
     };
     for (std::size_t i = 1; i <= 5; ++i) {
         CAPTURE(rows[i], rows[i + 5]);
-        CHECK(15 * cycles_of(i + 5) <= cycles_of(i));
+        CHECK(20 * cycles_of(i + 5) <= cycles_of(i));
     }
 }

@@ -83,6 +83,7 @@ TEST_CASE("So it does with double buffers", "[sensitivities]") {
     for (std::uint64_t seed = 8030; seed < 8032; ++seed) {
         CAPTURE(seed);
         Trial trial = random_trial(seed);
+        trial.config.inlier_unit.sweep_region = SweepRegion::window;
         trial.config.edge_map.buffers = 2;
         trial.config.inlier_unit.buffers = 2;
         CHECK(check_all_steps(trial, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep) > 5);

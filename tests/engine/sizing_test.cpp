@@ -258,6 +258,7 @@ TEST_CASE("FIFOs between two buffers are sized too", "[sizing]") {
         CAPTURE(seed);
         Case const plain = random_case(seed);
         AcceleratorConfig config = plain.config;
+        config.inlier_unit.sweep_region = SweepRegion::window;
         config.edge_map.buffers = config.inlier_unit.buffers = 2;
         Case const one(plain.stimulus, config);
         Sizing const sizing = size_fifos(one.file.run, one.config, within(0));

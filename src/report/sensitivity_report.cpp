@@ -114,7 +114,7 @@ std::string sensitivities_text(RunStatistics const& run) {
         text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", rows[i].key, rows[i].value, cell(rows[i].down, run),
                             cell(rows[i].up, run));
     if (rows.size() > most_lines)
-        text += fmt::format("  ({} more in the csv)\n", rows.size() - most_lines);
+        text += fmt::format("  ({} more, which the files of --out or --csv list)\n", rows.size() - most_lines);
     std::size_t const idle = run.sensitivities.size() - rows.size();
     text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
     if (has_slack(run))

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "config/accelerator_config.hpp"
 #include "datapath/edge_map/edge_map_policy.hpp"
@@ -11,9 +12,9 @@ namespace faster {
 using EdgeMapBuffers = PingPong<std::unique_ptr<datapath::EdgeMapPolicy>>;
 
 inline EdgeMapBuffers make_edge_map_buffers(EdgeMapConfig const& config, int window) {
-    std::vector<std::unique_ptr<datapath::EdgeMapPolicy>> maps;
-    for (int i = 0; i < config.buffers; ++i)
-        maps.push_back(datapath::make_edge_map_policy(config.algorithm, window));
+    std::vector<std::unique_ptr<datapath::EdgeMapPolicy>> maps(static_cast<std::size_t>(config.buffers));
+    for (auto& map : maps)
+        map = datapath::make_edge_map_policy(config.algorithm, window);
     return EdgeMapBuffers(std::move(maps));
 }
 

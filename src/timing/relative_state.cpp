@@ -159,9 +159,9 @@ std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool wit
     std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
     auto const begun =
         static_cast<std::int64_t>(p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0);
-    auto const waited_for = static_cast<std::int64_t>(parked_at_[member] + 1);
+    std::uint32_t const waited_for = parked_at_[member] + 1;  // 0: none
     *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0) |
-               (waited_for << 32);
+               (std::int64_t{waited_for} << 32);
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
         std::uint64_t const iteration = p.pipeline_.iteration;

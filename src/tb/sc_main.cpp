@@ -157,9 +157,9 @@ void add_edge_quality(CLI::App& app, faster::EdgeQualityRequest& request) {
 }
 
 void add_grip(CLI::App& app, faster::GripRequest& request) {
-    CLI::App& command = *app.add_subcommand(
-        "grip",
-        "Score the poses by the thesis's CPU and GPU baseline, untimed, and compare the ranking with the configured design's");
+    CLI::App& command = *app.add_subcommand("grip",
+                                            "Score the poses by the thesis's CPU and GPU baseline, untimed, and "
+                                            "compare the ranking with the configured design's");
     command.add_option("config", request.config, "Configuration file (YAML)")->required()->type_name("CONFIG");
     command.add_option("--out", request.out, "Write scores.csv and summary.json to this folder")->type_name("DIR");
     add_overrides(command, request.overrides);
@@ -226,8 +226,9 @@ void add_sweep_merge(CLI::App& sweep, faster::SweepMergeRequest& request) {
 }
 
 void add_sweep(CLI::App& app, faster::SweepRequest& request, faster::SweepMergeRequest& merge) {
-    CLI::App& command =
-        *app.add_subcommand("sweep", "Run a configuration in many variants, or merge what several hosts did; goes on where it was (docs/sweeps.md)");
+    CLI::App& command = *app.add_subcommand(
+        "sweep",
+        "Run a configuration in many variants, or merge what several hosts did; goes on where it was (docs/sweeps.md)");
     command.add_option("sweep", request.sweep, "Sweep file (YAML); required, but for merge")->type_name("SWEEP");
     command.add_option("--out", request.out, "Folder of the results; required")->type_name("DIR");
     command.add_option("-j,--jobs", request.jobs, "Processes at once (the host's cores)")

@@ -6,10 +6,10 @@
 
 namespace faster {
 
-/// The writing end of a FIFO whose tokens are pixels one by one, or groups of pixels of a row: a port for either, of
-/// which one is bound, or none.
-template <class Pixel, class Group> struct PixelsOut {
-    explicit PixelsOut(std::string const& name) : pixels(name.c_str()), groups((name + "_groups").c_str()) {}
+/// An end of a FIFO whose tokens are pixels one by one, or groups of pixels of a row: a port for either, of which one
+/// is bound, or none.
+template <template <class> class Port, class Pixel, class Group> struct PixelsPort {
+    explicit PixelsPort(std::string const& name) : pixels(name.c_str()), groups((name + "_groups").c_str()) {}
     /// Null if unbound, as of a port.
     FifoChannel* channel() {
         if (groups.size() > 0)
@@ -17,22 +17,11 @@ template <class Pixel, class Group> struct PixelsOut {
         return channel_of(pixels);
     }
 
-    OptionalFifoOut<Pixel> pixels;
-    OptionalFifoOut<Group> groups;
+    Port<Pixel> pixels;
+    Port<Group> groups;
 };
-
-/// The reading end.
-template <class Pixel, class Group> struct PixelsIn {
-    explicit PixelsIn(std::string const& name) : pixels(name.c_str()), groups((name + "_groups").c_str()) {}
-    FifoChannel* channel() {
-        if (groups.size() > 0)
-            return channel_of(groups);
-        return channel_of(pixels);
-    }
-
-    OptionalFifoIn<Pixel> pixels;
-    OptionalFifoIn<Group> groups;
-};
+template <class Pixel, class Group> using PixelsIn = PixelsPort<OptionalFifoIn, Pixel, Group>;
+template <class Pixel, class Group> using PixelsOut = PixelsPort<OptionalFifoOut, Pixel, Group>;
 
 /// Such a FIFO: one clocked FIFO of either token.
 template <class Pixel, class Group> class PixelsFifo {

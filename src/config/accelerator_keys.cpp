@@ -142,8 +142,7 @@ void add_rasterizer_keys(Keys& keys) {
     keys.push_back(integer_key(
         {"accelerator.rasterizer.lanes", "px",
          "Adjacent pixels of a row that an iteration of the scan tests, and per token of fragments and edges; more "
-         "than "
-         "1 needs inner_border with edge_tokens object, or flow fpga_grip.",
+         "than 1 needs inner_border with edge_tokens object, or flow fpga_grip.",
          "thesis A.1; more than 1: this project"},
         {1, most_scan_lanes}, [](auto& config) -> auto& { return config.accelerator.rasterizer.lanes; }));
 }
@@ -173,8 +172,7 @@ void add_inlier_unit_keys(Keys& keys) {
     keys.push_back(choice_key(
         {"accelerator.inlier_unit.sweep_region", "",
          "Which pixels the sweep, the edge map's output and the observation's read go over: the window, or the box "
-         "that "
-         "the sample's tokens touched.",
+         "that the sample's tokens touched.",
          "thesis A.2, A.3; touched: this project"},
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_region; }));
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/each_bit.hpp"
 #include "modules/edge_map_builder.hpp"
 
 namespace faster {
@@ -41,10 +42,10 @@ bool EdgeMapBuilder::take_groups(PixelGroup& current) {
 void EdgeMapBuilder::take_group(PixelGroup const& group) {
     std::array<EdgeToken, most_scan_lanes> tokens;
     unsigned count = 0;
-    int col = group.col;
-    for (std::uint32_t mask = group.mask; mask != 0; mask >>= 1U, ++col)
-        if ((mask & 1U) != 0)
-            tokens[count++] = {group.row, static_cast<std::int16_t>(col), EdgeTokenKind::Object};
+    for_each_bit(group.mask, [&](unsigned lane) {
+        tokens[count++] = {group.row, static_cast<std::int16_t>(group.col + static_cast<int>(lane)),
+                           EdgeTokenKind::Object};
+    });
     maps_->take(tokens[0], &tokens[1], count);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "common/each_bit.hpp"
 #include "modules/inlier_unit.hpp"
 
 namespace faster {
@@ -33,14 +34,14 @@ unsigned InlierUnit::draw_group(std::uint64_t reciprocal, DepthGroup const& dept
         return 0;
     std::uint16_t* const row = depth_buffer_->data() + std::ptrdiff_t{pixels.row} * side;
     unsigned drawn = 0;
-    std::int64_t z_sum = depths.z_sum;
-    int col = pixels.col;
-    for (std::uint32_t mask = pixels.mask; mask != 0; mask >>= 1U, ++col, z_sum += depths.z_sum_per_column) {
-        if ((mask & 1U) == 0 || col < 0 || col >= side)
-            continue;
+    for_each_bit(pixels.mask, [&](unsigned lane) {
+        int const col = pixels.col + static_cast<int>(lane);
+        if (col < 0 || col >= side)
+            return;
+        std::int64_t const z_sum = depths.z_sum + std::int64_t{lane} * depths.z_sum_per_column;
         std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal);
         drawn += depth_unit_.draw(depth, row[col]) ? 1U : 0U;
-    }
+    });
     return drawn;
 }
 

@@ -1,3 +1,4 @@
+#include "common/each_bit.hpp"
 #include "datapath/early_exit_scan.hpp"
 #include "datapath/span_scan.hpp"
 #include "modules/rasterizer_scan.hpp"
@@ -55,10 +56,7 @@ void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {
 }
 
 void Rasterizer::touch(PixelGroup const& group) {
-    int col = group.col;
-    for (std::uint32_t mask = group.mask; mask != 0; mask >>= 1U, ++col)
-        if ((mask & 1U) != 0)
-            touched_->add(group.row, col);
+    for_each_bit(group.mask, [&](unsigned lane) { touched_->add(group.row, group.col + static_cast<int>(lane)); });
 }
 
 template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);

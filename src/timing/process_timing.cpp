@@ -4,6 +4,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/each_bit.hpp"
+
 namespace faster::timing {
 
 namespace {
@@ -11,11 +13,6 @@ constexpr unsigned max_ports = 8;
 
 unsigned lowest_bit(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
 std::uint8_t bit(unsigned port) { return static_cast<std::uint8_t>(1U << port); }
-
-template <class Visit> void for_each_port(std::uint32_t mask, Visit visit) {
-    for (; mask != 0; mask &= mask - 1)
-        visit(lowest_bit(mask));
-}
 }  // namespace
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
@@ -77,7 +74,7 @@ ProcessTiming::Status ProcessTiming::front() {
 
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = time_;
-    for_each_port(front_ports_, [&](unsigned number) {
+    for_each_bit(front_ports_, [&](unsigned number) {
         Port const& port = ports_[number];
         cycle = std::max(cycle, port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read());
     });
@@ -88,7 +85,7 @@ Cycles ProcessTiming::front_cycle() const {
 void ProcessTiming::perform(std::uint8_t ports) {
     Cycles const arrival = time_;
     int waited_for = -1;
-    for_each_port(ports, [this, &waited_for](unsigned number) {
+    for_each_bit(ports, [this, &waited_for](unsigned number) {
         Port const& port = ports_[number];
         Cycles const earliest = port.writes ? port.fifo->earliest_write() : port.fifo->earliest_read();
         if (earliest <= time_)
@@ -112,7 +109,7 @@ void ProcessTiming::perform(std::uint8_t ports) {
         observer_->accessed(*this, ports, time_);
     if (!has_accessed_)
         note_first_access(ports, arrival);
-    for_each_port(ports, [this](unsigned number) {
+    for_each_bit(ports, [this](unsigned number) {
         Port const& port = ports_[number];
         if (port.writes)
             port.fifo->write(time_);
@@ -193,7 +190,7 @@ std::uint32_t ProcessTiming::advance(bool pause) {
                     return woken;
                 Operation const& operation = log_.front();
                 if (operation.kind() != Operation::Kind::iterate || !plan().aligned || by_steps_) {
-                    for_each_port(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
+                    for_each_bit(front_ports_, [&](unsigned port) { woken |= ports_[port].neighbour; });
                     commit_front();
                     continue;
                 }
@@ -461,7 +458,7 @@ ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
                                            &ProcessTiming::run_accesses<3, true>,
                                            &ProcessTiming::run_accesses<4, true>};
     Run run;
-    for_each_port(ports, [&](unsigned number) {
+    for_each_bit(ports, [&](unsigned number) {
         if (run.size == 4)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
         Port const& port = ports_[number];

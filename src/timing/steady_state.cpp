@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/each_bit.hpp"
+
 namespace faster::timing {
 
 namespace {
@@ -9,11 +11,6 @@ constexpr unsigned most_looks = 256;       // without finding a period, before g
 constexpr std::uint64_t most_room = 1024;  // tokens of FIFOs to compare at each look
 
 bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
-
-template <class Visit> void for_each_bit(std::uint32_t mask, Visit visit) {
-    for (; mask != 0; mask &= mask - 1)
-        visit(static_cast<unsigned>(__builtin_ctz(mask)));
-}
 }  // namespace
 
 void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "recording/vcd_core.hpp"
-#include "support/cycle_twin.hpp"
+#include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
@@ -57,27 +57,7 @@ AcceleratorConfig with_two_of_each(std::uint64_t cores) {
     return config;
 }
 
-/// Figures of both engines and the twin. False: it deadlocked.
-bool check(Trial const& trial) {
-    TwinResult const twin = run_twin(trial.config, trial.stimulus);
-    RunStatistics const lockstep = run(trial, Engine::lockstep).statistics;
-    RunStatistics const decoupled = run(trial).statistics;
-    REQUIRE(decoupled.deadlocked() == twin.deadlock);
-    REQUIRE(lockstep.deadlocked() == twin.deadlock);
-    if (twin.deadlock) {
-        CHECK(decoupled.deadlock_cycle() == twin.deadlock_cycle);
-        CHECK(first_difference(stuck_cells(decoupled), stuck_cells(lockstep)) == "");
-        CHECK(first_difference(position_cells(decoupled), position_cells(lockstep)) == "");
-        return false;
-    }
-    CHECK(first_difference(all_cells(decoupled), all_cells(lockstep)) == "");
-    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
-        CHECK(first_difference(cells_of(decoupled, part), cells_of(twin, part)) == "");
-    for (CoreStatistics const& core : decoupled.cores)
-        for (ProcessStatistics const& process : core.processes)
-            CHECK(process.sum() == decoupled.total_cycles);
-    return true;
-}
+bool check(Trial const& trial) { return check_agreement(trial.config, trial.stimulus); }
 
 /// Who touches which buffer, and since when: accesses of a process are a sample's until the other process has the
 /// buffer.

@@ -1,22 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
-#include <numeric>
-#include <string>
 
-#include "support/cycle_twin.hpp"
-#include "support/forked_simulation.hpp"
+#include "support/engine_agreement.hpp"
 #include "support/random_stimulus.hpp"
-#include "support/run_cells.hpp"
 
 namespace faster::testing {
 namespace {
-
-/// A configuration and a stimulus of one seed, run by both engines and the twin.
-struct Trial {
-    TwinResult twin;
-    RunStatistics lockstep;
-    RunStatistics decoupled;
-};
 
 struct TrialOptions {
     RandomConfigOptions config;
@@ -33,65 +22,20 @@ TrialOptions small_windows() {
     return options;
 }
 
-Trial run_trial(std::uint64_t seed, TrialOptions options) {
+bool check_seed(std::uint64_t seed, TrialOptions options) {
+    CAPTURE(seed);
     options.stimulus.random_fraction_bits = seed % 3 == 0;
     Stimulus const stimulus = random_stimulus(seed, options.stimulus);
     AcceleratorConfig config = random_config(seed, options.config);
     adopt(stimulus, config);
-    return {run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
-            run_forked(config, stimulus, Engine::decoupled).statistics};
-}
-
-void check_figures(Trial const& trial) {
-    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls}) {
-        CHECK(first_difference(cells_of(trial.decoupled, part), cells_of(trial.twin, part)) == "");
-        CHECK(first_difference(cells_of(trial.lockstep, part), cells_of(trial.twin, part)) == "");
-    }
-}
-
-/// Every cycle of the run is in exactly one class of every process.
-void check_buckets(RunStatistics const& run) {
-    for (std::size_t core = 0; core < run.cores.size(); ++core) {
-        for (std::size_t i = 0; i < module_count; ++i) {
-            CAPTURE(core, module_names[i]);
-            ProcessStatistics const& process = run.cores[core].processes[i];
-            CHECK(process.sum() == run.total_cycles);
-            for (Cycles const cycles : process.cycles)
-                CHECK(cycles <= run.total_cycles);  // unsigned: not below zero
-            CHECK(std::accumulate(process.stalls.begin(), process.stalls.end(), Cycles{0}) ==
-                  process[CycleClass::empty_stall] + process[CycleClass::full_stall]);
-        }
-    }
-}
-
-void check_deadlock(Trial const& trial) {
-    REQUIRE(trial.decoupled.deadlocked() == trial.twin.deadlock);
-    REQUIRE(trial.lockstep.deadlocked() == trial.twin.deadlock);
-    if (!trial.twin.deadlock)
-        return;
-    CHECK(trial.decoupled.deadlock_cycle() == trial.twin.deadlock_cycle);
-    CHECK(trial.lockstep.deadlock_cycle() == trial.twin.deadlock_cycle);
-    CHECK(first_difference(stuck_cells(trial.decoupled), stuck_cells(trial.lockstep)) == "");
-    CHECK(first_difference(position_cells(trial.decoupled), position_cells(trial.lockstep)) == "");
-    CHECK_FALSE(trial.decoupled.wait_cycle().empty());
+    return check_agreement(config, stimulus);
 }
 
 /// Runs the seeds first, first + 1, ...; returns how many deadlocked.
 int check_seeds(std::uint64_t first, std::uint64_t count, TrialOptions const& options) {
     int deadlocks = 0;
-    for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        CAPTURE(seed);
-        Trial const trial = run_trial(seed, options);
-        check_deadlock(trial);
-        CHECK(first_difference(all_cells(trial.decoupled), all_cells(trial.lockstep)) == "");
-        if (trial.twin.deadlock) {
-            ++deadlocks;
-            continue;
-        }
-        check_figures(trial);
-        check_buckets(trial.lockstep);
-        check_buckets(trial.decoupled);
-    }
+    for (std::uint64_t seed = first; seed < first + count; ++seed)
+        deadlocks += check_seed(seed, options) ? 0 : 1;
     return deadlocks;
 }
 
@@ -286,12 +230,7 @@ TEST_CASE("Engines and twin agree: every kind of triangle under the default mach
         Stimulus const stimulus = random_stimulus(6000 + static_cast<std::uint64_t>(kind), options);
         AcceleratorConfig config;
         config.raster_cores = 2;
-        Trial const trial{run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
-                          run_forked(config, stimulus, Engine::decoupled).statistics};
-        REQUIRE_FALSE(trial.twin.deadlock);
-        check_deadlock(trial);
-        check_figures(trial);
-        check_buckets(trial.decoupled);
+        REQUIRE(check_agreement(config, stimulus));
     }
 }
 

@@ -6,7 +6,7 @@
 #include "events/event_file.hpp"
 #include "modules/core_shapes.hpp"
 #include "retiming/retime.hpp"
-#include "support/cycle_twin.hpp"
+#include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
@@ -62,24 +62,7 @@ Cycles extract_ii(NeighbourAccess access, int neighbourhood, std::uint64_t ports
 bool check_seed(std::uint64_t seed, bool is_deadlock_free) {
     CAPTURE(seed);
     Stimulus const stimulus = random_work(seed);
-    AcceleratorConfig const config = random_machine(seed, stimulus, is_deadlock_free);
-    TwinResult const twin = run_twin(config, stimulus);
-    RunStatistics const lockstep = run_forked(config, stimulus, Engine::lockstep).statistics;
-    RunStatistics const decoupled = run_forked(config, stimulus, Engine::decoupled).statistics;
-    REQUIRE(decoupled.deadlocked() == twin.deadlock);
-    if (twin.deadlock) {
-        CHECK(decoupled.deadlock_cycle() == twin.deadlock_cycle);
-        CHECK(first_difference(stuck_cells(decoupled), stuck_cells(lockstep)) == "");
-        CHECK(first_difference(position_cells(decoupled), position_cells(lockstep)) == "");
-        return false;
-    }
-    CHECK(first_difference(all_cells(decoupled), all_cells(lockstep)) == "");
-    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
-        CHECK(first_difference(cells_of(decoupled, part), cells_of(twin, part)) == "");
-    for (CoreStatistics const& core : decoupled.cores)
-        for (std::size_t const i : modules_of({Flow::fpga_grip}))
-            CHECK(core.processes[i].sum() == decoupled.total_cycles);
-    return true;
+    return check_agreement(random_machine(seed, stimulus, is_deadlock_free), stimulus);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+#include "support/engine_agreement.hpp"
+
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "support/cycle_twin.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/run_cells.hpp"
+
+namespace faster::testing {
+namespace {
+
+/// One workload on one machine, run by both engines and the twin.
+struct Trial {
+    TwinResult twin;
+    RunStatistics lockstep;
+    RunStatistics decoupled;
+};
+
+void check_figures(Trial const& trial) {
+    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls}) {
+        CHECK(first_difference(cells_of(trial.decoupled, part), cells_of(trial.twin, part)) == "");
+        CHECK(first_difference(cells_of(trial.lockstep, part), cells_of(trial.twin, part)) == "");
+    }
+}
+
+/// Every cycle of the run is in exactly one class of every process.
+void check_buckets(RunStatistics const& run) {
+    for (std::size_t core = 0; core < run.cores.size(); ++core) {
+        for (std::size_t const i : modules_of(run.parts)) {
+            CAPTURE(core, module_names[i]);
+            ProcessStatistics const& process = run.cores[core].processes[i];
+            CHECK(process.sum() == run.total_cycles);
+            for (Cycles const cycles : process.cycles)
+                CHECK(cycles <= run.total_cycles);  // unsigned: not below zero
+            CHECK(std::accumulate(process.stalls.begin(), process.stalls.end(), Cycles{0}) ==
+                  process[CycleClass::empty_stall] + process[CycleClass::full_stall]);
+        }
+    }
+}
+
+void check_deadlock(Trial const& trial) {
+    REQUIRE(trial.decoupled.deadlocked() == trial.twin.deadlock);
+    REQUIRE(trial.lockstep.deadlocked() == trial.twin.deadlock);
+    if (!trial.twin.deadlock)
+        return;
+    CHECK(trial.decoupled.deadlock_cycle() == trial.twin.deadlock_cycle);
+    CHECK(trial.lockstep.deadlock_cycle() == trial.twin.deadlock_cycle);
+    CHECK(first_difference(stuck_cells(trial.decoupled), stuck_cells(trial.lockstep)) == "");
+    CHECK(first_difference(position_cells(trial.decoupled), position_cells(trial.lockstep)) == "");
+    CHECK_FALSE(trial.decoupled.wait_cycle().empty());
+}
+
+}  // namespace
+
+bool check_agreement(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    Trial const trial{run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
+                      run_forked(config, stimulus, Engine::decoupled).statistics};
+    check_deadlock(trial);
+    CHECK(first_difference(all_cells(trial.decoupled), all_cells(trial.lockstep)) == "");
+    if (trial.twin.deadlock)
+        return false;
+    check_figures(trial);
+    check_buckets(trial.lockstep);
+    check_buckets(trial.decoupled);
+    return true;
+}
+
+}  // namespace faster::testing

@@ -1,6 +1,6 @@
 // How long it takes to work out a recorded run with other timing: the distribution over random configurations.
 //
-//   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED]
+//   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|wild]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -82,11 +82,12 @@ void print_distribution(char const* name, std::vector<Measured>& all) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED]\n");
+        fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|wild]\n");
         return 2;
     }
     std::size_t const count = argc > 2 ? std::stoul(argv[2]) : 100;
     std::uint64_t const seed = argc > 3 ? std::stoull(argv[3]) : 1;
+    std::string const only = argc > 4 ? argv[4] : "";
     double start = processor_seconds();
     events::EventFile const file = events::read_event_file(argv[1]);
     AcceleratorConfig const& recorded = file.loaded.config.accelerator;
@@ -100,6 +101,8 @@ int main(int argc, char** argv) {
     fmt::print("made ready, {} random configurations, seeds from {}, processor time\n", count, seed);
     for (auto const& [name, spread] :
          {std::pair{"near", Spread::near}, {"wide", Spread::wide}, {"wild", Spread::wild}}) {
+        if (!only.empty() && only != name)
+            continue;
         std::vector<Measured> all;
         for (std::uint64_t i = seed; all.size() < count; ++i) {
             Measured measured = measure(scripted, drawn_from(i, spread, recorded));

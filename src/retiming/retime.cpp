@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "config/core_share.hpp"
 #include "modules/core_shapes.hpp"
@@ -18,22 +19,37 @@ class Replay {
     Replay(OperationTape const& tape, ScriptedRun const* scripts, CoreShare share, timing::CoreTiming& core)
         : tape_(tape), scripts_(scripts), share_(share), core_(core), is_stuck_(core.processes().size(), false) {}
 
-    void feed_all() {
-        for (std::size_t i = 0; i < share_.count; ++i)
-            feed(share_.first + i);
+    /// As far as a walk of the core, or a walk further; false: all is done.
+    bool go_on() {
+        if (is_walking_)
+            core_.arrive();
+        for (; fed_ < share_.count; ++fed_) {
+            is_walking_ = is_walking_ || begin_script(share_.first + fed_);
+            is_walking_ = is_walking_ && core_.set_out();
+            if (is_walking_)
+                return true;
+            end_sample(share_.first + fed_);
+        }
         core_.resolve();
+        return false;
     }
+    timing::Automaton::Walk& walk() { return core_.walk(); }
 
   private:
     static constexpr std::size_t usual_backlog = std::size_t{1} << 18;  // operations: a few samples' worth
     static constexpr std::size_t supplier = index_of(ModuleId::vertex_transform);
 
-    void feed(std::size_t sample) {
+    /// False if the sample has none that could be followed.
+    bool begin_script(std::size_t sample) {
         bool const is_stuck = std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end();
-        if (scripts_ != nullptr && sample < scripts_->size() && !is_stuck)
-            feed((*scripts_)[sample], sample);
-        else
-            feed_plain(sample);
+        is_scripted_ = scripts_ != nullptr && sample < scripts_->size() && !is_stuck;
+        if (is_scripted_)
+            take_up((*scripts_)[sample], sample);
+        return is_scripted_;
+    }
+
+    void end_sample(std::size_t sample) {
+        is_scripted_ ? feed_rest((*scripts_)[sample]) : feed_plain(sample);
         core_.resolve(false);
         if (backlog() > usual_backlog)
             find_stuck();
@@ -46,16 +62,19 @@ class Replay {
                 append(operations_[i], core_.process(i).log());
     }
 
-    void feed(ScriptedSample const& scripted, std::size_t sample) {
+    void take_up(ScriptedSample const& scripted, std::size_t sample) {
         for (std::size_t i = 0; i < scripted.before.size(); ++i)
             if (i != supplier)
                 append(scripted.before[i], core_.process(i).log());
         supply(sample + 2);
-        timing::Script script = scripted.script;
-        script.book = &scripts_->book();
-        script.next = scripted.phrases.data();
-        script.end = script.next + scripted.phrases.size();
-        core_.resolve(script);
+        script_ = scripted.script;
+        script_.book = &scripts_->book();
+        script_.next = scripted.phrases.data();
+        script_.end = script_.next + scripted.phrases.size();
+        core_.take_up(script_);
+    }
+
+    void feed_rest(ScriptedSample const& scripted) {
         for (std::size_t i = 0; i < scripted.after.size(); ++i)
             for (timing::Operation const& operation : scripted.after[i])
                 core_.process(i).log().append(operation);
@@ -100,30 +119,57 @@ class Replay {
     SampleOperations operations_;
     std::vector<bool> is_stuck_;
     std::size_t supplied_ = 0;  ///< samples whose vertices have been asked for
+    std::size_t fed_ = 0;       ///< samples done
+    bool is_scripted_ = false;  ///< the sample at hand
+    bool is_walking_ = false;
+    timing::Script script_;
 };
 
-using Automaton = std::shared_ptr<timing::Automaton>;
+/// Lets several cores take turns with walking, while one of them has to.
+void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Automaton& automaton) {
+    std::vector<Replay*> walking;
+    std::vector<timing::Automaton::Walk*> walks;
+    for (std::unique_ptr<Replay> const& replay : replays)
+        if (replay->go_on()) {
+            walking.push_back(replay.get());
+            walks.push_back(&replay->walk());
+        }
+    while (!walks.empty()) {
+        std::size_t const stopped = automaton.go_on(walks);
+        if (automaton.find_out(*walks[stopped]) || walking[stopped]->go_on())
+            continue;
+        walking.erase(walking.begin() + static_cast<std::ptrdiff_t>(stopped));
+        walks.erase(walks.begin() + static_cast<std::ptrdiff_t>(stopped));
+    }
+}
 
-std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, ScriptedRun const* scripts,
-                                                AcceleratorConfig const& config, std::size_t core, Automaton automaton,
-                                                bool leaves_trail) {
-    std::unique_ptr<timing::CoreTiming> timing = core_variant(*run.blueprint, config);
-    timing->let_follow(rasterizer_and_followers(Parts(config)), std::move(automaton));
-    if (leaves_trail)
-        timing->leave_trail();
-    CoreShare const share = share_of(core, config.raster_cores, run.tape.samples());
-    Replay(run.tape, scripts, share, *timing).feed_all();
-    return timing;
+using Automaton = std::shared_ptr<timing::Automaton>;
+using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
+
+Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config,
+                   std::vector<std::size_t> const& numbers, Automaton const& automaton, bool leaves_trail) {
+    Cores cores;
+    std::vector<std::unique_ptr<Replay>> replays;
+    for (std::size_t const number : numbers) {
+        cores.push_back(core_variant(*run.blueprint, config));
+        cores.back()->let_follow(rasterizer_and_followers(Parts(config)), automaton);
+        if (leaves_trail)
+            cores.back()->leave_trail();
+        CoreShare const share = share_of(number, config.raster_cores, run.tape.samples());
+        replays.push_back(std::make_unique<Replay>(run.tape, scripts, share, *cores.back()));
+    }
+    feed_all(replays, *automaton);
+    return cores;
 }
 
 RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config) {
-    auto const automaton = std::make_shared<timing::Automaton>();
-    std::vector<std::unique_ptr<timing::CoreTiming>> timings;
+    std::vector<std::size_t> numbers(config.raster_cores);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    Cores const timings = retime_cores(run, scripts, config, numbers, std::make_shared<timing::Automaton>(), false);
     std::vector<FinishedCore> cores;
-    for (std::size_t k = 0; k < config.raster_cores; ++k) {
-        timings.push_back(retime_core(run, scripts, config, k, automaton, false));
+    for (std::size_t const k : numbers) {
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
-        cores.push_back({share, *timings.back(), run.counters.data() + share.first});
+        cores.push_back({share, *timings[k], run.counters.data() + share.first});
     }
     return collect(cores, config);
 }
@@ -132,12 +178,12 @@ RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, Acceler
 
 std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
                                                 std::size_t core, Automaton automaton, bool leaves_trail) {
-    return retime_core(run, nullptr, config, core, std::move(automaton), leaves_trail);
+    return std::move(retime_cores(run, nullptr, config, {core}, automaton, leaves_trail).front());
 }
 
 std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, AcceleratorConfig const& config,
                                                 std::size_t core, Automaton automaton, bool leaves_trail) {
-    return retime_core(run.run(), &run, config, core, std::move(automaton), leaves_trail);
+    return std::move(retime_cores(run.run(), &run, config, {core}, automaton, leaves_trail).front());
 }
 
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }

@@ -7,7 +7,7 @@
 namespace faster::timing {
 
 namespace {
-constexpr std::int64_t longest_reach = 4096;  // states with times further apart hardly ever come again
+constexpr Cycles longest_reach = 4096;  // states with times further apart hardly ever come again
 constexpr std::size_t longest_history = std::size_t{1} << 16;
 constexpr std::uint64_t most_room = 1024;  // tokens in FIFOs that a state may have to list
 // If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
@@ -77,15 +77,24 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     return usable_;
 }
 
+/// Times far apart hardly come again. The driver alone gets out of that, unless it would stop inside an iteration. Seen
+/// at a glance, where a follower is ahead; else begin() will tell.
+bool Automaton::is_far_apart(Group const& group) const {
+    Cycles const end = group.driver().local_time() + longest_reach;
+    auto const is_ahead = [end](Group::Member const& member) {
+        return member.process->local_time() > end && Phrase::next_of(member, 0).ports != 0;
+    };
+    return driver_is_regular_ && std::any_of(group.members().begin() + 1, group.members().end(), is_ahead);
+}
+
 Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
     Progress progress;
     session_ = &session;
     phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
     if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
         return {false, true};
-    if (!begin(group))
+    if (is_far_apart(group) || !begin(group))
         return progress;
-    // Times far apart hardly come again. The driver alone gets out of that, unless it would stop inside an iteration.
     bool const is_worthwhile = session.state != none || !driver_is_regular_;
     Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
@@ -96,6 +105,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         if (slot == nullptr)
             break;
         phrase_.consume();
+        session.history.push_back(slot->number);
         apply(*slot);
     }
     progress.moved = !session.history.empty();
@@ -108,12 +118,11 @@ void Automaton::apply(Slot const& slot) {
     Session& session = *session_;
     ++phrases_;
     session.state = slot.next;
-    session.history.push_back(slot.number);
     if (slot.number >= first_loose) {
         Transition const& loose = session.loose[slot.number - first_loose];
         session.time += loose.cycles;
         session.entered |= loose.entered;
-        note(loose.froze, loose.rooms);
+        note(session, loose.froze, loose.rooms);
         return;
     }
     session.time += slot.cycles;
@@ -122,17 +131,17 @@ void Automaton::apply(Slot const& slot) {
         session.uses.resize(store_.size());
     ++session.uses[slot.number];
     if (slot.notable)
-        note(store_.notes(slot.number).froze, store_.notes(slot.number).rooms);
+        note(session, store_.notes(slot.number).froze, store_.notes(slot.number).rooms);
 }
 
-void Automaton::note(std::uint32_t froze, std::vector<Room> const& rooms) {
-    session_->frozen |= froze;
+void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms) {
+    session.frozen |= froze;
     for (Room const& room : rooms) {
-        std::vector<Cycles>& times = session_->rooms[room.fifo];
+        std::vector<Cycles>& times = session.rooms[room.fifo];
         if (room.all)
             times.clear();
         for (std::int64_t from : room.from)
-            times.push_back(session_->time + static_cast<Cycles>(from));
+            times.push_back(session.time + static_cast<Cycles>(from));
     }
 }
 
@@ -148,11 +157,17 @@ TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& sessi
 }
 
 void Automaton::settle(Group const& group, Session& session) const {
-    std::vector<std::uint64_t*> const counters = RelativeState(group).counters();
-    for (std::size_t i = 0; i < session.uses.size(); ++i)
-        if (session.uses[i] > 0)
-            for (Growth const& growth : store_.growth(static_cast<Number>(i)))
-                *counters[growth.counter] += session.uses[i] * growth.amount;
+    RelativeState real(group);
+    std::vector<std::uint64_t*> const counters = real.counters();
+    for (std::size_t i = 0; i < session.uses.size(); ++i) {
+        if (session.uses[i] == 0)
+            continue;
+        auto const number = static_cast<Number>(i);
+        for (Growth const& growth : store_.growth(number))
+            *counters[growth.counter] += session.uses[i] * growth.amount;
+        for (Transition::Peak const& peak : store_.peaks(number))
+            real.raise_peak(peak.fifo, peak.occupancy);
+    }
     session.uses.clear();
     add_iterations(group, session);
 }
@@ -250,7 +265,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     std::vector<RelativeState::Waiting> const waitings = bench_->park(words_);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         RelativeState::Waiting const& waiting = waitings[m - 1];
-        Cycles const shift = session_->time - TransitionBench::time;
+        Cycles const shift = session_->time - bench_->time();
         Cycles const own = group.members()[m].process->local_time();
         bool const frozen = ((session_->frozen >> m) & 1U) != 0;
         session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
@@ -259,7 +274,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     }
     charge_parking(group, real);
     session_->words = bench_->words();
-    session_->state = bench_->reach() > longest_reach ? none : number_of(session_->words);
+    session_->state = bench_->reach() > static_cast<std::int64_t>(longest_reach) ? none : number_of(session_->words);
     session_->loose.clear();
     return true;
 }
@@ -276,9 +291,12 @@ void Automaton::charge_parking(Group const& group, RelativeState const& real) {
 void Automaton::end(Group const& group, Script* script) {
     RelativeState real(group);
     std::vector<std::uint64_t*> const counters = real.counters();
-    for (Transition const& loose : session_->loose)
+    for (Transition const& loose : session_->loose) {
         for (Growth const& growth : loose.growth)
             *counters[growth.counter] += growth.amount;
+        for (Transition::Peak const& peak : loose.peaks)
+            real.raise_peak(peak.fifo, peak.occupancy);
+    }
     std::vector<std::uint64_t> iterations_before;
     for (unsigned m = 0; m < group.members().size(); ++m)
         iterations_before.push_back(real.iterations(m));
@@ -377,7 +395,7 @@ bool Automaton::work_out(Slot& slot) {
     Words const& from = session_->state == none ? session_->words : *states_[session_->state];
     if (!bench_->work_out(from, phrase_, worked_on_))
         return false;
-    bool const recurring = bench_->reach() <= longest_reach;
+    bool const recurring = bench_->reach() <= static_cast<std::int64_t>(longest_reach);
     bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
     slot.next = recurring ? number_of(bench_->words()) : none;
     if (slot.next == none)

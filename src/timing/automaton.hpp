@@ -36,13 +36,31 @@ class Automaton {
     bool fits(CoreTiming const& core, Lead const& lead, Group const& group);
 
     struct Session;
+    /// The following of a script by one core.
+    struct Walk {
+        Group const* group = nullptr;
+        Session* session = nullptr;
+        Script* script = nullptr;
+        PhraseBook::Number const* begin = nullptr;
+        PhraseBook::Number const* end = nullptr;      ///< of what can be walked
+        PhraseBook::Number const* counted = nullptr;  ///< up to here, the session has all transitions in its figures
+        std::uint64_t due_behind = 0;                 ///< of the phrases behind that
+    };
 
     /// Moves the driver and its followers on by as many phrases as possible. The followers must have got as far as they
     /// can without the driver. The session is the core's own. Where logs end, a script, if there is one, goes on.
     Progress follow(Group const& group, Session& session, Script const* script = nullptr);
-    /// Moves them on by phrases of a script. Only where the script goes on: the driver's log is empty, and what is left
-    /// in the logs of followers, but for suppliers, was asked for by the driver before.
-    bool follow_script(Group const& group, Session& session, Script& script);
+    /// Begins to move them on by phrases of a script. Only where the script goes on: the driver's log is empty, and
+    /// what is left in the logs of followers, but for suppliers, was asked for by the driver before. False if they
+    /// cannot.
+    bool set_out(Walk& walk);
+    /// Moves walks that have set out on by what is known, until one is at its end or comes to something new: which. A
+    /// look-up waits for the one before it in the same walk; those of several walks take turns.
+    std::size_t go_on(std::vector<Walk*> const& walks);
+    /// Works out what a walk came to. False if it is at its end, or that cannot be done.
+    bool find_out(Walk& walk);
+    /// Ends a walk: moves the core to where it got. Whether it got anywhere.
+    bool arrive(Walk& walk);
     static bool is_where_script_goes_on(Group const& group);
     /// Appends the next phrase of a script to the logs.
     static void write_next(Group const& group, Script& script);
@@ -76,20 +94,24 @@ class Automaton {
         std::size_t operator()(Words const& words) const;
     };
 
+    bool is_far_apart(Group const& group) const;
     bool begin(Group const& group, Script const* script = nullptr);
     bool find_outlooks(Group const& group, Script const* script, RelativeState& real);
     void end(Group const& group, Script* script = nullptr);
     void apply(Slot const& slot);
-    void note(std::uint32_t froze, std::vector<Room> const& rooms);
+    static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms);
     Slot const* work_out(Print const& print);
     bool work_out(Slot& slot);
-    struct RegularPart {
+    /// Where a walk is, while it goes on.
+    struct Place {
+        PhraseBook::Number const* next;
         PhraseBook::Number const* end;
-        std::uint64_t due_behind;
+        Number* history;
+        Number state;
     };
-    RegularPart regular_part(Group const& group, Script const& script) const;
-    bool follow_known(Group const& group, Script& script, PhraseBook::Number const* limit);
-    bool follow_new(Group const& group, Script& script);
+    static bool step(NumberedTransitions::Reader const& known, Place& place);
+    void count_up(Walk& walk);
+    void find_regular_part(Walk& walk) const;
     bool is_frozen(unsigned member) const;
     void charge_parking(Group const& group, RelativeState const& real);
     Cycles cycles(Session const& session, Number number) const;
@@ -116,7 +138,8 @@ class Automaton {
     Transition worked_on_;
     TransitionTable table_;
     NumberedTransitions numbered_;  ///< by number of the phrase in a book
-    Slot once_;                     ///< the last that was not worth remembering
+    std::vector<Place> places_;
+    Slot once_;  ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
@@ -131,7 +154,7 @@ struct Automaton::Session {
     Cycles begin = 0;
     Cycles time = 0;
     std::uint32_t frozen = 0;
-    std::vector<Number> history;    ///< of transitions
+    std::vector<Number> history;    ///< of transitions; in a walk, room for all
     std::vector<Transition> loose;  ///< not worth remembering; numbers from first_loose on
     std::vector<Stand> entry;       ///< of each follower, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;

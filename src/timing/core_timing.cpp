@@ -85,7 +85,7 @@ void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
 void CoreTiming::resolve(bool to_the_end) {
     if (ends_.empty())
         connect();
-    std::uint32_t const all = (1U << processes_.size()) - 1;
+    std::uint32_t const all = all_processes();
     if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
         settle(all, 0);
     } else if (group_has_started(all)) {
@@ -112,26 +112,40 @@ void CoreTiming::resolve_processes(std::uint32_t processes) {
     shorten_trail();
 }
 
-void CoreTiming::resolve(Script& script) {
+void CoreTiming::take_up(Script& script) {
     if (ends_.empty())
         connect();
-    std::uint32_t const all = (1U << processes_.size()) - 1;
-    bool follows = automaton_->fits(*this, lead_, *group_);
-    while (!script.done()) {
-        if (follows && group_has_started(all) && follow(script, all))
-            continue;
-        // A driver with operations left waits for somebody, and will wait however many more there are.
-        follows = follows && group_->driver().finished();
-        Automaton::write_next(*group_, script);
-    }
+    walk_ = {group_.get(), &session_, &script, nullptr, nullptr, nullptr, 0};
+    follows_ = automaton_->fits(*this, lead_, *group_);
 }
 
-bool CoreTiming::follow(Script& script, std::uint32_t all) {
-    settle(all, 1U << lead_.driver);
-    bool const moved = Automaton::is_where_script_goes_on(*group_)
-                           ? automaton_->follow_script(*group_, session_, script)
-                           : automaton_->follow(*group_, session_, &script).moved;
-    return let_driver_go() || moved;
+bool CoreTiming::set_out() {
+    while (!walk_.script->done()) {
+        if (follows_ && group_has_started(all_processes())) {
+            settle(all_processes(), 1U << lead_.driver);
+            bool moved = false;
+            if (!Automaton::is_where_script_goes_on(*group_))
+                moved = automaton_->follow(*group_, session_, walk_.script).moved;
+            else if (automaton_->set_out(walk_))
+                return true;
+            if (let_driver_go() || moved)
+                continue;
+        }
+        write_next();
+    }
+    return false;
+}
+
+void CoreTiming::arrive() {
+    bool const moved = automaton_->arrive(walk_);
+    if (!let_driver_go() && !moved && !walk_.script->done())
+        write_next();
+}
+
+void CoreTiming::write_next() {
+    // A driver with operations left waits for somebody, and will wait however many more there are.
+    follows_ = follows_ && group_->driver().finished();
+    Automaton::write_next(*group_, *walk_.script);
 }
 
 void CoreTiming::leave_trail(std::size_t length) {

@@ -41,8 +41,20 @@ class CoreTiming {
     void resolve_processes(std::uint32_t processes);
 
     /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
-    /// then. There must be an automaton.
-    void resolve(Script& script);
+    /// then. There must be an automaton. In parts, so that cores that share an automaton can take turns:
+    ///
+    ///     core.take_up(script);
+    ///     while (core.set_out()) {
+    ///         do
+    ///             automaton.go_on({&core.walk()});
+    ///         while (automaton.find_out(core.walk()));
+    ///         core.arrive();
+    ///     }
+    void take_up(Script& script);
+    /// As far as a walk; false: the script is done.
+    bool set_out();
+    Automaton::Walk& walk() { return walk_; }
+    void arrive();
 
     /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
     /// automaton.
@@ -82,7 +94,8 @@ class CoreTiming {
     void settle(std::uint32_t runnable, std::uint32_t held);
     bool group_has_started(std::uint32_t all);
     bool let_driver_go();
-    bool follow(Script& script, std::uint32_t all);
+    std::uint32_t all_processes() const { return (1U << processes_.size()) - 1; }
+    void write_next();
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;
@@ -92,6 +105,8 @@ class CoreTiming {
     std::shared_ptr<Automaton> automaton_;
     std::unique_ptr<Group> group_;
     Automaton::Session session_;
+    Automaton::Walk walk_;
+    bool follows_ = false;  ///< the script at hand
     Lead lead_;
     bool started_ = false;
 };

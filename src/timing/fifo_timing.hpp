@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -47,10 +48,11 @@ class FifoTiming {
         readable_from_[writes_ & index_mask_] = cycle + shape_.issue_latency + shape_.read_latency;
         Cycles const written = cycle + shape_.issue_latency;
         // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs
-        // whose read is not known yet are looked at when it is.
-        if (max_occupancy_ < shape_.capacity && writes_ - max_occupancy_ < reads_ &&
-            free_from_[(writes_ - max_occupancy_) & index_mask_] > written + 1)
-            ++max_occupancy_;
+        // whose read is not known yet are looked at when it is. Right with any M that was reached before, as well as
+        // with the largest: who needs the largest of a while begins it with none.
+        for (std::uint64_t m = std::max(max_occupancy_, writes_ - reads_ + 1);
+             m < shape_.capacity && free_from_[(writes_ - m) & index_mask_] > written + 1;)
+            max_occupancy_ = ++m;
         ++writes_;
         max_occupancy_ = max_occupancy_ == 0 ? 1 : max_occupancy_;  // a token stays for a cycle at least (Lf >= 1)
     }

@@ -16,16 +16,28 @@ class NumberedTransitions {
         Number number = 0;          ///< of the transition
     };
 
-    /// Null if it is not known.
-    Slot const* find(Number state, Number phrase) const {
-        std::uint64_t const key = key_of(state, phrase);
-        for (std::size_t i = place_of(key);; i = (i + 1) & mask_) {
-            if (slots_[i].key == key)
-                return &slots_[i];
-            if (slots_[i].key == empty)
-                return nullptr;
+    /// For many look-ups in a row, until something is added: fits into registers.
+    class Reader {
+      public:
+        explicit Reader(NumberedTransitions const& table)
+            : slots_(table.slots_.data()), mask_(table.mask_), shift_(table.shift_) {}
+
+        /// Null if it is not known.
+        Slot const* find(Number state, Number phrase) const {
+            std::uint64_t const key = key_of(state, phrase);
+            for (std::size_t i = place_of(key, shift_);; i = (i + 1) & mask_) {
+                if (slots_[i].key == key)
+                    return &slots_[i];
+                if (slots_[i].key == empty)
+                    return nullptr;
+            }
         }
-    }
+
+      private:
+        Slot const* slots_;
+        std::size_t mask_;
+        unsigned shift_;
+    };
 
     /// Adds what is not there yet.
     void add(Number state, Number phrase, Number next, Number number) {
@@ -37,9 +49,9 @@ class NumberedTransitions {
   private:
     static constexpr std::uint64_t empty = ~std::uint64_t{0};
     static std::uint64_t key_of(Number state, Number phrase) { return (std::uint64_t{state} << 32) | phrase; }
-    std::size_t place_of(std::uint64_t key) const { return (key * 0x9E3779B97F4A7C15U) >> shift_; }
+    static std::size_t place_of(std::uint64_t key, unsigned shift) { return (key * 0x9E3779B97F4A7C15U) >> shift; }
     void put(Slot const& slot) {
-        std::size_t i = place_of(slot.key);
+        std::size_t i = place_of(slot.key, shift_);
         while (slots_[i].key != empty)
             i = (i + 1) & mask_;
         slots_[i] = slot;

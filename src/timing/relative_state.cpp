@@ -134,7 +134,7 @@ bool RelativeState::save(Words& words, std::uint32_t with_logs) const {
 }
 
 std::size_t RelativeState::most_words(std::uint32_t with_logs) const {
-    constexpr std::size_t own = 3, of_fifo = 4;
+    constexpr std::size_t own = 3, of_fifo = 3;
     std::size_t words = 0;
     for (unsigned m = 0; m < group_->members().size(); ++m) {
         ProcessTiming const& p = process(m);
@@ -179,7 +179,6 @@ std::int64_t* RelativeState::save_fifo(unsigned number, Cycles base, std::int64_
     Group::Inner const& inner = group_->fifos()[number];
     FifoTiming const& fifo = *inner.fifo;
     *words++ = static_cast<std::int64_t>(fifo.known_reads());
-    *words++ = static_cast<std::int64_t>(fifo.max_occupancy_);
     Times const readable{fifo.readable_from_.data(), fifo.index_mask_, fifo.reads_, fifo.known_reads()};
     words = save_times(readable, not_before(inner.reader), base, words);
     if (outlooks_[inner.writer].frozen) {
@@ -208,13 +207,23 @@ void RelativeState::load(Words const& words, Cycles driver_time) {
     for (Group::Inner const& inner : group_->fifos()) {
         inner.fifo->writes_ = FifoTiming::first_token;
         inner.fifo->reads_ = FifoTiming::first_token;
+        inner.fifo->max_occupancy_ = 0;
     }
     for (Group::Member const& member : group_->members())
         member.process->log_.clear();
-    restore(words, driver_time);
+    restore(words, driver_time, Past::is_over);
 }
 
-void RelativeState::restore(Words const& words, Cycles driver_time) {
+void RelativeState::forget_times() {
+    for (Group::Inner const& inner : group_->fifos()) {
+        std::fill(inner.fifo->readable_from_.begin(), inner.fifo->readable_from_.end(), 0);
+        std::fill(inner.fifo->free_from_.begin(), inner.fifo->free_from_.end(), 0);
+    }
+}
+
+void RelativeState::restore(Words const& words, Cycles driver_time) { restore(words, driver_time, Past::is_written); }
+
+void RelativeState::restore(Words const& words, Cycles driver_time, Past past) {
     std::size_t at = 0;
     auto const cycle = [&] { return driver_time + static_cast<Cycles>(words[at++]); };
     for (unsigned m = 0; m < group_->members().size(); ++m) {
@@ -247,17 +256,17 @@ void RelativeState::restore(Words const& words, Cycles driver_time) {
     }
     std::int64_t const* next = words.data() + at;
     for (Group::Inner const& inner : group_->fifos())
-        next = restore_fifo(inner, driver_time, next);
+        next = restore_fifo(inner, driver_time, next, past);
 }
 
-std::int64_t const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words) {
+std::int64_t const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words,
+                                                Past what) {
     FifoTiming& fifo = *inner.fifo;
     auto const tokens = static_cast<std::uint64_t>(*words++);
-    fifo.max_occupancy_ = static_cast<std::uint64_t>(*words++);
     fifo.writes_ = fifo.reads_ + tokens;
     auto const restore_times = [&](std::vector<Cycles>& ring, std::uint64_t first, std::uint64_t count, Cycles floor) {
         auto const past = static_cast<std::uint64_t>(*words++);
-        for (std::uint64_t i = 0; i < past; ++i)
+        for (std::uint64_t i = 0; i < past && what == Past::is_written; ++i)
             ring[(first + i) & fifo.index_mask_] = floor;
         for (std::uint64_t i = past; i < count; ++i)
             ring[(first + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
@@ -287,6 +296,7 @@ void RelativeState::count_tokens() {
 
 std::vector<std::uint64_t*> RelativeState::counters() const {
     std::vector<std::uint64_t*> counters;
+    counters.reserve(64);
     for (Group::Member const& member : group_->members()) {
         ProcessTiming& p = *member.process;
         counters.push_back(&p.empty_stall_cycles_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -40,8 +41,11 @@ class RelativeState {
     /// False if the driver is in the middle of an iteration. With what the logs of the followers of a mask hold.
     bool save(Words& words, std::uint32_t with_logs) const;
     void clear_logs(std::uint32_t members);
-    /// For a group that is only a workbench: empties its logs first.
+    /// For a group that is only a workbench: empties its logs, and forgets its occupancies. All that happened in it
+    /// before must be before `driver_time` and before all times of the words.
     void load(Words const& words, Cycles driver_time);
+    /// So that times may begin anew.
+    void forget_times();
     /// Tokens read since load().
     static std::size_t loaded_reads(Group::Inner const& inner) {
         return static_cast<std::size_t>(inner.fifo->reads_ - FifoTiming::first_token);
@@ -50,6 +54,13 @@ class RelativeState {
     void restore(Words const& words, Cycles driver_time);
     /// The largest distance in time of the saved words.
     std::int64_t reach() const { return reach_; }
+
+    /// The largest occupancy of a FIFO; for a workbench: since load().
+    std::uint64_t peak(unsigned fifo) const { return group_->fifos()[fifo].fifo->max_occupancy_; }
+    void raise_peak(unsigned fifo, std::uint64_t tokens) {
+        std::uint64_t& peak = group_->fifos()[fifo].fifo->max_occupancy_;
+        peak = std::max(peak, tokens);
+    }
 
     /// For a workbench: makes the tokens read since load() part of counters().
     void count_tokens();
@@ -69,6 +80,9 @@ class RelativeState {
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);
 
   private:
+    /// Times that have no effect any more, of which only the number is saved: in FIFOs where all times are over, they
+    /// need not be written.
+    enum class Past { is_written, is_over };
     ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
     Cycles not_before(unsigned member) const;
     std::uint8_t next_ports(unsigned member) const;
@@ -90,7 +104,8 @@ class RelativeState {
         Cycles operator[](std::uint64_t i) const { return ring[(first + i) & mask]; }
     };
     std::int64_t* save_times(Times const& times, Cycles floor, Cycles base, std::int64_t* words) const;
-    std::int64_t const* restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words);
+    void restore(Words const& words, Cycles driver_time, Past past);
+    std::int64_t const* restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words, Past past);
     std::int64_t since(Cycles cycle, Cycles base) const;
 
     Group const* group_;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "timing/automaton.hpp"
 
 namespace faster::timing {
@@ -48,70 +50,101 @@ void Automaton::write_next(Group const& group, Script& script) {
         [&script](unsigned member, std::uint8_t next_ports, bool) { script.next_ports[member] = next_ports; });
 }
 
-bool Automaton::follow_script(Group const& group, Session& session, Script& script) {
-    session_ = &session;
-    if (!begin(group, &script))
+bool Automaton::set_out(Walk& walk) {
+    session_ = walk.session;
+    if (is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
         return false;
-    bool const is_worthwhile = session.state != none || !driver_is_regular_;
-    session.history.reserve(static_cast<std::size_t>(script.end - script.next));
-    PhraseBook::Number const* const first = script.next;
-    RegularPart const part = is_worthwhile ? regular_part(group, script) : RegularPart{first, script.due};
-    while (script.next != part.end && follow_known(group, script, part.end)) {
+    walk.begin = walk.counted = walk.script->next;
+    bool const is_worthwhile = session_->state != none || !driver_is_regular_;
+    if (is_worthwhile) {
+        find_regular_part(walk);
+    } else {
+        walk.end = walk.begin;
+        walk.due_behind = walk.script->due;
     }
-    std::uint64_t due = part.due_behind;
-    for (auto number = script.next; number != part.end; ++number)
-        due += (*script.book)[*number].due;
-    if (group.has_supplier() && due != script.due && !is_frozen(group.supplier()))
-        group.members()[group.supplier()].process->log().consume(0, static_cast<std::uint32_t>(script.due - due));
-    script.due = due;
-    end(group, &script);
-    return script.next != first;
+    session_->history.resize(static_cast<std::size_t>(walk.end - walk.begin));
+    return true;
 }
 
 /// The phrases for which the supplier goes on as it does, and has more to do.
-Automaton::RegularPart Automaton::regular_part(Group const& group, Script const& script) const {
-    RegularPart part{script.end, 0};
-    if (!group.has_supplier() || is_frozen(group.supplier()))
-        return part;
-    std::uint64_t const left = regular_supplies(group.members()[group.supplier()]);
-    while (part.end != script.next && part.due_behind + left <= script.due)
-        part.due_behind += (*script.book)[*--part.end].due;
-    return part;
+void Automaton::find_regular_part(Walk& walk) const {
+    Script const& script = *walk.script;
+    walk.end = script.end;
+    walk.due_behind = 0;
+    if (!walk.group->has_supplier() || ((walk.session->frozen >> walk.group->supplier()) & 1U) != 0)
+        return;
+    std::uint64_t const left = regular_supplies(walk.group->members()[walk.group->supplier()]);
+    while (walk.end != script.next && walk.due_behind + left <= script.due)
+        walk.due_behind += (*script.book)[*--walk.end].due;
 }
 
-/// As far as transitions are known, and one more. False if that could not be worked out.
-bool Automaton::follow_known(Group const& group, Script& script, PhraseBook::Number const* limit) {
-    Session& session = *session_;
-    session.uses.resize(store_.size());
-    PhraseBook::Number const* next = script.next;
-    Number state = session.state;
-    Cycles time = session.time;
-    std::uint32_t entered = session.entered;
-    while (next != limit && state != none) {
-        NumberedTransitions::Slot const* const known = numbered_.find(state, *next);
-        if (known == nullptr)
-            break;
-        TransitionStore::Brief const brief = store_.brief(known->number);
-        ++session.uses[known->number];
-        session.history.push_back(known->number);
-        time += brief.cycles;
-        entered |= brief.entered;
-        state = known->next;
-        ++next;
-        if (brief.notable) {
-            session.time = time;
-            note(store_.notes(known->number).froze, store_.notes(known->number).rooms);
-        }
+/// By one transition that is known. False if there is none.
+inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place) {
+    if (place.next == place.end || place.state == none)
+        return false;
+    NumberedTransitions::Slot const* const known = transitions.find(place.state, *place.next);
+    if (known == nullptr)
+        return false;
+    *place.history++ = known->number;
+    place.state = known->next;
+    ++place.next;
+    return true;
+}
+
+std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
+    std::size_t stopped = 0;
+    places_.clear();
+    for (Walk const* const walk : walks) {
+        PhraseBook::Number const* const next = walk->script->next;
+        places_.push_back(
+            {next, walk->end, walk->session->history.data() + (next - walk->begin), walk->session->state});
     }
-    phrases_ += static_cast<std::uint64_t>(next - script.next);
-    session.time = time;
-    session.entered = entered;
-    session.state = state;
-    script.next = next;
-    return next == limit || follow_new(group, script);
+    NumberedTransitions::Reader const transitions(numbered_);
+    if (places_.size() == 1) {
+        Place place = places_.front();  // in registers
+        while (step(transitions, place)) {
+        }
+        places_.front() = place;
+    } else {
+        Place* const first = places_.data();
+        Place* const end = first + places_.size();
+        Place* place = first;
+        while (step(transitions, *place))
+            place = place + 1 == end ? first : place + 1;
+        stopped = static_cast<std::size_t>(place - first);
+    }
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+        walks[i]->script->next = places_[i].next;
+        walks[i]->session->state = places_[i].state;
+    }
+    return stopped;
 }
 
-bool Automaton::follow_new(Group const& group, Script& script) {
+/// All known transitions that a walk has taken since the last time.
+void Automaton::count_up(Walk& walk) {
+    Session& session = *walk.session;
+    Number const* const from = session.history.data() + (walk.counted - walk.begin);
+    Number const* const to = session.history.data() + (walk.script->next - walk.begin);
+    session.uses.resize(std::max(session.uses.size(), store_.size()));
+    for (Number const* number = from; number != to; ++number) {
+        TransitionStore::Brief const brief = store_.brief(*number);
+        ++session.uses[*number];
+        session.time += brief.cycles;
+        session.entered |= brief.entered;
+        if (brief.notable)
+            note(session, store_.notes(*number).froze, store_.notes(*number).rooms);
+    }
+    phrases_ += static_cast<std::uint64_t>(to - from);
+    walk.counted = walk.script->next;
+}
+
+bool Automaton::find_out(Walk& walk) {
+    Script& script = *walk.script;
+    Group const& group = *walk.group;
+    if (script.next == walk.end)
+        return false;
+    session_ = walk.session;
+    count_up(walk);
     PhraseBook::Number const number = *script.next;
     PhraseBook::Entry const& entry = (*script.book)[number];
     phrase_.assign(script.book->codes(number), entry.size, entry.active);
@@ -127,9 +160,26 @@ bool Automaton::follow_new(Group const& group, Script& script) {
         return false;
     if (slot.number < first_loose)
         numbered_.add(from, number, slot.next, slot.number);
-    ++script.next;
+    session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
     apply(slot);
+    walk.counted = script.next;
     return true;
+}
+
+bool Automaton::arrive(Walk& walk) {
+    Script& script = *walk.script;
+    Group const& group = *walk.group;
+    session_ = walk.session;
+    count_up(walk);
+    session_->history.resize(static_cast<std::size_t>(script.next - walk.begin));
+    std::uint64_t due = walk.due_behind;
+    for (auto number = script.next; number != walk.end; ++number)
+        due += (*script.book)[*number].due;
+    if (group.has_supplier() && due != script.due && !is_frozen(group.supplier()))
+        group.members()[group.supplier()].process->log().consume(0, static_cast<std::uint32_t>(script.due - due));
+    script.due = due;
+    end(group, &script);
+    return script.next != walk.begin;
 }
 
 }  // namespace faster::timing

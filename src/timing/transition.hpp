@@ -24,6 +24,10 @@ struct Transition {
         unsigned port;  ///< waited for since then
         bool arrived;
     };
+    struct Peak {  ///< of an inner FIFO
+        std::uint32_t fifo;
+        std::uint32_t occupancy;  ///< the largest
+    };
     struct Room {  ///< cycles from which a frozen writer will find room
         unsigned fifo;
         bool all;
@@ -35,6 +39,7 @@ struct Transition {
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
     std::vector<Growth> growth;
+    std::vector<Peak> peaks;
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;
@@ -45,6 +50,7 @@ struct Transition {
         entered = froze = 0;
         iterations.fill(0);
         growth.clear();
+        peaks.clear();
         stands.clear();
         rooms.clear();
         trail.clear();

@@ -25,15 +25,32 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
 TransitionBench::~TransitionBench() = default;
 
 void TransitionBench::start_from(Words const& from) {
-    state_.load(from, time);
+    time_ += time_apart;
+    if (time_ > last_time) {
+        state_.forget_times();
+        time_ = first_time;
+    }
+    state_.load(from, time_);
+}
+
+void TransitionBench::forget_growth() {
     for (std::uint64_t* counter : counters_)
         *counter = 0;
 }
 
-void TransitionBench::describe_growth(std::vector<Transition::Growth>& growth) const {
+/// The counters count on from zero.
+void TransitionBench::take_growth(std::vector<Transition::Growth>& growth) {
     for (std::uint32_t i = 0; i < counters_.size(); ++i)
-        if (*counters_[i] != 0)
+        if (*counters_[i] != 0) {
             growth.push_back({i, *counters_[i]});
+            *counters_[i] = 0;
+        }
+}
+
+void TransitionBench::describe_peaks(std::vector<Transition::Peak>& peaks) const {
+    for (std::uint32_t f = 0; f < group_.fifos().size(); ++f)
+        if (state_.peak(f) > 0)
+            peaks.push_back({f, static_cast<std::uint32_t>(state_.peak(f))});
 }
 
 std::vector<RelativeState::Waiting> TransitionBench::park(Words const& from) {
@@ -42,14 +59,14 @@ std::vector<RelativeState::Waiting> TransitionBench::park(Words const& from) {
     for (unsigned m = 1; m < group_.members().size(); ++m)
         waitings.push_back(state_.park(m));
     parking_growth_.clear();
-    describe_growth(parking_growth_);
+    take_growth(parking_growth_);
     state_.save(words_, RelativeState::all_logs);
     return waitings;
 }
 
 /// What has been left since the last call.
 std::vector<TrailEvent> TransitionBench::take_trail() {
-    return leaves_trails_ ? core_->take_trail(time) : std::vector<TrailEvent>();
+    return leaves_trails_ ? core_->take_trail(time_) : std::vector<TrailEvent>();
 }
 
 bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transition& transition) {
@@ -71,6 +88,7 @@ bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transiti
     core_->resolve_processes(processes_of(phrase));
     if (!group_.driver().finished()) {
         take_trail();  // it came to nothing
+        forget_growth();
         return false;
     }
     for (unsigned m = 0; m < members; ++m) {
@@ -78,7 +96,7 @@ bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transiti
         transition.entered |= entered ? 1U << m : 0U;
         transition.iterations[m] = state_.iterations(m) - (entered ? 0 : transition.iterations[m]);
     }
-    transition.cycles = group_.driver().local_time() - time;
+    transition.cycles = group_.driver().local_time() - time_;
     describe(phrase, transition);
     transition.trail = take_trail();
     return true;
@@ -98,7 +116,8 @@ void TransitionBench::describe(Phrase const& phrase, Transition& transition) {
     describe_stands(phrase, transition);
     state_.save(words_, RelativeState::all_logs);
     state_.count_tokens();
-    describe_growth(transition.growth);
+    take_growth(transition.growth);
+    describe_peaks(transition.peaks);
 }
 
 void TransitionBench::describe_stands(Phrase const& phrase, Transition& transition) {

@@ -32,20 +32,29 @@ class TransitionBench {
     /// The state that the last call led to, and the largest distance in time in it.
     Words const& words() const { return words_; }
     std::int64_t reach() const { return state_.reach(); }
-    static constexpr Cycles time = Cycles{1} << 40;  ///< of the driver, at the beginning: times before stay positive
+    /// Of the driver, where the last call began.
+    Cycles time() const { return time_; }
 
   private:
+    /// Each call begins long after all times of the one before.
+    static constexpr Cycles first_time = Cycles{1} << 40;
+    static constexpr Cycles time_apart = Cycles{1} << 40;
+    static constexpr Cycles last_time = Cycles{1} << 62;
+
     void start_from(Words const& from);
+    void forget_growth();
     std::uint32_t processes_of(Phrase const& phrase) const;
     void describe(Phrase const& phrase, Transition& transition);
     void describe_stands(Phrase const& phrase, Transition& transition);
     void describe_rooms(Transition& transition);
-    void describe_growth(std::vector<Transition::Growth>& growth) const;
+    void take_growth(std::vector<Transition::Growth>& growth);
+    void describe_peaks(std::vector<Transition::Peak>& peaks) const;
 
     std::unique_ptr<CoreTiming> core_;
     Group group_;
     RelativeState state_;
     std::vector<std::uint64_t*> counters_;
+    Cycles time_ = first_time;
     bool leaves_trails_;
     std::vector<Transition::Growth> parking_growth_;
     Words words_;

@@ -27,6 +27,8 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     tallies_.push_back(tally);
     growth_.insert(growth_.end(), transition.growth.begin(), transition.growth.end());
     growth_ends_.push_back(static_cast<std::uint32_t>(growth_.size()));
+    peaks_.insert(peaks_.end(), transition.peaks.begin(), transition.peaks.end());
+    peaks_ends_.push_back(static_cast<std::uint32_t>(peaks_.size()));
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     stands_ends_.push_back(static_cast<std::uint32_t>(stands_.size()));
     if (is_notable(transition))

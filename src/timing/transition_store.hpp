@@ -42,6 +42,7 @@ class TransitionStore {
     Brief brief(Number number) const { return briefs_[number]; }
     Tally const& tally(Number number) const { return tallies_[number]; }
     Range<Transition::Growth> growth(Number number) const { return part(growth_, growth_ends_, number); }
+    Range<Transition::Peak> peaks(Number number) const { return part(peaks_, peaks_ends_, number); }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, stands_ends_, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
     std::vector<TrailEvent> const& trail(Number number) const { return trails_[number]; }
@@ -59,6 +60,8 @@ class TransitionStore {
     std::vector<Tally> tallies_;
     std::vector<Transition::Growth> growth_;
     std::vector<std::uint32_t> growth_ends_;
+    std::vector<Transition::Peak> peaks_;
+    std::vector<std::uint32_t> peaks_ends_;
     std::vector<Transition::Stand> stands_;
     std::vector<std::uint32_t> stands_ends_;
     std::unordered_map<Number, Notes> notes_;

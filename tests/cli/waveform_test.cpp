@@ -194,10 +194,13 @@ TEST_CASE("A waveform's loops are those of the table, and no block RAM has more 
 TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
     Waves const waves;
     std::string const region = GENERATE("window", "touched");
+    std::string const buffers = GENERATE("1", "2");
     for (std::string const engine : {"lockstep", "decoupled"}) {
-        CAPTURE(engine, region);
+        CAPTURE(engine, region, buffers);
         Words const common{"--set", "simulation.engine=" + engine,
                            "--set", "accelerator.raster_cores=1",
+                           "--set", "accelerator.edge_map.buffers=" + buffers,
+                           "--set", "accelerator.inlier_unit.buffers=" + buffers,
                            "--set", "accelerator.inlier_unit.sweep_region=" + region};
         auto const with = [&](Words more) {
             more.insert(more.end(), common.begin(), common.end());
@@ -334,6 +337,38 @@ TEST_CASE("A waveform shows the corners of a touched region on their FIFOs", "[v
     auto const rows = vcd.sampled("core_0.fifo_region.read_row", "core_0.fifo_region.read");
     REQUIRE(rows.size() == 2);
     CHECK(rows[1].bits - rows[0].bits == 6);
+}
+
+TEST_CASE("A waveform shows the region of a finished buffer in its token", "[vcd][sweep_region][double_buffers]") {
+    Waves const waves;
+    auto const run_with = [&](std::string const& region) {
+        require_done(waves.run(
+            "one_triangle",
+            {"--vcd", "a.vcd", "--vcd-cores", "0", "--set", "accelerator.edge_map.buffers=2", "--set",
+             "accelerator.inlier_unit.buffers=2", "--set", "accelerator.inlier_unit.sweep_region=" + region}));
+        return waves.vcd("a.vcd");
+    };
+    Vcd const touched = run_with("touched");
+    for (std::string const full : {"core_0.fifo_map_full", "core_0.fifo_depth_full"}) {
+        CAPTURE(full);
+        CHECK(touched.sampled(full + ".read_buffer", full + ".read").at(0).bits == 0);
+        for (std::string const axis : {"row", "col"}) {
+            std::uint64_t const first = touched.sampled(full + ".read_first_" + axis, full + ".read").at(0).bits;
+            std::uint64_t const last = touched.sampled(full + ".read_last_" + axis, full + ".read").at(0).bits;
+            auto const corners = touched.sampled("core_0.fifo_region.read_" + axis, "core_0.fifo_region.read");
+            CHECK(first == corners.at(0).bits);
+            CHECK(last == corners.at(1).bits);
+        }
+    }
+    // The accesses of one buffer of which 49 pixels are read out, as with one: the ports of either buffer are its own.
+    CHECK(touched.duration("core_0.bram_depth_buffer.buffer0_port0_enable", 1) +
+              touched.duration("core_0.bram_depth_buffer.buffer0_port1_enable", 1) ==
+          1024 + 15 * 2 + 5 * 49);
+    Vcd const window = run_with("window");
+    CHECK(window.signals.count("core_0.fifo_map_full.read_buffer") == 1);
+    CHECK(window.signals.count("core_0.fifo_map_full.read_first_row") == 0);
+    CHECK(window.signals.count("core_0.fifo_depth_full.read_valid_raster") == 1);
+    CHECK(window.signals.count("core_0.fifo_depth_full.read_last_col") == 0);
 }
 
 TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {

@@ -123,7 +123,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         for (TokenTap* tap : taps_) {
             std::int64_t* at = tap->room(count);
             for (Token const* token = tokens_.end() - count * tokens_.width(); token != tokens_.end(); ++token)
-                at = std::copy_n(TokenFields<Token>::values(*token).begin(), fields_, at);
+                for (std::size_t i = 0; i < fields_; ++i)
+                    *at++ = TokenFields<Token>::values(*token)[i];
         }
     }
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its

@@ -22,9 +22,10 @@ fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                        "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                        "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
-                       "valid_depth"};
+                       "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
 Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
-                         "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
+                         "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector",
+                         "edge_map_output",   "inlier_sweep"};
 
 Words split(std::string const& line) {
     Words cells{""};
@@ -73,6 +74,8 @@ void check_fifo(Vcd const& vcd, Row const& row) {
     std::uint64_t empty_cycles = 0;
     std::uint64_t full_cycles = 0;
     for (std::string const& module : module_names) {
+        if (vcd.signals.count(core + "." + module + ".stall") == 0)
+            continue;
         empty_cycles += vcd.duration(core + "." + module + ".stall", empty);
         full_cycles += vcd.duration(core + "." + module + ".stall", empty + 1);
     }
@@ -225,14 +228,20 @@ TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]
 TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
     Waves const waves;
     std::string const region = GENERATE("window", "touched");
+    std::string const buffers = GENERATE("1", "2");
     std::string const engine = region == "window" ? "decoupled" : "lockstep";
-    CAPTURE(region);
+    CAPTURE(region, buffers);
     Words deep{"--set", "simulation.engine=" + engine,
                "--set", "accelerator.raster_cores=1",
+               "--set", "accelerator.edge_map.buffers=" + buffers,
+               "--set", "accelerator.inlier_unit.buffers=" + buffers,
                "--set", "accelerator.inlier_unit.sweep_region=" + region};
-    for (std::string const& fifo : fifo_names)
-        if (region == "touched" || (fifo != "region" && fifo != "valid_depth"))
+    for (std::string const& fifo : fifo_names) {
+        bool const is_of_region = fifo == "region" || fifo == "valid_depth";
+        bool const is_of_buffers = fifo.rfind("map_", 0) == 0 || fifo.rfind("depth_", 0) == 0;
+        if ((!is_of_region || region == "touched") && (!is_of_buffers || buffers == "2"))
             deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
+    }
     auto const with = [&](Words more) {
         more.insert(more.end(), deep.begin(), deep.end());
         require_done(waves.run("edge_heavy", more));

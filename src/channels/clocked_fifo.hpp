@@ -14,12 +14,14 @@ namespace faster {
 ///   order   first in, first out; one reader and one writer, both with a ProcessClock
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
 ///   width   a token may be several values side by side, its lanes; such tokens move in bursts only
+///   fields  how many of a token's fields there are as wires, for recordings; the last may not be
 ///   errors  a non-blocking access in the decoupled engine is a fatal report: its outcome would depend on run-ahead
 template <class Token>
 class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, public sc_core::sc_fifo_out_if<Token> {
   public:
-    ClockedFifo(char const* name, timing::FifoTiming& timing, std::size_t lanes = 1)
-        : FifoChannel(name, timing), tokens_(lanes), host_limit_(host_limit(timing.shape())) {}
+    ClockedFifo(char const* name, timing::FifoTiming& timing, std::size_t lanes = 1,
+                std::size_t fields = TokenFields<Token>::layout.size())
+        : FifoChannel(name, timing), tokens_(lanes), host_limit_(host_limit(timing.shape())), fields_(fields) {}
 
     void read(Token& token) override { token = read(); }
     Token read() override {
@@ -107,7 +109,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     std::vector<TokenField> token_fields() const override {
         std::vector<TokenField> fields;
         for (std::size_t lane = 0; lane < tokens_.width(); ++lane)
-            for (TokenField field : TokenFields<Token>::layout) {
+            for (std::size_t i = 0; i < fields_; ++i) {
+                TokenField field = TokenFields<Token>::layout[i];
                 field.lane = tokens_.width() > 1 ? static_cast<int>(lane) : TokenField::only_lane;
                 fields.push_back(field);
             }
@@ -120,8 +123,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         for (TokenTap* tap : taps_) {
             std::int64_t* at = tap->room(count);
             for (Token const* token = tokens_.end() - count * tokens_.width(); token != tokens_.end(); ++token)
-                for (std::int64_t const value : TokenFields<Token>::values(*token))
-                    *at++ = value;
+                for (std::size_t i = 0; i < fields_; ++i)
+                    *at++ = TokenFields<Token>::values(*token)[i];
         }
     }
     /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
@@ -140,6 +143,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
 
     TokenQueue<Token> tokens_;
     std::size_t host_limit_;
+    std::size_t fields_;
 };
 
 }  // namespace faster

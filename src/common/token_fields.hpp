@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/buffer_tokens.hpp"
 #include "common/tokens.hpp"
 
 namespace faster {
@@ -78,17 +79,37 @@ template <> struct TokenFields<std::uint16_t> {
     static constexpr std::array<TokenField, 1> layout{{{"depth", 16}}};
     static std::array<std::int64_t, 1> values(std::uint16_t t) { return {t}; }
 };
-/// map_full, map_free, depth_free.
+/// map_free, depth_free.
 template <> struct TokenFields<BufferNumber> {
     static constexpr std::array<TokenField, 1> layout{{{"buffer", 1}}};
     static std::array<std::int64_t, 1> values(BufferNumber t) { return {t.number}; }
 };
-template <> struct TokenFields<FullDepthBuffer> {
-    static constexpr std::array<TokenField, 2> layout{{{"buffer", 1}, {"valid_raster", 64}}};
-    static std::array<std::int64_t, 2> values(FullDepthBuffer const& t) {
-        return {t.number, static_cast<std::int64_t>(t.valid_raster)};
+/// Last those of the region, which only some configurations have.
+template <> struct TokenFields<FullMaps> {
+    static constexpr std::array<TokenField, 5> layout{{{"buffer", 1},
+                                                       {"first_row", 16, true},
+                                                       {"first_col", 16, true},
+                                                       {"last_row", 16, true},
+                                                       {"last_col", 16, true}}};
+    static std::array<std::int64_t, 5> values(FullMaps const& t) {
+        return {t.buffer.number, t.region.first.row, t.region.first.col, t.region.last.row, t.region.last.col};
     }
 };
+template <> struct TokenFields<FullDepthBuffer> {
+    static constexpr std::array<TokenField, 6> layout{{{"buffer", 1},
+                                                       {"valid_raster", 64},
+                                                       {"first_row", 16, true},
+                                                       {"first_col", 16, true},
+                                                       {"last_row", 16, true},
+                                                       {"last_col", 16, true}}};
+    static std::array<std::int64_t, 6> values(FullDepthBuffer const& t) {
+        return {t.buffer.number,    static_cast<std::int64_t>(t.valid_raster),
+                t.region.first.row, t.region.first.col,
+                t.region.last.row,  t.region.last.col};
+    }
+};
+/// How many of a token's last fields are a region's.
+constexpr std::size_t region_fields = 4;
 template <> struct TokenFields<SampleCounters> {
     static constexpr std::array<TokenField, 5> layout{
         {{"valid_raster", 64}, {"valid_depth", 64}, {"inlier", 64}, {"valid_edge", 64}, {"edge_inlier", 64}}};

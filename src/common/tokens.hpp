@@ -64,19 +64,6 @@ struct EdgeToken {
     EdgeTokenKind kind = EdgeTokenKind::Edge;
 };
 
-/// Token of `map_full`, `map_free` and `depth_free`: which of a unit's two buffers.
-struct BufferNumber {
-    BufferNumber() = default;
-    explicit BufferNumber(std::size_t its_number) : number(static_cast<std::uint8_t>(its_number)) {}
-    std::uint8_t number = 0;
-};
-
-/// Token of `depth_full`: the depth buffer that a sample was drawn into.
-struct FullDepthBuffer {
-    std::uint8_t number = 0;
-    std::uint64_t valid_raster = 0;  ///< fragments drawn
-};
-
 /// Token of `result`: the five counters of one sample (SPEC section 2, InlierUnit). They do not wrap.
 struct SampleCounters {
     std::uint64_t valid_raster = 0;

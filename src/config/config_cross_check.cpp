@@ -116,16 +116,6 @@ void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& co
     }
 }
 
-/// The corners of a region reach those that draw, not those that read the other buffer.
-void check_buffers(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    Parts const parts(loaded.config.accelerator);
-    if (parts.sweep_region != SweepRegion::touched || !(parts.has_map_buffers || parts.has_depth_buffers))
-        return;
-    char const* const key = parts.has_map_buffers ? "accelerator.edge_map.buffers" : "accelerator.inlier_unit.buffers";
-    complaints.push_back(complaint(
-        loaded, key, fmt::format("1 because of {}", with_value(loaded, "accelerator.inlier_unit.sweep_region"))));
-}
-
 void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     if (loaded.config.workload.observed_edges.neighbourhood % 2 == 0) {
         complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
@@ -181,7 +171,6 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     check_lanes(loaded, complaints);
     check_scan_lanes(loaded, complaints);
     check_sweep_region(loaded, complaints);
-    check_buffers(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);

@@ -58,9 +58,10 @@ void EdgeMapBuilder::run() {
 
 /// The finished maps, for those that have been read out meanwhile.
 void EdgeMapBuilder::hand_over() {
+    Corners const region = core_.sweeps_touched() ? read_region() : corners_of(core_.whole_window());
     buffers_.release(buffer_);
     clock_.here();
-    map_full_->write(BufferNumber(buffer_));
+    map_full_->write({BufferNumber(buffer_), region});
     clock_.advance(1);
     clock_.here();
     buffer_ = map_free_->read().number;
@@ -128,17 +129,20 @@ void EdgeMapBuilder::take_last(EdgeToken const& current) {
 
 /// The pixels that leave.
 PixelBox EdgeMapBuilder::turn_to_output() {
-    if (!core_.sweeps_touched()) {
-        clock_.advance(1);
-        return core_.whole_window();
-    }
-    FragmentIndex corners[2];
-    for (FragmentIndex& corner : corners) {
+    if (core_.sweeps_touched())
+        return box_of(read_region());
+    clock_.advance(1);
+    return core_.whole_window();
+}
+
+Corners EdgeMapBuilder::read_region() {
+    Corners corners;
+    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
         clock_.here();
-        corner = read_corner();
+        *corner = read_corner();
         clock_.advance(1);
     }
-    return box_of({corners[0], corners[1]});
+    return corners;
 }
 
 FragmentIndex EdgeMapBuilder::read_corner() {

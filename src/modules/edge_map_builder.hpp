@@ -4,6 +4,7 @@
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
 #include "channels/port_binding.hpp"
+#include "common/buffer_tokens.hpp"
 #include "common/tokens.hpp"
 #include "modules/core_context.hpp"
 #include "modules/edge_map_buffers.hpp"
@@ -18,14 +19,14 @@ namespace faster {
 ///   token time  loop `clear`, loop `token` (some tokens take two iterations), loop `output`
 /// With two buffers, EdgeMapOutput reads the maps out:
 ///   in    map_free_in    the buffer of the next sample
-///   out   map_full_out   the finished one, instead of edge_map_out
+///   out   map_full_out   the finished one and its region, instead of edge_map_out
 ///   time  a step each instead of loop `output`
 /// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
     PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
     OptionalFifoIn<BufferNumber> map_free_in{"map_free_in"};     ///< bound with two buffers
-    OptionalFifoOut<BufferNumber> map_full_out{"map_full_out"};  ///< bound with two buffers
+    OptionalFifoOut<FullMaps> map_full_out{"map_full_out"};      ///< bound with two buffers
     OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
 
     SC_HAS_PROCESS(EdgeMapBuilder);
@@ -44,6 +45,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
     bool take_groups(PixelGroup& current);
     void take_group(PixelGroup const& group);
     PixelBox turn_to_output();
+    Corners read_region();
     FragmentIndex read_corner();
     void hand_over();
 
@@ -56,7 +58,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
     ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: tokens are groups
     ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
     ClockedFifo<BufferNumber>* map_free_ = nullptr;  ///< two buffers
-    ClockedFifo<BufferNumber>* map_full_ = nullptr;  ///< two buffers
+    ClockedFifo<FullMaps>* map_full_ = nullptr;      ///< two buffers
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;
 };

@@ -23,19 +23,19 @@ void EdgeMapOutput::end_of_elaboration() {
 void EdgeMapOutput::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         core_.begin_sample(ModuleId::edge_map_output);
-        std::size_t const buffer = take();
+        FullMaps const full = take();
         clock_.advance(1);
-        read_out_.send(*buffers_.claim(buffer), core_.window_rows());
-        buffers_.release(buffer);
+        read_out_.send(*buffers_.claim(full.buffer.number), core_.rows_of(box_of(full.region)));
+        buffers_.release(full.buffer.number);
     }
 }
 
 /// Whoever takes the next buffer has done with the one before.
-std::size_t EdgeMapOutput::take() {
+FullMaps EdgeMapOutput::take() {
     Step const step(clock_);
-    BufferNumber const full = map_full_in.read();
-    map_free_out.write(BufferNumber(buffers_.after(full.number)));
-    return full.number;
+    FullMaps const full = map_full_in.read();
+    map_free_out.write(BufferNumber(buffers_.after(full.buffer.number)));
+    return full;
 }
 
 }  // namespace faster

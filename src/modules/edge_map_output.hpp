@@ -1,7 +1,7 @@
 #pragma once
 #include <systemc>
 
-#include "common/tokens.hpp"
+#include "common/buffer_tokens.hpp"
 #include "modules/core_context.hpp"
 #include "modules/edge_map_buffers.hpp"
 #include "modules/edge_map_read_out.hpp"
@@ -10,14 +10,15 @@ namespace faster {
 
 /// Reads out the maps that the edge map builder has finished, while that builds the next sample's; only with
 /// accelerator.edge_map.buffers 2.
-///   in    map_full_in   the buffer that holds the sample's maps
+///   in    map_full_in   the buffer that holds the sample's maps; sweep_region touched: and the touched region
 ///   out   map_free_out  the other one, which has been read out
-///         edge_map_out  W x W bits per sample, row-major, `sweep_lanes` bits of a row per token
+///         edge_map_out  W x W bits per sample, or those of the region, row-major, `sweep_lanes` bits of a row per
+///         token
 ///   time  one step, loop `output`
 /// Source: this project; docs/timing-model.md.
 class EdgeMapOutput : public sc_core::sc_module {
   public:
-    sc_core::sc_fifo_in<BufferNumber> map_full_in{"map_full_in"};
+    sc_core::sc_fifo_in<FullMaps> map_full_in{"map_full_in"};
     sc_core::sc_fifo_out<BufferNumber> map_free_out{"map_free_out"};
     sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
 
@@ -28,7 +29,7 @@ class EdgeMapOutput : public sc_core::sc_module {
   private:
     void end_of_elaboration() override;
     void run();
-    std::size_t take();
+    FullMaps take();
 
     CoreContext const& core_;
     ProcessClock clock_;

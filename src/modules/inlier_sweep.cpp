@@ -26,8 +26,8 @@ void InlierSweep::run() {
         clock_.advance(1);
         SampleCounters counters;
         counters.valid_raster = full.valid_raster;
-        scoring_.score(core_.first_sample + i, buffers_.claim(full.number), core_.whole_window(), counters);
-        buffers_.release(full.number);
+        scoring_.score(core_.first_sample + i, buffers_.claim(full.buffer.number), box_of(full.region), counters);
+        buffers_.release(full.buffer.number);
         clock_.here();
         result_out.write(counters);
         clock_.advance(1);
@@ -38,7 +38,7 @@ void InlierSweep::run() {
 FullDepthBuffer InlierSweep::take() {
     Step const step(clock_);
     FullDepthBuffer const full = depth_full_in.read();
-    depth_free_out.write(BufferNumber(buffers_.after(full.number)));
+    depth_free_out.write(BufferNumber(buffers_.after(full.buffer.number)));
     return full;
 }
 

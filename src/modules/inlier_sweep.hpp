@@ -2,6 +2,7 @@
 #include <systemc>
 
 #include "channels/port_binding.hpp"
+#include "common/buffer_tokens.hpp"
 #include "common/tokens.hpp"
 #include "modules/core_context.hpp"
 #include "modules/depth_buffers.hpp"
@@ -11,8 +12,10 @@ namespace faster {
 
 /// Compares the depth buffer that the inlier unit has drawn with the observation, while that draws the next sample;
 /// only with accelerator.inlier_unit.buffers 2.
-///   in    depth_full_in                                  the buffer that is drawn, and what was counted meanwhile
-///         edge_map_in, observed_depth_in, observed_edge_in  W x W each, row-major, `sweep_lanes` pixels per token
+///   in    depth_full_in   the buffer that is drawn, and what was counted meanwhile; sweep_region touched: and the
+///                         touched region
+///         edge_map_in, observed_depth_in, observed_edge_in  W x W each, or the region's, row-major, `sweep_lanes`
+///                                                           pixels per token
 ///   out   depth_free_out  the other buffer, which has been swept
 ///         result_out      one set of counters per sample
 ///   time  one step; in flow fpga_grip loop `extract`; loop `sweep`; one step

@@ -69,10 +69,7 @@ void InlierUnit::run() {
 }
 
 void InlierUnit::score(std::size_t sample) {
-    PixelBox const box = turn_to_sweep();
-    scoring_.score(sample, *depth_buffer_, box, counters_);
-    if (core_.sweeps_touched() && core_.config.inlier_unit.clearing == MapClearing::on_read_out)
-        forget(box);
+    scoring_.score(sample, *depth_buffer_, turn_to_sweep(), counters_);
     clock_.here();
     result_->write(counters_);
     clock_.advance(1);
@@ -80,9 +77,10 @@ void InlierUnit::score(std::size_t sample) {
 
 /// The drawn buffer, for one that has been swept meanwhile.
 void InlierUnit::hand_over() {
+    Corners const region = core_.sweeps_touched() ? read_region() : corners_of(core_.whole_window());
     buffers_.release(buffer_);
     clock_.here();
-    depth_full_->write({static_cast<std::uint8_t>(buffer_), counters_.valid_raster});
+    depth_full_->write({BufferNumber(buffer_), counters_.valid_raster, region});
     clock_.advance(1);
     clock_.here();
     buffer_ = depth_free_->read().number;
@@ -92,7 +90,7 @@ void InlierUnit::hand_over() {
 
 void InlierUnit::clear() {
     std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
-    bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: forget()
+    bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: Scoring
     if (!is_clear)
         std::fill(depth_buffer_->begin(), depth_buffer_->end(), far_depth_code);
     if (iterations == 0)
@@ -196,17 +194,20 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
 
 /// The pixels that are swept.
 PixelBox InlierUnit::turn_to_sweep() {
-    if (!core_.sweeps_touched()) {
-        clock_.advance(1);
-        return core_.whole_window();
-    }
+    if (core_.sweeps_touched())
+        return box_of(read_region());
+    clock_.advance(1);
+    return core_.whole_window();
+}
+
+Corners InlierUnit::read_region() {
     Corners corners;
     for (FragmentIndex* corner : {&corners.first, &corners.last}) {
         clock_.here();
         *corner = read_corner();
         clock_.advance(1);
     }
-    return box_of(corners);
+    return corners;
 }
 
 FragmentIndex InlierUnit::read_corner() {
@@ -214,14 +215,6 @@ FragmentIndex InlierUnit::read_corner() {
         return fragment_index_->read();
     PixelGroup const group = index_groups_->read();
     return {group.row, group.col};
-}
-
-/// As if all of a region were "far" again.
-void InlierUnit::forget(PixelBox const& box) {
-    auto const side = static_cast<std::size_t>(core_.stimulus.window);
-    for (auto row = static_cast<std::size_t>(box.first_row); row < static_cast<std::size_t>(box.end_row); ++row)
-        std::fill_n(depth_buffer_->begin() + static_cast<std::ptrdiff_t>(row * side) + box.first_col, box.cols(),
-                    far_depth_code);
 }
 
 }  // namespace faster

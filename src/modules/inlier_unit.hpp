@@ -3,6 +3,7 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
+#include "common/buffer_tokens.hpp"
 #include "common/tokens.hpp"
 #include "datapath/depth.hpp"
 #include "modules/core_context.hpp"
@@ -22,7 +23,7 @@ namespace faster {
 ///         loop `extract`; loop `sweep`
 /// With two buffers, InlierSweep does what comes after the drawing:
 ///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
-///   out   depth_full_out  the drawn one, instead of result_out
+///   out   depth_full_out  the drawn one and its region, instead of result_out
 ///   time  a step each instead of loops `extract` and `sweep`
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
 class InlierUnit : public sc_core::sc_module {
@@ -56,8 +57,8 @@ class InlierUnit : public sc_core::sc_module {
     std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
     unsigned draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels);
     PixelBox turn_to_sweep();
+    Corners read_region();
     FragmentIndex read_corner();
-    void forget(PixelBox const& box);
     void connect_scoring();
     void score(std::size_t sample);
     void hand_over();

@@ -58,6 +58,10 @@ class RasterCore : public sc_core::sc_module {
     timing::FifoShape fifo_shape_of(FifoId id) const;
     bool scans_groups() const { return context_.config.rasterizer.lanes > 1; }
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
+    /// Where always the window is swept, no token says so.
+    template <class FullBuffer> std::size_t fields_of() const {
+        return TokenFields<FullBuffer>::layout.size() - (context_.sweeps_touched() ? 0 : region_fields);
+    }
 
     std::vector<std::function<void()>> starts_;
     timing::CoreTiming timing_;
@@ -83,9 +87,10 @@ class RasterCore : public sc_core::sc_module {
     ClockedFifo<SampleCounters> result_{"result", fifo_timing(FifoId::result)};
     ClockedFifo<FragmentIndex> region_{"region", fifo_timing(FifoId::region)};
     ClockedFifo<std::uint64_t> valid_depth_{"valid_depth", fifo_timing(FifoId::valid_depth)};
-    ClockedFifo<BufferNumber> map_full_{"map_full", fifo_timing(FifoId::map_full)};
+    ClockedFifo<FullMaps> map_full_{"map_full", fifo_timing(FifoId::map_full), 1, fields_of<FullMaps>()};
     ClockedFifo<BufferNumber> map_free_{"map_free", fifo_timing(FifoId::map_free)};
-    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing(FifoId::depth_full)};
+    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing(FifoId::depth_full), 1,
+                                             fields_of<FullDepthBuffer>()};
     ClockedFifo<BufferNumber> depth_free_{"depth_free", fifo_timing(FifoId::depth_free)};
 
     EdgeMapBuffers edge_map_buffers_;

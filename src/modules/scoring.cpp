@@ -36,7 +36,7 @@ void Scoring::add_loops() {
 }
 
 /// In a region nothing is known of the rest of the window: its valid depths come to the host another way.
-void Scoring::score(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box,
+void Scoring::score(std::size_t sample, std::vector<std::uint16_t>& depth_buffer, PixelBox const& box,
                     SampleCounters& counters) {
     if (edge_extractor_) {
         edge_extractor_->extract(sample, depth_buffer, box);
@@ -47,8 +47,19 @@ void Scoring::score(std::size_t sample, std::vector<std::uint16_t> const& depth_
         clock_.advance(1);
     else
         sweep(depth_buffer, rows, counters);
-    if (core_.sweeps_touched())
-        counters.valid_depth = 0;
+    if (!core_.sweeps_touched())
+        return;
+    counters.valid_depth = 0;
+    if (core_.config.inlier_unit.clearing == MapClearing::on_read_out)
+        forget(depth_buffer, box);
+}
+
+/// All of the box is "far" again, as the rest of this buffer still is: the sample drew nowhere else.
+void Scoring::forget(std::vector<std::uint16_t>& depth_buffer, PixelBox const& box) const {
+    auto const side = static_cast<std::size_t>(core_.stimulus.window);
+    for (auto row = static_cast<std::size_t>(box.first_row); row < static_cast<std::size_t>(box.end_row); ++row)
+        std::fill_n(depth_buffer.begin() + static_cast<std::ptrdiff_t>(row * side) + box.first_col, box.cols(),
+                    far_depth_code);
 }
 
 void Scoring::sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows const& rows, SampleCounters& counters) {

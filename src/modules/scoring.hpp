@@ -23,11 +23,12 @@ class Scoring {
                  ClockedFifo<std::uint8_t>& observed_edge);
     /// Behind the other loops of the process.
     void add_loops();
-    /// Adds to the counters of a sample what a box of pixels has.
-    void score(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box,
+    /// Adds to the counters of a sample what a box of pixels has, and clears the box, if that is what clears a region.
+    void score(std::size_t sample, std::vector<std::uint16_t>& depth_buffer, PixelBox const& box,
                SampleCounters& counters);
 
   private:
+    void forget(std::vector<std::uint16_t>& depth_buffer, PixelBox const& box) const;
     void sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows const& rows, SampleCounters& counters);
 
     CoreContext const& core_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/token_fields.hpp"
 #include "config/edge_map_design.hpp"
 
 namespace faster::recording {
@@ -14,6 +15,7 @@ namespace {
 bool hands_over_buffers(FifoId id) {
     return id == FifoId::map_full || id == FifoId::map_free || id == FifoId::depth_full || id == FifoId::depth_free;
 }
+bool hands_over_full_buffers(FifoId id) { return id == FifoId::map_full || id == FifoId::depth_full; }
 }  // namespace
 
 BramModel::BramModel(AcceleratorConfig const& config)
@@ -47,11 +49,19 @@ std::vector<BramAccess> const& BramModel::take(CoreEvent const& core_event, Toke
         fragment_ = {fields[0], fields[1], 0, scans_groups_ ? fields[2] : 1};
         fragment_read_ = event.cycle;
     } else if (event.kind == Kind::read && hands_over_buffers(FifoId{event.item})) {
-        buffer_[module_] = static_cast<std::size_t>(fields[0]);
+        take_buffer(FifoId{event.item}, fields);
     } else if (event.kind == Kind::iterate) {
         iterate(configured_as(static_cast<LoopId>(loop_[module_])), event);
     }
     return accesses_;
+}
+
+void BramModel::take_buffer(FifoId fifo, TokenValues const& fields) {
+    buffer_[module_] = static_cast<std::size_t>(fields[0]);
+    if (!sweeps_touched_ || !hands_over_full_buffers(fifo))
+        return;
+    std::int64_t const* const corners = fields.data() + fields.size() - region_fields;
+    region_[module_] = box_between({corners[0], corners[1]}, {corners[2], corners[3]});
 }
 
 /// Groups are of object pixels, and the one that closes the sample has none.
@@ -107,7 +117,7 @@ void BramModel::clear_iteration(BramId bram, MapClearing clearing, Event const& 
     }
 }
 
-/// What the corners that were read last enclose, or the window.
+/// What two corners enclose, or the window.
 PixelBox BramModel::box_between(Token const& first, Token const& last) const {
     if (!sweeps_touched_)
         return {0, 0, static_cast<int>(side_), static_cast<int>(side_)};
@@ -115,9 +125,18 @@ PixelBox BramModel::box_between(Token const& first, Token const& last) const {
             static_cast<int>(last.col) + 1};
 }
 
-LaneRows BramModel::swept_rows() const {
-    return {static_cast<int>(side_), static_cast<int>(lanes_), box_between(fragment_before_, fragment_)};
+/// That the process at hand reads out: it has read the corners last, or got them with its buffer.
+PixelBox BramModel::box_of_maps() const {
+    bool const has_corners = module_ == index_of(ModuleId::edge_map_builder);
+    return has_corners || !sweeps_touched_ ? box_between(token_, next_) : region_[module_];
 }
+
+PixelBox BramModel::box_of_depths() const {
+    bool const has_corners = module_ == index_of(ModuleId::inlier_unit);
+    return has_corners || !sweeps_touched_ ? box_between(fragment_before_, fragment_) : region_[module_];
+}
+
+LaneRows BramModel::swept_rows() const { return {static_cast<int>(side_), static_cast<int>(lanes_), box_of_depths()}; }
 
 /// The pixels of the window in the iteration's token.
 std::vector<std::int64_t> BramModel::pixels_of(LaneRows const& rows, std::int64_t iteration) {
@@ -193,7 +212,7 @@ void BramModel::dual_map_token(bool is_first, Cycles cycle) {
 void BramModel::output_iteration(std::int64_t iteration, Cycles cycle) {
     EdgeMapDesign const& design = design_of(edge_map_.algorithm);
     bool const clears = edge_map_.clearing == MapClearing::on_read_out;
-    LaneRows const rows{static_cast<int>(side_), static_cast<int>(lanes_), box_between(token_, next_)};
+    LaneRows const rows{static_cast<int>(side_), static_cast<int>(lanes_), box_of_maps()};
     for (std::int64_t const pixel : pixels_of(rows, iteration)) {
         add(design.output.edge_map > 0 ? BramId::edge_map : BramId::object_map, false, pixel, cycle);
         if (clears && design.bits.edge_map > 0)
@@ -212,7 +231,7 @@ void BramModel::fragment_iteration(Cycles cycle) {
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
 void BramModel::extract_iteration(std::int64_t iteration, Cycles cycle) {
-    LaneRows const rows{static_cast<int>(side_), 1, box_between(fragment_before_, fragment_)};
+    LaneRows const rows{static_cast<int>(side_), 1, box_of_depths()};
     auto const lead = static_cast<std::int64_t>(extract_.lead(rows.tokens_per_row()));
     for (std::int64_t const entered : pixels_of(rows, extract_.line_buffer_rows > 0 ? iteration : -1))
         add(BramId::depth_buffer, false, entered, cycle);

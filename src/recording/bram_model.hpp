@@ -41,7 +41,10 @@ class BramModel {
         std::int64_t kind = 0;
         std::int64_t mask = 1;  ///< bit k: the pixel k columns to the right
     };
+    void take_buffer(FifoId fifo, TokenValues const& fields);
     PixelBox box_between(Token const& first, Token const& last) const;
+    PixelBox box_of_maps() const;
+    PixelBox box_of_depths() const;
     LaneRows swept_rows() const;
     static std::vector<std::int64_t> pixels_of(LaneRows const& rows, std::int64_t iteration);
     void token_iteration(Cycles cycle);
@@ -73,6 +76,7 @@ class BramModel {
     std::vector<BankPartition> partitions_;          ///< [BramId]
     std::array<std::size_t, module_count> loop_{};
     std::array<std::size_t, module_count> buffer_{};  ///< that a module is at
+    std::array<PixelBox, module_count> region_{};     ///< of a buffer that a module has been given to read out
     std::size_t module_ = 0;                          ///< whose event is at hand
     Token token_of(TokenValues const& fields) const;
     void add_pixels(BramId bram, bool writes, Token const& token, Cycles cycle);

@@ -23,6 +23,16 @@ constexpr unsigned bits_for(std::uint64_t largest) {
     return bits;
 }
 
+/// Of a pixel of the window, or of -1 twice, which says that a region has none.
+unsigned corner_bits(AcceleratorConfig const& config) {
+    return 2 * (bits_for(static_cast<std::uint64_t>(config.window)) + 1);
+}
+
+/// What a full buffer's token says of its region.
+unsigned region_bits(AcceleratorConfig const& config) {
+    return config.inlier_unit.sweep_region == SweepRegion::touched ? 2 * corner_bits(config) : 0;
+}
+
 /// Four counters count pixels of the window once; valid_raster counts redraws too.
 unsigned result_bits(AcceleratorConfig const& config) {
     auto const side = static_cast<std::uint64_t>(config.window);
@@ -69,16 +79,17 @@ unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
         case FifoId::edge_map:
         case FifoId::observed_edge:
             return lanes;
-        case FifoId::region:  // a corner in the window, or -1
-            return 2 * (bits_for(static_cast<std::uint64_t>(config.window)) + 1);
+        case FifoId::region:
+            return corner_bits(config);
         case FifoId::valid_depth:
             return bits_for(static_cast<std::uint64_t>(config.window) * static_cast<std::uint64_t>(config.window));
         case FifoId::map_full:
+            return buffer_bits + region_bits(config);
         case FifoId::map_free:
         case FifoId::depth_free:
             return buffer_bits;
         case FifoId::depth_full:
-            return buffer_bits + valid_raster_bits;
+            return buffer_bits + valid_raster_bits + region_bits(config);
         case FifoId::result:
             break;
     }

@@ -79,6 +79,31 @@ TEST_CASE("Both engines write the same files with two buffers, and the counters 
         CHECK(column(workspace.text("a/samples.csv"), counter) == column(workspace.text("one/samples.csv"), counter));
 }
 
+TEST_CASE("Two buffers of which the touched region is read out run end to end", "[double_buffers][sweep_region]") {
+    SmallWorkspace const workspace;
+    Words const touched{"--set", "accelerator.inlier_unit.sweep_region=touched"};
+    auto const run = [&](Words words) {
+        words.insert(words.end(), touched.begin(), touched.end());
+        require_done(workspace.run(with_buffers(words)));
+    };
+    run({"--out", "a", "--vcd", "w.vcd", "--vcd-samples", "1", "--timeline", "a.json", "--report", "r.html",
+         "--critical-path", "--sensitivities", "--events", "events"});
+    run({"--out", "b", "--timeline", "b.json", "--set", "simulation.engine=lockstep"});
+    CHECK(workspace.text("a.json") == workspace.text("b.json"));
+    require_done(run_command(FASTER_SIM_BINARY, {"whatif", "events", "--out", "c"}, workspace.folder().path()));
+    for (std::string const file : {"/samples.csv", "/fifos.csv", "/loops.csv"}) {
+        CHECK(workspace.text("a" + file) == workspace.text("b" + file));
+        CHECK(workspace.text("a" + file) == workspace.text("c" + file));
+    }
+    CHECK(column(workspace.text("a/fifos.csv"), 1).size() == 20);
+    CHECK_THAT(workspace.text("w.vcd"), Contains("read_last_row"));
+    require_done(run_command(FASTER_SIM_BINARY, {"size-fifos", "events", "--within", "5", "--out", "sized"},
+                             workspace.folder().path()));
+    require_done(workspace.run({"--out", "one"}));
+    for (std::size_t counter = 5; counter < 10; ++counter)
+        CHECK(column(workspace.text("a/samples.csv"), counter) == column(workspace.text("one/samples.csv"), counter));
+}
+
 TEST_CASE("A run with two buffers is recorded, and retimed with keys that loops keep", "[double_buffers][events]") {
     SmallWorkspace const workspace;
     require_done(workspace.run(with_buffers({"--events", "events", "--sensitivities", "--out", "run"})));

@@ -22,9 +22,10 @@ fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                        "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                        "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
-                       "valid_depth"};
+                       "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
 Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
-                         "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector"};
+                         "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector",
+                         "edge_map_output",   "inlier_sweep"};
 
 Words split(std::string const& line) {
     Words cells{""};
@@ -73,6 +74,8 @@ void check_fifo(Vcd const& vcd, Row const& row) {
     std::uint64_t empty_cycles = 0;
     std::uint64_t full_cycles = 0;
     for (std::string const& module : module_names) {
+        if (vcd.signals.count(core + "." + module + ".stall") == 0)
+            continue;
         empty_cycles += vcd.duration(core + "." + module + ".stall", empty);
         full_cycles += vcd.duration(core + "." + module + ".stall", empty + 1);
     }
@@ -194,10 +197,13 @@ TEST_CASE("A waveform's loops are those of the table, and no block RAM has more 
 TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
     Waves const waves;
     std::string const region = GENERATE("window", "touched");
+    std::string const buffers = GENERATE("1", "2");
     for (std::string const engine : {"lockstep", "decoupled"}) {
-        CAPTURE(engine, region);
+        CAPTURE(engine, region, buffers);
         Words const common{"--set", "simulation.engine=" + engine,
                            "--set", "accelerator.raster_cores=1",
+                           "--set", "accelerator.edge_map.buffers=" + buffers,
+                           "--set", "accelerator.inlier_unit.buffers=" + buffers,
                            "--set", "accelerator.inlier_unit.sweep_region=" + region};
         auto const with = [&](Words more) {
             more.insert(more.end(), common.begin(), common.end());
@@ -222,14 +228,20 @@ TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]
 TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
     Waves const waves;
     std::string const region = GENERATE("window", "touched");
+    std::string const buffers = GENERATE("1", "2");
     std::string const engine = region == "window" ? "decoupled" : "lockstep";
-    CAPTURE(region);
+    CAPTURE(region, buffers);
     Words deep{"--set", "simulation.engine=" + engine,
                "--set", "accelerator.raster_cores=1",
+               "--set", "accelerator.edge_map.buffers=" + buffers,
+               "--set", "accelerator.inlier_unit.buffers=" + buffers,
                "--set", "accelerator.inlier_unit.sweep_region=" + region};
-    for (std::string const& fifo : fifo_names)
-        if (region == "touched" || (fifo != "region" && fifo != "valid_depth"))
+    for (std::string const& fifo : fifo_names) {
+        bool const is_of_region = fifo == "region" || fifo == "valid_depth";
+        bool const is_of_buffers = fifo.rfind("map_", 0) == 0 || fifo.rfind("depth_", 0) == 0;
+        if ((!is_of_region || region == "touched") && (!is_of_buffers || buffers == "2"))
             deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
+    }
     auto const with = [&](Words more) {
         more.insert(more.end(), deep.begin(), deep.end());
         require_done(waves.run("edge_heavy", more));
@@ -334,6 +346,38 @@ TEST_CASE("A waveform shows the corners of a touched region on their FIFOs", "[v
     auto const rows = vcd.sampled("core_0.fifo_region.read_row", "core_0.fifo_region.read");
     REQUIRE(rows.size() == 2);
     CHECK(rows[1].bits - rows[0].bits == 6);
+}
+
+TEST_CASE("A waveform shows the region of a finished buffer in its token", "[vcd][sweep_region][double_buffers]") {
+    Waves const waves;
+    auto const run_with = [&](std::string const& region) {
+        require_done(waves.run(
+            "one_triangle",
+            {"--vcd", "a.vcd", "--vcd-cores", "0", "--set", "accelerator.edge_map.buffers=2", "--set",
+             "accelerator.inlier_unit.buffers=2", "--set", "accelerator.inlier_unit.sweep_region=" + region}));
+        return waves.vcd("a.vcd");
+    };
+    Vcd const touched = run_with("touched");
+    for (std::string const full : {"core_0.fifo_map_full", "core_0.fifo_depth_full"}) {
+        CAPTURE(full);
+        CHECK(touched.sampled(full + ".read_buffer", full + ".read").at(0).bits == 0);
+        for (std::string const axis : {"row", "col"}) {
+            std::uint64_t const first = touched.sampled(full + ".read_first_" + axis, full + ".read").at(0).bits;
+            std::uint64_t const last = touched.sampled(full + ".read_last_" + axis, full + ".read").at(0).bits;
+            auto const corners = touched.sampled("core_0.fifo_region.read_" + axis, "core_0.fifo_region.read");
+            CHECK(first == corners.at(0).bits);
+            CHECK(last == corners.at(1).bits);
+        }
+    }
+    // The accesses of one buffer of which 49 pixels are read out, as with one: the ports of either buffer are its own.
+    CHECK(touched.duration("core_0.bram_depth_buffer.buffer0_port0_enable", 1) +
+              touched.duration("core_0.bram_depth_buffer.buffer0_port1_enable", 1) ==
+          1024 + 15 * 2 + 5 * 49);
+    Vcd const window = run_with("window");
+    CHECK(window.signals.count("core_0.fifo_map_full.read_buffer") == 1);
+    CHECK(window.signals.count("core_0.fifo_map_full.read_first_row") == 0);
+    CHECK(window.signals.count("core_0.fifo_depth_full.read_valid_raster") == 1);
+    CHECK(window.signals.count("core_0.fifo_depth_full.read_last_col") == 0);
 }
 
 TEST_CASE("A waveform shows banks and lanes", "[vcd][partition][lanes]") {

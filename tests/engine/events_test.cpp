@@ -82,10 +82,8 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
         config.rasterizer.lanes = 2 + static_cast<int>(seed % 7);
     }
     config.inlier_unit.sweep_region = number % 4 < 2 ? SweepRegion::window : SweepRegion::touched;
-    if (config.inlier_unit.sweep_region == SweepRegion::window) {
-        config.edge_map.buffers = 1 + static_cast<int>(number / 4 % 2);
-        config.inlier_unit.buffers = 1 + static_cast<int>(number % 2);
-    }
+    config.edge_map.buffers = 1 + static_cast<int>(number / 4 % 2);
+    config.inlier_unit.buffers = 1 + static_cast<int>(number % 2);
     return config;
 }
 

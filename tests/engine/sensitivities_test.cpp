@@ -79,11 +79,11 @@ TEST_CASE("So it does where one loop prepares and scans all triangles", "[sensit
     }
 }
 
-TEST_CASE("So it does with double buffers", "[sensitivities]") {
+TEST_CASE("So it does with double buffers, of a window and of a touched region", "[sensitivities]") {
     for (std::uint64_t seed = 8030; seed < 8032; ++seed) {
         CAPTURE(seed);
         Trial trial = random_trial(seed);
-        trial.config.inlier_unit.sweep_region = SweepRegion::window;
+        trial.config.inlier_unit.sweep_region = seed % 2 == 0 ? SweepRegion::window : SweepRegion::touched;
         trial.config.edge_map.buffers = 2;
         trial.config.inlier_unit.buffers = 2;
         CHECK(check_all_steps(trial, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep) > 5);

@@ -258,7 +258,8 @@ TEST_CASE("FIFOs between two buffers are sized too", "[sizing]") {
         CAPTURE(seed);
         Case const plain = random_case(seed);
         AcceleratorConfig config = plain.config;
-        config.inlier_unit.sweep_region = SweepRegion::window;
+        bool const has_region = seed % 2 == 1;
+        config.inlier_unit.sweep_region = has_region ? SweepRegion::touched : SweepRegion::window;
         config.edge_map.buffers = config.inlier_unit.buffers = 2;
         Case const one(plain.stimulus, config);
         Sizing const sizing = size_fifos(one.file.run, one.config, within(0));
@@ -266,7 +267,10 @@ TEST_CASE("FIFOs between two buffers are sized too", "[sizing]") {
         CHECK(sizing.answer.choice[index_of(FifoId::map_full)].depth == 1);  // one token at a time
         CHECK(sizing.answer.choice[index_of(FifoId::depth_free)].depth == 1);
         CHECK(sizing.bits[index_of(FifoId::map_free)] == 1);
-        CHECK(sizing.bits[index_of(FifoId::depth_full)] == 33);
+        unsigned const corner_bits = sizing.bits[index_of(FifoId::region)];  // none without one
+        CHECK((corner_bits > 0) == has_region);
+        CHECK(sizing.bits[index_of(FifoId::map_full)] == 1 + 2 * corner_bits);
+        CHECK(sizing.bits[index_of(FifoId::depth_full)] == 33 + 2 * corner_bits);
     }
 }
 

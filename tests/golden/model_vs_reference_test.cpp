@@ -142,6 +142,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         bool const may_scan_groups = algorithm == EdgeMapAlgorithm::inner_border || flow == Flow::fpga_grip;
         machine.max_scan_lanes = any_scan && may_scan_groups && seed % 2 == 0 ? 12 : 1;
         machine.any_region = true;
+        machine.any_buffers = true;
         AcceleratorConfig config = random_config(seed, machine);
         adopt(stimulus, config);
         check_model(config, stimulus, Engine::decoupled);

@@ -423,8 +423,7 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         draw_fifo(FifoId::region);
         draw_fifo(FifoId::valid_depth);
     }
-    bool const may_have_buffers = config.inlier_unit.sweep_region == SweepRegion::window;
-    if (options.any_buffers && may_have_buffers) {  // last, so that what is drawn before does not depend on it
+    if (options.any_buffers) {  // last, so that what is drawn before does not depend on it
         config.edge_map.buffers = options.flow == Flow::faster ? dice.between(1, 2) : 1;
         config.inlier_unit.buffers = dice.between(1, 2);
         for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free}) {

@@ -46,14 +46,26 @@ void loop_or_pass(TwinProgram& program, LoopId id, std::vector<TwinAccess> acces
 
 bool touches(AcceleratorConfig const& config) { return config.inlier_unit.sweep_region == SweepRegion::touched; }
 
-/// Learns which pixels it is about: two corners by a FIFO, or that it is the window, in a cycle.
+/// Learns which pixels it is about by a FIFO, if not all are.
+void corners(TwinProgram& program, AcceleratorConfig const& config, FifoId fifo) {
+    for (int corner = 0; touches(config) && corner < 2; ++corner) {
+        step(program, {read_of(fifo)});
+    }
+}
+
+/// From drawing to reading out in one process.
 void turn(TwinProgram& program, AcceleratorConfig const& config, FifoId fifo) {
-    if (touches(config)) {
-        step(program, {read_of(fifo)});
-        step(program, {read_of(fifo)});
-    } else {
+    corners(program, config, fifo);
+    if (!touches(config)) {
         pass(program, 1);
     }
+}
+
+/// To another process, which learns by `full` what is to be read out: a token, whatever it says.
+void hand_over(TwinProgram& program, AcceleratorConfig const& config, FifoId fifo, FifoId full, FifoId free) {
+    corners(program, config, fifo);
+    step(program, {write_of(full)});
+    step(program, {read_of(free)});
 }
 
 TwinProgram sample_dispatcher() {
@@ -253,8 +265,7 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
     }
     if (config.edge_map.buffers == 2) {
-        step(program, {write_of(FifoId::map_full)});
-        step(program, {read_of(FifoId::map_free)});
+        hand_over(program, config, FifoId::edge_token, FifoId::map_full, FifoId::map_free);
     } else {
         turn(program, config, FifoId::edge_token);
         output(program, LoopId::output, sample, config);
@@ -376,8 +387,7 @@ TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig cons
         take_one_by_one(program, sample);
     }
     if (config.inlier_unit.buffers == 2) {
-        step(program, {write_of(FifoId::depth_full)});
-        step(program, {read_of(FifoId::depth_free)});
+        hand_over(program, config, FifoId::fragment_index, FifoId::depth_full, FifoId::depth_free);
     } else {
         turn(program, config, FifoId::fragment_index);
         score(program, {LoopId::extract, LoopId::sweep}, sample, config);

@@ -540,13 +540,20 @@ TEST_CASE("FIFOs of the touched region have keys where it is swept", "[config][e
           "accelerator.fraction_bits.depth_buffer = 10, with which pixels that nothing touched are nearer than 2 m");
 }
 
-TEST_CASE("A touched region and double buffers are refused together", "[config]") {
-    CHECK(error_of([] { loaded("accelerator: {inlier_unit: {sweep_region: touched, buffers: 2}}"); }) ==
-          "test.yaml:1: accelerator.inlier_unit.buffers = 2, expected 1 because of "
-          "accelerator.inlier_unit.sweep_region = \"touched\"");
-    CHECK(error_of([] { loaded("accelerator: {edge_map: {buffers: 2}, inlier_unit: {sweep_region: touched}}"); }) ==
-          "test.yaml:1: accelerator.edge_map.buffers = 2, expected 1 because of "
-          "accelerator.inlier_unit.sweep_region = \"touched\"");
+TEST_CASE("A touched region goes with one buffer and with two, and each brings its FIFOs", "[config]") {
+    for (std::string const maps : {"1", "2"})
+        for (std::string const depths : {"1", "2"}) {
+            CAPTURE(maps, depths);
+            RunConfig const config =
+                loaded("", {"accelerator.inlier_unit.sweep_region=touched", "accelerator.edge_map.buffers=" + maps,
+                            "accelerator.inlier_unit.buffers=" + depths, "accelerator.fifos.region.depth=3"})
+                    .config;
+            faster::Parts const parts(config.accelerator);
+            CHECK(has_part(parts, faster::FifoId::region));
+            CHECK(has_part(parts, faster::FifoId::map_full) == (maps == "2"));
+            CHECK(has_part(parts, faster::FifoId::depth_full) == (depths == "2"));
+            CHECK(values_of(loaded(faster::to_yaml(config)).config) == values_of(config));
+        }
 }
 
 TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {

@@ -1,0 +1,22 @@
+#include "support/recorded_accesses.hpp"
+
+namespace faster::testing {
+
+void for_each_access(AcceleratorConfig const& config, std::vector<recording::RecordedCore> const& cores,
+                     AccessVisit const& visit) {
+    using Kind = recording::Event::Kind;
+    for (recording::RecordedCore const& core : cores) {
+        recording::BramModel brams(config);
+        std::vector<recording::FifoState> fifos(core.fifos.begin(), core.fifos.end());
+        recording::TokenValues read;
+        recording::for_each_event({{core.core, core.spools}}, [&](recording::CoreEvent const& event) {
+            if (event.event.kind == Kind::write)
+                fifos[event.event.item].write(*event.fields);
+            if (event.event.kind == Kind::read)
+                fifos[event.event.item].read(read);
+            visit(event, read, brams.take(event, read));
+        });
+    }
+}
+
+}  // namespace faster::testing

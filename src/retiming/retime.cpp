@@ -186,6 +186,11 @@ std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, Accelera
     return std::move(retime_cores(run.run(), &run, config, {core}, automaton, leaves_trail).front());
 }
 
+std::vector<std::unique_ptr<timing::CoreTiming>> retime_cores(ScriptedRun const& run, AcceleratorConfig const& config,
+                                                              std::vector<std::size_t> const& cores) {
+    return retime_cores(run.run(), &run, config, cores, std::make_shared<timing::Automaton>(), false);
+}
+
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }
 
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config) {

@@ -1,6 +1,8 @@
 #include "sizing/certificate.hpp"
 
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 
 #include "common/on_threads.hpp"
 
@@ -18,6 +20,16 @@ std::uint64_t cheaper_depth(FifoFrame const& frame, std::size_t fifo, FifoChoice
     while (depth > 0 && cost_at(frame, fifo, choice_of(frame.kinds[fifo], depth)) >= cost_at(frame, fifo, choice))
         --depth;
     return depth;
+}
+
+/// The cores, by how long they take.
+std::vector<std::size_t> latest_first(Choice const& choice, CoreTimes& times) {
+    std::vector<std::size_t> cores(times.cores());
+    std::iota(cores.begin(), cores.end(), std::size_t{0});
+    std::stable_sort(cores.begin(), cores.end(), [&](std::size_t one, std::size_t other) {
+        return times.cycles(one, choice) > times.cycles(other, choice);
+    });
+    return cores;
 }
 
 }  // namespace
@@ -45,13 +57,17 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
     return rows;
 }
 
-void time_steps(Choice const& choice, CoreTimes& times, unsigned jobs, std::vector<CertificateRow>& rows,
+void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned jobs, std::vector<CertificateRow>& rows,
                 std::function<void()> const& done) {
+    std::vector<std::size_t> const cores = latest_first(choice, times);
     std::mutex mutex;
     on_threads(rows.size(), jobs, [&](std::size_t i) {
         Choice shallower = choice;
         shallower[index_of(rows[i].fifo)] = rows[i].shallower;
-        rows[i].total_cycles = times.total_cycles(shallower, 1);
+        for (std::size_t k = 0; k < cores.size() && !rows[i].breaks(bound); ++k) {
+            rows[i].core = cores[k];
+            rows[i].core_cycles = times.cycles(cores[k], shallower);
+        }
         std::lock_guard<std::mutex> const lock(mutex);
         done();
     });

@@ -12,6 +12,14 @@ namespace faster::sizing {
 
 namespace {
 
+/// At most as much room everywhere, and at least as much latency.
+bool is_no_faster(Choice const& one, Choice const& other) {
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (one[i].capacity() > other[i].capacity() || one[i].read_latency() < other[i].read_latency())
+            return false;
+    return true;
+}
+
 std::size_t cores_with_samples(std::size_t cores, std::size_t samples) {
     std::size_t used = 0;
     while (used < cores && share_of(used, cores, samples).count > 0)
@@ -84,11 +92,6 @@ CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
       config_(std::move(config)),
       cores_(cores_with_samples(config_.raster_cores, run.tape.samples())) {}
 
-std::unique_ptr<timing::CoreTiming> CoreTimes::retime(std::size_t core, Choice const& choice,
-                                                      std::shared_ptr<timing::Automaton> automaton, bool leaves_trail) {
-    return retime_core(run_, with_choice(config_, choice), core, std::move(automaton), leaves_trail);
-}
-
 bool CoreTimes::is_known(std::size_t core, Choice const& choice) const {
     std::lock_guard<std::mutex> const lock(mutex_);
     return known_.count({core, choice}) > 0;
@@ -115,9 +118,45 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
 }
 
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
-    auto const automaton = std::make_shared<timing::Automaton>();
-    for (std::size_t const core : cores)
-        enter({core, choice}, *retime(core, choice, automaton, false));
+    auto const timings = retime_cores(run_, with_choice(config_, choice), cores);
+    for (std::size_t i = 0; i < cores.size(); ++i)
+        enter({cores[i], choice}, *timings[i]);
+}
+
+std::optional<bool> CoreTimes::known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    for (auto known = known_.lower_bound({core, Choice{}}); known != known_.end() && known->first.first == core;
+         ++known) {
+        auto const& [place, cycles] = *known;
+        if (cycles > bound ? is_no_faster(choice, place.second) : is_no_faster(place.second, choice))
+            return cycles > bound;
+    }
+    return std::nullopt;
+}
+
+bool CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound) {
+    std::optional<bool> const known = known_to_exceed(core, choice, bound);
+    return known ? *known : cycles(core, choice) > bound;
+}
+
+std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs) {
+    for (std::size_t core = 0; core < cores_;) {
+        std::vector<std::size_t> open;
+        bool is_decided = false;
+        for (; core < cores_ && open.size() < std::max(1U, jobs) && !is_decided; ++core) {
+            std::optional<bool> const known = known_to_exceed(core, choice, bound);
+            is_decided = known.value_or(false);
+            if (!known)
+                open.push_back(core);
+        }
+        on_threads(open.size(), jobs, [&](std::size_t i) { work_out({open[i]}, choice); });
+        for (std::size_t const worked_out : open)
+            if (cycles(worked_out, choice) > bound)
+                return worked_out;
+        if (is_decided)
+            return core - 1;
+    }
+    return cores_;
 }
 
 Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
@@ -141,7 +180,8 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 }
 
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) {
-    auto const timing = retime(core, choice, std::make_shared<timing::Automaton>(), true);
+    auto const timing =
+        retime_core(run_, with_choice(config_, choice), core, std::make_shared<timing::Automaton>(), true);
     enter({core, choice}, *timing);
     Cut cut;
     cut.total_cycles = end_of(*timing, core);

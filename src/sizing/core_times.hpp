@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,12 @@ class CoreTimes {
 
     /// Whether cycles() has nothing to work out.
     bool is_known(std::size_t core, Choice const& choice) const;
+    /// Whether a core takes more than `bound`, if that follows from what is known: more room and less latency never
+    /// make a run longer.
+    std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
+    bool exceeds(std::size_t core, Choice const& choice, Cycles bound);
+    /// The first core that does; cores() if none does. On up to `jobs` threads.
+    std::size_t first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs);
     /// One past a core's last result read, or Cut::deadlock.
     Cycles cycles(std::size_t core, Choice const& choice);
     /// The same for several cores at once, on up to `jobs` threads: the largest. That is total_cycles, or
@@ -41,8 +48,6 @@ class CoreTimes {
   private:
     using Place = std::pair<std::size_t, Choice>;
 
-    std::unique_ptr<timing::CoreTiming> retime(std::size_t core, Choice const& choice,
-                                               std::shared_ptr<timing::Automaton> automaton, bool leaves_trail);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);
@@ -51,7 +56,7 @@ class CoreTimes {
     AcceleratorConfig const config_;
     std::size_t cores_;
     std::array<std::uint64_t, fifo_count> tokens_{};
-    std::map<Place, Cycles> known_;
+    std::map<Place, Cycles> known_;  ///< by core first
     std::size_t retimed_ = 0;
     mutable std::mutex mutex_;
 };

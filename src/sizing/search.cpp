@@ -16,11 +16,28 @@ constexpr std::uint64_t growth = 8;
 
 bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
 
-/// The number of the last of 0 .. count - 1 for which something holds that holds for the first, and for all up to some.
-/// Tries as many at once as there are jobs.
-std::size_t last_that(std::size_t count, unsigned jobs, std::function<bool(std::size_t)> const& holds) {
-    std::size_t yes = 0;
-    std::size_t no = count;
+/// Something that holds for the first of some numbers, and for all up to one.
+struct Monotone {
+    std::function<bool(std::size_t)> holds;
+    std::function<std::optional<bool>(std::size_t)> is_known_to_hold;  ///< without working it out
+};
+
+/// The number of the first of 0 .. count - 1 for which `holds` is false, as it is from there on.
+std::size_t first_without(std::size_t count, std::function<bool(std::size_t)> const& holds) {
+    std::size_t first = 0;
+    for (std::size_t end = count; first < end;) {
+        std::size_t const middle = first + (end - first) / 2;
+        holds(middle) ? first = middle + 1 : end = middle;
+    }
+    return first;
+}
+
+/// The last of 0 .. count - 1 for which it holds. Works out as many at once as there are jobs.
+std::size_t last_that(std::size_t count, unsigned jobs, Monotone const& monotone) {
+    auto const& [holds, is_known_to_hold] = monotone;
+    std::size_t const known = first_without(count, [&](std::size_t i) { return is_known_to_hold(i).value_or(false); });
+    std::size_t yes = known == 0 ? 0 : known - 1;
+    std::size_t no = first_without(count, [&](std::size_t i) { return is_known_to_hold(i).value_or(true); });
     while (no - yes > 1) {
         std::size_t const probes = std::min<std::size_t>(std::max(1U, jobs), no - yes - 1);
         std::vector<char> held(probes);
@@ -86,14 +103,11 @@ Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unboun
 }
 
 std::size_t Search::broken_core(Choice const& choice, Cycles bound) {
-    if (times_.cores() == 0 || times_.cycles(strict_core_, choice) > bound)
+    if (times_.cores() == 0 || times_.exceeds(strict_core_, choice, bound))
         return times_.cores() == 0 ? 0 : strict_core_;
-    if (times_.total_cycles(choice, jobs_) <= bound)
-        return times_.cores();
-    std::size_t core = 0;
-    while (times_.cycles(core, choice) <= bound)
-        ++core;
-    strict_core_ = core;
+    std::size_t const core = times_.first_to_exceed(choice, bound, jobs_);
+    if (core < times_.cores())
+        strict_core_ = core;
     return core;
 }
 
@@ -132,7 +146,7 @@ Found Search::cheapest(Cycles bound) {
 /// once.
 bool Search::learn(Choice const& choice, Cycles bound) {
     std::optional<Cut> cut;
-    if (times_.cores() > 0 && !times_.is_known(strict_core_, choice))
+    if (times_.cores() > 0 && times_.known_to_exceed(strict_core_, choice, bound).value_or(true))
         cut = times_.explain(strict_core_, choice);
     std::size_t const core = broken_core(choice, bound);
     if (core == times_.cores())
@@ -174,7 +188,7 @@ void Search::drop_members(Cut& cut, std::size_t core, Cycles bound) {
     for (std::size_t i = cut.members.size(); i-- > 0 && cut.members.size() > 1;) {
         Cut fewer = cut;
         fewer.members.erase(fewer.members.begin() + static_cast<std::ptrdiff_t>(i));
-        if (times_.cycles(core, corner(fewer)) > bound)
+        if (times_.exceeds(core, corner(fewer), bound))
             cut = fewer;
     }
 }
@@ -185,11 +199,13 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
         if (level.choice.capacity() > capacities.front())
             capacities.push_back(level.choice.capacity());
     std::sort(capacities.begin(), capacities.end());
-    auto const breaks = [&](std::size_t i) {
+    auto const corner_at = [&](std::size_t i) {
         Cut deeper = cut;
         deeper.members[member].capacity = capacities[i];
-        return times_.cycles(core, corner(deeper)) > bound;
+        return corner(deeper);
     };
+    Monotone const breaks{[&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); },
+                          [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
     cut.members[member].capacity = capacities[last_that(capacities.size(), jobs_, breaks)];
 }
 
@@ -212,12 +228,13 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
         std::copy_if(levels_[fifo].rbegin(), levels_[fifo].rend(), std::back_inserter(levels),
                      [&](Level const& level) { return level.choice.kind == kind && level.cost < cost; });
         Choice cheaper = choice;
-        auto const fits = [&](std::size_t i) {
+        auto const is_within_at = [&](std::size_t i) {
             cheaper[fifo] = levels[i].choice;
             return is_within(cheaper, bound);
         };
-        if (levels.empty() || !fits(0))
+        if (levels.empty() || !is_within_at(0))
             continue;
+        Monotone const fits{is_within_at, [](std::size_t) { return std::nullopt; }};
         choice[fifo] = levels[last_that(levels.size(), 1, fits)].choice;
         return true;
     }
@@ -239,6 +256,18 @@ Found Search::shallowest(Found found, Cycles bound) {
     return found;
 }
 
+std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
+                                         std::vector<std::size_t> const& cores) const {
+    bool is_known = true;
+    for (std::size_t const core : cores) {
+        std::optional<bool> const exceeds = times_.known_to_exceed(core, choice, bound);
+        if (exceeds.value_or(false))
+            return false;
+        is_known = is_known && exceeds.has_value();
+    }
+    return is_known ? std::optional<bool>(true) : std::nullopt;
+}
+
 /// Looks at some cores only.
 Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
@@ -246,13 +275,17 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
         std::uint64_t shallowest = deepest;
         while (shallowest > 1 && choice_of(frame_.kinds[i], shallowest - 1).kind == choice[i].kind)
             --shallowest;
-        Choice const before = choice;
-        auto const fits = [&](std::size_t less) {
+        auto const with_less = [&, before = choice](std::size_t less) {
             Choice shallower = before;
             shallower[i].depth = deepest - less;
-            return std::all_of(cores.begin(), cores.end(),
-                               [&](std::size_t core) { return times_.cycles(core, shallower) <= bound; });
+            return shallower;
         };
+        Monotone const fits{[&](std::size_t less) {
+                                return std::none_of(cores.begin(), cores.end(), [&](std::size_t core) {
+                                    return times_.exceeds(core, with_less(less), bound);
+                                });
+                            },
+                            [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
         choice[i].depth = deepest - last_that(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "sizing/cheapest_choice.hpp"
@@ -61,6 +62,7 @@ class Search {
     std::vector<Cut> cuts_against(Cycles bound) const;
     Choice descend(Cycles bound);
     bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
+    std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;
     Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
     double cost_of_choice(Choice const& choice) const;
 

@@ -83,7 +83,7 @@ Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& con
 
     sizing.certificate = steps_down(frame, found.choice);
     steps.expect(sizing.certificate.size());
-    time_steps(found.choice, times, options.jobs, sizing.certificate, [&] { steps.done(); });
+    time_steps(found.choice, sizing.bound, times, options.jobs, sizing.certificate, [&] { steps.done(); });
     for (CertificateRow const& row : sizing.certificate)
         if (!row.breaks(sizing.bound))
             throw std::logic_error("a shallower FIFO is within the bound: " + std::string(name_of(row.fifo)));

@@ -71,7 +71,8 @@ Json certificate_row(Sizing const& sizing, CertificateRow const& row) {
     json["shallower_kind"] = choice_name(row.shallower.kind);
     json["token_step"] = row.is_token_step;
     json["cost_step"] = row.is_cost_step;
-    json["total_cycles"] = cycles_or_null(row.total_cycles);
+    json["core"] = row.core;
+    json["core_cycles"] = cycles_or_null(row.core_cycles);
     return json;
 }
 

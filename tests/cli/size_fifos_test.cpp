@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "support/command.hpp"
 #include "support/report_page.hpp"
@@ -34,6 +35,13 @@ class Workspace {
     SmallWorkspace small_;
 };
 
+/// Of a report.
+std::uint64_t total_cycles(std::string const& report) {
+    std::smatch match;
+    REQUIRE(std::regex_search(report, match, std::regex("total  ([0-9]+) cycles")));
+    return std::stoull(match[1]);
+}
+
 }  // namespace
 
 TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
@@ -64,10 +72,9 @@ TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
             words.insert(words.end(), {"--set", "accelerator.fifos." + name + ".depth=" + depth.dump()});
         }
         CommandResult const shallower = workspace.tool(words);
-        if (row["total_cycles"].is_null())
-            CHECK(shallower.exit_code == 3);
-        else
-            CHECK_THAT(shallower.out, Contains("total  " + row["total_cycles"].dump() + " cycles"));
+        CHECK(shallower.exit_code == (row["core_cycles"].is_null() ? 3 : 0));
+        if (!row["core_cycles"].is_null())
+            CHECK(total_cycles(shallower.out) >= row["core_cycles"].get<std::uint64_t>());
     }
 }
 

@@ -98,8 +98,9 @@ function show_certificate() {
     figure("depth", (row) => row.depth),
     figure("shallower", (row) => row.shallower_depth),
     { title: "by", value: step_text },
-    figure("cycles", (row) => after_all(row.total_cycles), (row) => cycles_text(row.total_cycles)),
-    figure("more than unbounded", (row) => after_all(row.total_cycles), (row) => change_text(row.total_cycles)),
+    figure("core", (row) => row.core),
+    figure("its cycles", (row) => after_all(row.core_cycles), (row) => cycles_text(row.core_cycles)),
+    figure("more than unbounded", (row) => after_all(row.core_cycles), (row) => change_text(row.core_cycles)),
   ], data.certificate);
 }
 

@@ -71,6 +71,8 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
     std::uint64_t room = 0;
     for (FifoTiming const* fifo : fifos_)
         room += fifo->room_;
+    if (room > most_room)
+        looks_ = most_looks + 1;
     return room <= most_room;
 }
 

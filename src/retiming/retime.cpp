@@ -177,12 +177,12 @@ RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, Acceler
 }  // namespace
 
 std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, Automaton automaton, bool leaves_trail) {
+                                                std::size_t core, Automaton const& automaton, bool leaves_trail) {
     return std::move(retime_cores(run, nullptr, config, {core}, automaton, leaves_trail).front());
 }
 
 std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, Automaton automaton, bool leaves_trail) {
+                                                std::size_t core, Automaton const& automaton, bool leaves_trail) {
     return std::move(retime_cores(run.run(), &run, config, {core}, automaton, leaves_trail).front());
 }
 

@@ -4,6 +4,7 @@
 
 #include "config/clear_design.hpp"
 #include "modules/core_shapes.hpp"
+#include "modules/read_corners.hpp"
 
 namespace faster {
 
@@ -136,13 +137,7 @@ PixelBox EdgeMapBuilder::turn_to_output() {
 }
 
 Corners EdgeMapBuilder::read_region() {
-    Corners corners;
-    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
-        clock_.here();
-        *corner = read_corner();
-        clock_.advance(1);
-    }
-    return corners;
+    return read_corners(clock_, [this] { return read_corner(); });
 }
 
 FragmentIndex EdgeMapBuilder::read_corner() {

@@ -4,6 +4,7 @@
 
 #include "config/clear_design.hpp"
 #include "modules/core_shapes.hpp"
+#include "modules/read_corners.hpp"
 
 namespace faster {
 
@@ -201,13 +202,7 @@ PixelBox InlierUnit::turn_to_sweep() {
 }
 
 Corners InlierUnit::read_region() {
-    Corners corners;
-    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
-        clock_.here();
-        *corner = read_corner();
-        clock_.advance(1);
-    }
-    return corners;
+    return read_corners(clock_, [this] { return read_corner(); });
 }
 
 FragmentIndex InlierUnit::read_corner() {

@@ -4,6 +4,7 @@
 
 #include "channels/port_binding.hpp"
 #include "modules/core_shapes.hpp"
+#include "modules/read_corners.hpp"
 
 namespace faster {
 
@@ -51,13 +52,7 @@ void ObservationReader::send_valid_depth(SampleHeader const& header) {
 }
 
 PixelBox ObservationReader::receive_region() {
-    Corners corners;
-    for (FragmentIndex* corner : {&corners.first, &corners.last}) {
-        clock_.here();
-        *corner = region_in->read();
-        clock_.advance(1);
-    }
-    return box_of(corners);
+    return box_of(read_corners(clock_, [this] { return region_in->read(); }));
 }
 
 void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& rows) {

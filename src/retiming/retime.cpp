@@ -143,17 +143,17 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
     }
 }
 
-using Automaton = std::shared_ptr<timing::Automaton>;
 using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
 
 Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config,
-                   std::vector<std::size_t> const& numbers, Automaton const& automaton, bool leaves_trail) {
+                   std::vector<std::size_t> const& numbers, bool leave_trails) {
+    auto const automaton = std::make_shared<timing::Automaton>();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
         cores.push_back(core_variant(*run.blueprint, config));
         cores.back()->let_follow(rasterizer_and_followers(Parts(config)), automaton);
-        if (leaves_trail)
+        if (leave_trails)
             cores.back()->leave_trail();
         CoreShare const share = share_of(number, config.raster_cores, run.tape.samples());
         replays.push_back(std::make_unique<Replay>(run.tape, scripts, share, *cores.back()));
@@ -165,7 +165,7 @@ Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, Accelerat
 RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config) {
     std::vector<std::size_t> numbers(config.raster_cores);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    Cores const timings = retime_cores(run, scripts, config, numbers, std::make_shared<timing::Automaton>(), false);
+    Cores const timings = retime_cores(run, scripts, config, numbers, false);
     std::vector<FinishedCore> cores;
     for (std::size_t const k : numbers) {
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
@@ -176,19 +176,9 @@ RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, Acceler
 
 }  // namespace
 
-std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, Automaton const& automaton, bool leaves_trail) {
-    return std::move(retime_cores(run, nullptr, config, {core}, automaton, leaves_trail).front());
-}
-
-std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, Automaton const& automaton, bool leaves_trail) {
-    return std::move(retime_cores(run.run(), &run, config, {core}, automaton, leaves_trail).front());
-}
-
-std::vector<std::unique_ptr<timing::CoreTiming>> retime_cores(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                              std::vector<std::size_t> const& cores) {
-    return retime_cores(run.run(), &run, config, cores, std::make_shared<timing::Automaton>(), false);
+Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
+                   bool leave_trails) {
+    return retime_cores(run.run(), &run, config, cores, leave_trails);
 }
 
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }

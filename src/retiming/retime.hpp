@@ -16,18 +16,10 @@ RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
 /// The same, several times as fast.
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
 
-/// One core of it, with its share of the samples done as far as that goes. Cores of one configuration that are retimed
-/// one after the other may share an automaton, which makes the later ones quicker; all or none of them leave trails.
-std::unique_ptr<timing::CoreTiming> retime_core(RecordedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, std::shared_ptr<timing::Automaton> const& automaton,
-                                                bool leaves_trail = false);
-/// The same, quicker. Of a core that deadlocks, since when its processes wait is not always known.
-std::unique_ptr<timing::CoreTiming> retime_core(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                std::size_t core, std::shared_ptr<timing::Automaton> const& automaton,
-                                                bool leaves_trail = false);
-
-/// Several at once, quicker than one after the other.
+/// Some of its cores, each with its share of the samples done as far as that goes. Of cores that deadlock, since when
+/// their processes wait is not always known.
 std::vector<std::unique_ptr<timing::CoreTiming>> retime_cores(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                              std::vector<std::size_t> const& cores);
+                                                              std::vector<std::size_t> const& cores,
+                                                              bool leave_trails = false);
 
 }  // namespace faster::retiming

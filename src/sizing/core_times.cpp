@@ -180,12 +180,12 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 }
 
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) {
-    auto const timing =
-        retime_core(run_, with_choice(config_, choice), core, std::make_shared<timing::Automaton>(), true);
-    enter({core, choice}, *timing);
+    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, true);
+    timing::CoreTiming& timing = *timings.front();
+    enter({core, choice}, timing);
     Cut cut;
-    cut.total_cycles = end_of(*timing, core);
-    Members const members = cut.total_cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing);
+    cut.total_cycles = end_of(timing, core);
+    Members const members = cut.total_cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing);
     for (std::size_t i = 0; i < fifo_count; ++i)
         if (members[i].capacity > 0 || members[i].is_slow) {
             cut.members.push_back(members[i]);

@@ -23,8 +23,6 @@ class CoreTimes {
     /// Those that have samples.
     std::size_t cores() const { return cores_; }
 
-    /// Whether cycles() has nothing to work out.
-    bool is_known(std::size_t core, Choice const& choice) const;
     /// Whether a core takes more than `bound`, if that follows from what is known: more room and less latency never
     /// make a run longer.
     std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
@@ -48,6 +46,8 @@ class CoreTimes {
   private:
     using Place = std::pair<std::size_t, Choice>;
 
+    /// Whether cycles() has nothing to work out.
+    bool is_known(std::size_t core, Choice const& choice) const;
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);

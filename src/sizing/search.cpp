@@ -34,15 +34,17 @@ std::size_t first_without(std::size_t count, std::function<bool(std::size_t)> co
 
 /// The last of 0 .. count - 1 for which it holds. Works out as many at once as there are jobs.
 std::size_t last_that(std::size_t count, unsigned jobs, Monotone const& monotone) {
-    auto const& [holds, is_known_to_hold] = monotone;
-    std::size_t const known = first_without(count, [&](std::size_t i) { return is_known_to_hold(i).value_or(false); });
+    auto const known_or = [&](bool otherwise) {
+        return first_without(count, [&](std::size_t i) { return monotone.is_known_to_hold(i).value_or(otherwise); });
+    };
+    std::size_t const known = known_or(false);
     std::size_t yes = known == 0 ? 0 : known - 1;
-    std::size_t no = first_without(count, [&](std::size_t i) { return is_known_to_hold(i).value_or(true); });
+    std::size_t no = known_or(true);
     while (no - yes > 1) {
         std::size_t const probes = std::min<std::size_t>(std::max(1U, jobs), no - yes - 1);
         std::vector<char> held(probes);
         auto const place = [&](std::size_t i) { return yes + (no - yes) * (i + 1) / (probes + 1); };
-        on_threads(probes, jobs, [&](std::size_t i) { held[i] = holds(place(i)) ? 1 : 0; });
+        on_threads(probes, jobs, [&](std::size_t i) { held[i] = monotone.holds(place(i)) ? 1 : 0; });
         auto const passed = static_cast<std::size_t>(std::find(held.begin(), held.end(), 0) - held.begin());
         std::size_t const old_no = no;
         no = passed < probes ? place(passed) : old_no;

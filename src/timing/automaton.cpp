@@ -7,8 +7,7 @@
 namespace faster::timing {
 
 namespace {
-constexpr Cycles longest_reach = 4096;  // states with times further apart hardly ever come again
-constexpr std::size_t longest_history = std::size_t{1} << 16;
+constexpr Cycles longest_reach = 4096;     // of times in states with a number
 constexpr std::uint64_t most_room = 1024;  // tokens in FIFOs that a state may have to list
 // If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
 constexpr std::uint64_t trial = 1U << 17;
@@ -77,8 +76,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     return usable_;
 }
 
-/// Times far apart hardly come again. The driver alone gets out of that, unless it would stop inside an iteration. Seen
-/// at a glance, where a follower is ahead; else begin() will tell.
+/// Whether is_worthwhile() would say no, seen at a glance where a follower is ahead; else begin() has to tell.
 bool Automaton::is_far_apart(Group const& group) const {
     Cycles const end = group.driver().local_time() + longest_reach;
     auto const is_ahead = [end](Group::Member const& member) {
@@ -95,8 +93,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         return {false, true};
     if (is_far_apart(group) || !begin(group))
         return progress;
-    bool const is_worthwhile = session.state != none || !driver_is_regular_;
-    Phrase::Reading reading = is_worthwhile ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
+    Phrase::Reading reading = is_worthwhile() ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
         Print const print = print_of_phrase();
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
@@ -145,221 +142,6 @@ void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> co
     }
 }
 
-Cycles Automaton::cycles(Session const& session, Number number) const {
-    return number < first_loose ? store_.brief(number).cycles : session.loose[number - first_loose].cycles;
-}
-
-TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& session, Number number) const {
-    if (number < first_loose)
-        return store_.stands(number);
-    std::vector<Stand> const& loose = session.loose[number - first_loose].stands;
-    return {loose.data(), loose.data() + loose.size()};
-}
-
-void Automaton::settle(Group const& group, Session& session) const {
-    RelativeState real(group);
-    std::vector<std::uint64_t*> const counters = real.counters();
-    for (std::size_t i = 0; i < session.uses.size(); ++i) {
-        if (session.uses[i] == 0)
-            continue;
-        auto const number = static_cast<Number>(i);
-        for (Growth const& growth : store_.growth(number))
-            *counters[growth.counter] += session.uses[i] * growth.amount;
-        for (Transition::Peak const& peak : store_.peaks(number))
-            real.raise_peak(peak.fifo, peak.occupancy);
-    }
-    session.uses.clear();
-    add_iterations(group, session);
-}
-
-/// Tells the processes how often the loops they are in have been iterated in all sessions.
-void Automaton::add_iterations(Group const& group, Session& session) const {
-    RelativeState real(group);
-    for (unsigned m = 0; m < group.members().size(); ++m) {
-        Session::OpenLoop& loop = session.open_loops[m];
-        if (loop.is_open && real.is_in_loop(m) && real.entries(m) == loop.entries)
-            real.set_iterations(m, real.iterations(m) - loop.told + loop.besides + iterations_since_entry(session, m));
-        loop.is_open = false;
-    }
-    session.kept_history.clear();
-}
-
-/// Back to where the member entered its loop, if it did so in a session.
-std::uint64_t Automaton::iterations_since_entry(Session const& session, unsigned member) const {
-    std::uint64_t sum = 0;
-    bool entered = false;
-    auto const add = [&](auto const& tally) {
-        sum += tally.iterations[member];
-        entered = ((tally.entered >> member) & 1U) != 0;
-    };
-    for (std::size_t i = session.kept_history.size(); i > session.open_loops[member].from && !entered; --i) {
-        Number const number = session.kept_history[i - 1];
-        if (number < first_loose)
-            add(store_.tally(number));
-        else
-            add(session.loose[number - first_loose]);
-    }
-    return sum;
-}
-
-/// After a session, of which `iterations_before` are from its begin.
-void Automaton::keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before) {
-    Session& session = *session_;
-    bool any_open = false;
-    for (unsigned m = 0; m < iterations_before.size(); ++m) {
-        Session::OpenLoop& loop = session.open_loops[m];
-        bool const entered = ((session.entered >> m) & 1U) != 0;
-        bool const goes_on = loop.is_open && loop.entries == real.entries(m) && !entered;
-        if (goes_on) {
-            loop.besides += iterations_before[m] - loop.told;
-        } else {
-            loop.from = session.kept_history.size();
-            loop.besides = entered ? 0 : iterations_before[m];
-        }
-        loop.is_open = real.is_in_loop(m);
-        loop.told = real.iterations(m);
-        loop.entries = real.entries(m);
-        any_open = any_open || loop.is_open;
-    }
-    if (any_open)
-        session.kept_history.insert(session.kept_history.end(), session.history.begin(), session.history.end());
-    else
-        session.kept_history.clear();
-}
-
-/// Where each follower goes on. False if one goes on with what no phrase can say.
-bool Automaton::find_outlooks(Group const& group, Script const* script, RelativeState& real) {
-    for (unsigned m = 1; m < group.members().size(); ++m) {
-        Group::Member const& member = group.members()[m];
-        Phrase::Next const next = Phrase::next_of(member, 0);
-        bool const frozen = next.known && next.ports == 0;
-        if (frozen && !member.writes_anchor)
-            return false;
-        bool const as_scripted = script != nullptr && !member.writes_anchor;
-        real.outlooks()[m] = {as_scripted ? script->next_ports[m] : next.ports, frozen};
-        session_->frozen |= frozen ? 1U << m : 0U;
-    }
-    return true;
-}
-
-/// Brings the group's state to the bench. False if it is one that no phrase can start from.
-bool Automaton::begin(Group const& group, Script const* script) {
-    RelativeState real(group);
-    session_->history.clear();
-    session_->entered = 0;
-    session_->frozen = 0;
-    session_->entry.clear();
-    session_->rooms.assign(group.fifos().size(), {});
-    if (!find_outlooks(group, script, real))
-        return false;
-    for (unsigned f = 0; f < group.fifos().size(); ++f)
-        if (((session_->frozen >> group.fifos()[f].writer) & 1U) != 0)
-            session_->rooms[f] = real.room_times(f);
-    // The logs stay where they are: the state of a follower at rest has none. Where a script goes on, what is left of
-    // them belongs to the state.
-    std::uint32_t const logs = script == nullptr ? 0 : group.readers();
-    if (!real.save(words_, logs))
-        return false;
-    real.clear_logs(logs);
-    session_->begin = session_->time = group.driver().local_time();
-    std::vector<RelativeState::Waiting> const waitings = bench_->park(words_);
-    for (unsigned m = 1; m < group.members().size(); ++m) {
-        RelativeState::Waiting const& waiting = waitings[m - 1];
-        Cycles const shift = session_->time - bench_->time();
-        Cycles const own = group.members()[m].process->local_time();
-        bool const frozen = ((session_->frozen >> m) & 1U) != 0;
-        session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
-                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port,
-                                   true});
-    }
-    charge_parking(group, real);
-    session_->words = bench_->words();
-    session_->state = bench_->reach() > static_cast<std::int64_t>(longest_reach) ? none : number_of(session_->words);
-    session_->loose.clear();
-    return true;
-}
-
-void Automaton::charge_parking(Group const& group, RelativeState const& real) {
-    std::vector<std::uint64_t*> const counters = real.counters();
-    for (Growth const& growth : bench_->parking_growth())
-        *counters[growth.counter] += growth.amount;
-    for (TrailEvent const& event : bench_->take_trail())
-        group.driver().trail()->append(event, session_->begin);
-}
-
-/// Writes the state in which the session stopped, and all it counted, back to the group.
-void Automaton::end(Group const& group, Script* script) {
-    RelativeState real(group);
-    std::vector<std::uint64_t*> const counters = real.counters();
-    for (Transition const& loose : session_->loose) {
-        for (Growth const& growth : loose.growth)
-            *counters[growth.counter] += growth.amount;
-        for (Transition::Peak const& peak : loose.peaks)
-            real.raise_peak(peak.fifo, peak.occupancy);
-    }
-    std::vector<std::uint64_t> iterations_before;
-    for (unsigned m = 0; m < group.members().size(); ++m)
-        iterations_before.push_back(real.iterations(m));
-    real.restore(session_->state == none ? session_->words : *states_[session_->state], session_->time);
-    if (script != nullptr)
-        for (unsigned m = 1; m < group.members().size(); ++m)
-            script->next_ports[m] = real.outlooks()[m].next_ports;
-    restore_stands(real);
-    if (group.driver().trail() != nullptr)
-        extend(*group.driver().trail());
-    keep_history(real, iterations_before);
-    if (!session_->loose.empty() || session_->kept_history.size() > longest_history)
-        add_iterations(group, *session_);
-    for (unsigned f = 0; f < group.fifos().size(); ++f) {
-        std::vector<Cycles> const& times = session_->rooms[f];
-        std::size_t const known = group.fifos()[f].fifo->known_writes();
-        if (((session_->frozen >> group.fifos()[f].writer) & 1U) == 0)
-            continue;
-        for (std::size_t i = 0; i < known; ++i)
-            real.set_room_time(f, i, times[times.size() - known + i]);
-    }
-}
-
-void Automaton::extend(Trail& trail) const {
-    Cycles time = session_->begin;
-    bool goes_on = false;
-    for (Number const number : session_->history) {
-        bool const remembered = number < first_loose;
-        if (!remembered)
-            for (TrailEvent const& event : session_->loose[number - first_loose].trail)
-                trail.append(event, time);
-        time += cycles(*session_, number);
-        if (remembered)
-            trail.followed(number, time, goes_on);
-        goes_on = remembered;
-    }
-}
-
-/// A follower's own time is that of the last transition that moved it; it only waited since.
-void Automaton::restore_stands(RelativeState& real) {
-    std::vector<Stand> found = session_->entry;
-    std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
-    std::uint32_t missing_arrival = missing_since;
-    Cycles time = session_->time;
-    for (std::size_t i = session_->history.size(); i > 0 && missing_arrival != 0; --i) {
-        for (Stand const& stand : stands(*session_, session_->history[i - 1])) {
-            std::uint32_t const bit = 1U << stand.member;
-            if ((missing_since & bit) != 0) {
-                found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
-                found[stand.member - 1].port = stand.port;
-            }
-            missing_since &= ~bit;
-            if (stand.arrived && (missing_arrival & bit) != 0)
-                found[stand.member - 1].arrival = stand.arrival + static_cast<std::int64_t>(time);
-            if (stand.arrived)
-                missing_arrival &= ~bit;
-        }
-        time -= cycles(*session_, session_->history[i - 1]);
-    }
-    for (Stand const& stand : found)
-        real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
-}
-
 /// Two codes at a time go into a product of 128 bits, with what came before.
 Automaton::Print Automaton::print_of_phrase() const {
     __extension__ using Wide = unsigned __int128;
@@ -395,7 +177,7 @@ bool Automaton::work_out(Slot& slot) {
     Words const& from = session_->state == none ? session_->words : *states_[session_->state];
     if (!bench_->work_out(from, phrase_, worked_on_))
         return false;
-    bool const recurring = bench_->reach() <= static_cast<std::int64_t>(longest_reach);
+    bool const recurring = is_recurring();
     bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
     slot.next = recurring ? number_of(bench_->words()) : none;
     if (slot.next == none)
@@ -411,6 +193,9 @@ bool Automaton::work_out(Slot& slot) {
     slot.entered = store_.brief(slot.number).entered;
     return true;
 }
+
+/// The state at which the bench is is likely to come again: times further apart hardly ever do.
+bool Automaton::is_recurring() const { return bench_->reach() <= static_cast<std::int64_t>(longest_reach); }
 
 std::uint32_t Automaton::number_of(Words const& words) {
     auto const [place, is_new] = numbers_.try_emplace(words, static_cast<std::uint32_t>(states_.size()));

@@ -95,6 +95,8 @@ class Automaton {
     };
 
     bool is_far_apart(Group const& group) const;
+    bool is_worthwhile() const;
+    bool is_recurring() const;
     bool begin(Group const& group, Script const* script = nullptr);
     bool find_outlooks(Group const& group, Script const* script, RelativeState& real);
     void end(Group const& group, Script* script = nullptr);
@@ -174,6 +176,9 @@ struct Automaton::Session {
     std::vector<std::uint32_t> uses;   ///< of each transition, in all sessions
 };
 
+/// States without a number hardly come again. The driver alone gets out of them, unless it would stop inside an
+/// iteration.
+inline bool Automaton::is_worthwhile() const { return session_->state != none || !driver_is_regular_; }
 inline bool Automaton::is_frozen(unsigned member) const { return ((session_->frozen >> member) & 1U) != 0; }
 
 }  // namespace faster::timing

@@ -9,10 +9,7 @@
 namespace faster::timing {
 
 namespace {
-constexpr unsigned max_ports = 8;
-
 unsigned lowest_bit(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
-std::uint8_t bit(unsigned port) { return static_cast<std::uint8_t>(1U << port); }
 }  // namespace
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
@@ -298,51 +295,6 @@ bool ProcessTiming::find_step_in_iterations(Operation& operation) {
     return false;
 }
 
-void ProcessTiming::open_iteration(std::uint8_t ports) {
-    bool const drains = log_.front().kind() == Operation::Kind::leave;
-    if (observer_ != nullptr && !drains)
-        observer_->iterated(*this, time_, pipeline_.iteration, 1, plan().ii);
-    plan().delay_line[pipeline_.iteration % plan().delay_line.size()] = ports;
-    pipeline_.open = true;
-    pipeline_.phase = 0;
-    pipeline_.offset = 0;
-}
-
-/// Moves through the II steps of one iteration of an unaligned loop; true: at a step with accesses, false: at its end.
-bool ProcessTiming::find_step_in_pipeline(std::uint8_t ports) {
-    LoopPlan& loop = plan();
-    if (!pipeline_.open)
-        open_iteration(ports);
-    for (; pipeline_.phase < loop.phases.size(); ++pipeline_.phase) {
-        Phase const& phase = loop.phases[pipeline_.phase];
-        time_ += phase.offset - pipeline_.offset;
-        pipeline_.offset = phase.offset;
-        for (auto const& [port, lag] : phase.ports)
-            if (pipeline_.iteration >= lag)
-                front_ports_ |= static_cast<std::uint8_t>(
-                    loop.delay_line[(pipeline_.iteration - lag) % loop.delay_line.size()] & bit(port));
-        if (front_ports_ != 0)
-            return true;
-    }
-    time_ += loop.ii - pipeline_.offset;
-    pipeline_.open = false;
-    ++pipeline_.iteration;
-    return false;
-}
-
-/// Lets an unaligned loop's last tokens leave; then moves to the end of the loop's last stage.
-bool ProcessTiming::find_step_while_draining() {
-    LoopPlan& loop = plan();
-    if (pipeline_.drain_left == loop.longest_lag && !pipeline_.open)
-        mark(Region::of_loop(current_loop_, Region::Part::drain), time_);
-    for (; pipeline_.drain_left > 0; --pipeline_.drain_left)
-        if (find_step_in_pipeline(0))
-            return true;
-    // The steps that draining walked through belong to the loop's depth, of which `drain` is the rest.
-    move(loop.drain - static_cast<std::int64_t>(loop.longest_lag * loop.ii));
-    return false;
-}
-
 void ProcessTiming::enter_loop(unsigned loop) {
     current_loop_ = loop;
     in_loop_ = true;
@@ -413,75 +365,6 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
     Cycles const depth = loops_[loop].depth;
     cost.fill_drain_cycles = depth > interval.achieved ? counters.entries * (depth - interval.achieved) : 0;
     return cost;
-}
-
-/// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.
-template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
-    FifoTiming* fifos[N];
-    Cycles stalls[N] = {};
-    std::uint64_t known = count;
-    for (unsigned i = 0; i < N; ++i) {
-        fifos[i] = run_.fifos[i];
-        known = std::min(known, Writes ? fifos[i]->known_writes() : fifos[i]->known_reads());
-    }
-    Cycles time = time_;
-    Region const region = Region::of_loop(current_loop_, Region::Part::iterations);
-    for (std::uint64_t k = 0; k < known; ++k) {
-        unsigned waited_for = N;
-        for (unsigned i = 0; i < N; ++i) {
-            Cycles const earliest = Writes ? fifos[i]->earliest_write() : fifos[i]->earliest_read();
-            Cycles const later = std::max(earliest, time);
-            stalls[i] += later - time;
-            waited_for = later > time ? i : waited_for;
-            time = later;
-        }
-        if (trail_ != nullptr && waited_for < N)
-            trail_->stalled(index_, run_.ports[waited_for], region, 0, time);
-        for (unsigned i = 0; i < N; ++i)
-            Writes ? fifos[i]->write(time) : fifos[i]->read(time);
-        time += run_.stride;
-    }
-    time_ = time;
-    for (unsigned i = 0; i < N; ++i) {
-        Writes ? fifos[i]->add_full_stall(stalls[i]) : fifos[i]->add_empty_stall(stalls[i]);
-        (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
-    }
-    return static_cast<std::uint32_t>(known);
-}
-
-ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
-    using Accesses = std::uint32_t (ProcessTiming::*)(std::uint32_t);
-    static constexpr Accesses reading[] = {
-        &ProcessTiming::run_accesses<1, false>, &ProcessTiming::run_accesses<2, false>,
-        &ProcessTiming::run_accesses<3, false>, &ProcessTiming::run_accesses<4, false>};
-    static constexpr Accesses writing[] = {&ProcessTiming::run_accesses<1, true>, &ProcessTiming::run_accesses<2, true>,
-                                           &ProcessTiming::run_accesses<3, true>,
-                                           &ProcessTiming::run_accesses<4, true>};
-    Run run;
-    for_each_bit(ports, [&](unsigned number) {
-        if (run.size == 4)
-            throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
-        Port const& port = ports_[number];
-        run.ports[run.size] = number;
-        run.fifos[run.size++] = port.fifo;
-        run.writes = port.writes;
-        run.neighbours |= port.neighbour;
-    });
-    run.accesses = (run.writes ? writing : reading)[run.size - 1];
-    return run;
-}
-
-void ProcessTiming::start_run(Operation const& operation) {
-    if (runs_.empty())
-        runs_.resize(std::size_t{1} << max_ports);
-    Run& known = runs_[operation.ports()];
-    if (known.size == 0)
-        known = make_run(operation.ports());
-    std::uint64_t const number = run_.number + 1;
-    run_ = known;
-    run_.number = number;
-    run_.active = true;
-    run_.stride = plan().ii * (1U + operation.gap());
 }
 
 std::string ProcessTiming::position() const {

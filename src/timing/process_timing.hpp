@@ -149,6 +149,7 @@ class ProcessTiming {
 
   private:
     static constexpr Cycles never = ~Cycles{0};
+    static constexpr unsigned max_ports = 8;
     struct Port {
         FifoTiming* fifo;
         bool writes;

@@ -55,8 +55,7 @@ bool Automaton::set_out(Walk& walk) {
     if (is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
         return false;
     walk.begin = walk.counted = walk.script->next;
-    bool const is_worthwhile = session_->state != none || !driver_is_regular_;
-    if (is_worthwhile) {
+    if (is_worthwhile()) {
         find_regular_part(walk);
     } else {
         walk.end = walk.begin;
@@ -71,7 +70,7 @@ void Automaton::find_regular_part(Walk& walk) const {
     Script const& script = *walk.script;
     walk.end = script.end;
     walk.due_behind = 0;
-    if (!walk.group->has_supplier() || ((walk.session->frozen >> walk.group->supplier()) & 1U) != 0)
+    if (!walk.group->has_supplier() || is_frozen(walk.group->supplier()))
         return;
     std::uint64_t const left = regular_supplies(walk.group->members()[walk.group->supplier()]);
     while (walk.end != script.next && walk.due_behind + left <= script.due)

@@ -1,6 +1,6 @@
 // How long it takes to work out a recorded run with other timing: the distribution over random configurations.
 //
-//   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|wild]
+//   faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|deep|wild]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,11 +24,12 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-enum class Spread { near, wide, wild };
+enum class Spread { near, wide, deep, wild };
 
 /// near: a third of the FIFOs with depths up to 4, a quarter of the loops with a target II up to 3, a setup of 8 to 16
-/// cycles. wide: all FIFOs, depths up to 16. wild: every timing key, as the engine tests draw them. The machine's
-/// function, cores and clock as recorded. Deadlocks are none of our business.
+/// cycles. wide: all FIFOs, depths up to 16. deep: all FIFOs, depths up to 16384, each power of two as likely. wild:
+/// every timing key, as the engine tests draw them. The machine's function, cores and clock as recorded. Deadlocks are
+/// none of our business.
 AcceleratorConfig drawn_from(std::uint64_t seed, Spread spread, AcceleratorConfig const& recorded) {
     AcceleratorConfig config = recorded;
     if (spread == Spread::wild) {
@@ -44,7 +45,9 @@ AcceleratorConfig drawn_from(std::uint64_t seed, Spread spread, AcceleratorConfi
     std::mt19937 random(static_cast<unsigned>(seed));
     auto const between = [&random](unsigned low, unsigned high) { return low + random() % (high - low + 1); };
     for (FifoConfig& fifo : config.fifos)
-        if (between(0, 2) == 0 || spread == Spread::wide)
+        if (spread == Spread::deep)
+            fifo.depth = std::uint64_t{1} << between(0, 14);
+        else if (between(0, 2) == 0 || spread == Spread::wide)
             fifo.depth = between(1, spread == Spread::wide ? 16 : 4);
     for (LoopConfig& loop : config.loops)
         if (between(0, 3) == 0)
@@ -82,7 +85,7 @@ void print_distribution(char const* name, std::vector<Measured>& all) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|wild]\n");
+        fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|deep|wild]\n");
         return 2;
     }
     std::size_t const count = argc > 2 ? std::stoul(argv[2]) : 100;
@@ -100,7 +103,7 @@ int main(int argc, char** argv) {
     fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);
     fmt::print("made ready, {} random configurations, seeds from {}, processor time\n", count, seed);
     for (auto const& [name, spread] :
-         {std::pair{"near", Spread::near}, {"wide", Spread::wide}, {"wild", Spread::wild}}) {
+         {std::pair{"near", Spread::near}, {"wide", Spread::wide}, {"deep", Spread::deep}, {"wild", Spread::wild}}) {
         if (!only.empty() && only != name)
             continue;
         std::vector<Measured> all;

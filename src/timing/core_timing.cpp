@@ -33,6 +33,7 @@ void CoreTiming::connect() {
             int const other = process.writes(port) ? both.reader : both.writer;
             process.set_neighbour(port, other < 0 ? 0U : 1U << other);
         }
+    find_patient();
     if (automaton_ != nullptr)
         group_ = std::make_unique<Group>(*this, lead_);
 }
@@ -70,15 +71,34 @@ void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automat
     automaton_ = std::move(automaton);
 }
 
+/// Two processes with nothing but deep FIFOs between them.
+void CoreTiming::find_patient() {
+    constexpr std::uint64_t deep = 64;
+    patient_.assign(processes_.size(), all_processes());
+    for (std::size_t i = 0; i < fifos_.size(); ++i) {
+        if (fifos_[i].shape().capacity >= deep || ends_[i].writer < 0 || ends_[i].reader < 0)
+            continue;
+        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~(1U << ends_[i].reader);
+        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~(1U << ends_[i].writer);
+    }
+}
+
 void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
-    for (runnable &= ~held; runnable != 0; runnable &= ~held) {
-        // Downstream processes first: what they read is what makes room for those before them.
-        auto const index = 31U - static_cast<unsigned>(__builtin_clz(runnable));
+    std::uint32_t later = 0;
+    for (runnable &= ~held; (runnable | later) != 0;) {
+        // Downstream processes first: what they read is what makes room for those before them. Who has a deep FIFO to
+        // fill or to empty comes last, and then has much to do at once.
+        std::uint32_t const next = runnable != 0 ? runnable : later;
+        auto const index = 31U - static_cast<unsigned>(__builtin_clz(next));
         runnable &= ~(1U << index);
+        later &= ~(1U << index);
         ProcessTiming& process = processes_[index];
+        std::uint32_t woken = 0;
         if (process.is_running(SteadyState::worthwhile_count))
-            steady_state_.observe(process, processes_);
-        runnable |= process.advance();
+            woken = steady_state_.observe(process, processes_);
+        woken = (woken | process.advance()) & ~held;
+        runnable |= woken & ~patient_[index];
+        later |= woken & patient_[index];
     }
 }
 

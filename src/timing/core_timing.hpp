@@ -91,6 +91,7 @@ class CoreTiming {
   private:
     void connect();
     /// All but the processes `held`, a bit each.
+    void find_patient();
     void settle(std::uint32_t runnable, std::uint32_t held);
     bool group_has_started(std::uint32_t all);
     bool let_driver_go();
@@ -99,7 +100,8 @@ class CoreTiming {
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;
-    std::vector<Ends> ends_;  // by FIFO
+    std::vector<Ends> ends_;              // by FIFO
+    std::vector<std::uint32_t> patient_;  // by process: those that need not go on at once when it has
     SteadyState steady_state_;
     std::unique_ptr<Trail> trail_;
     std::shared_ptr<Automaton> automaton_;

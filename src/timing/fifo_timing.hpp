@@ -45,8 +45,55 @@ class FifoTiming {
 
     /// Enters the next write (read) in `cycle`, which must be legal. O(1), the largest occupancy included.
     void write(Cycles cycle) {
-        readable_from_[writes_ & index_mask_] = cycle + shape_.issue_latency + shape_.read_latency;
-        Cycles const written = cycle + shape_.issue_latency;
+        readable_from_[writes_ & index_mask_] = cycle + later_than_write();
+        note_write(cycle + shape_.issue_latency);
+    }
+    void read(Cycles cycle) {
+        free_from_[reads_ & index_mask_] = cycle + 1;
+        note_read(cycle);
+    }
+
+    /// The next writes (reads) of a run: the i-th, i below known_writes() (known_reads()), is legal from earliest(i) on
+    /// and happens in the cycle that is entered. Of no effect until done() with as many as were entered.
+    template <bool Writes> class Run {
+      public:
+        Run() = default;
+        explicit Run(FifoTiming& fifo)
+            : earliest_(Writes ? fifo.free_from_.data() : fifo.readable_from_.data()),
+              entered_(Writes ? fifo.readable_from_.data() : fifo.free_from_.data()),
+              at_(Writes ? fifo.writes_ : fifo.reads_),
+              behind_(Writes ? fifo.room_ : 0),
+              mask_(fifo.index_mask_),
+              later_(Writes ? fifo.later_than_write() : 1) {}
+        Cycles earliest(std::uint64_t i) const { return earliest_[(at_ - behind_ + i) & mask_]; }
+        void enter(std::uint64_t i, Cycles cycle) { entered_[(at_ + i) & mask_] = cycle + later_; }
+        /// So many cycles later than the one that is `before` accesses before it.
+        void repeat(std::uint64_t i, std::uint64_t before, Cycles later) {
+            entered_[(at_ + i) & mask_] = entered_[(at_ + i - before) & mask_] + later;
+        }
+
+      private:
+        Cycles const* earliest_ = nullptr;
+        Cycles* entered_ = nullptr;
+        std::uint64_t at_ = 0;
+        std::uint64_t behind_ = 0;
+        std::uint64_t mask_ = 0;
+        Cycles later_ = 0;
+    };
+    void done(Run<true> const& /*writes*/, std::uint64_t count);
+    void done(Run<false> const& /*reads*/, std::uint64_t count);
+
+    void add_full_stall(Cycles cycles) { full_stall_cycles_ += cycles; }
+    void add_empty_stall(Cycles cycles) { empty_stall_cycles_ += cycles; }
+
+  private:
+    friend class SteadyState;
+    friend class RelativeState;
+
+    Cycles later_than_write() const { return shape_.issue_latency + shape_.read_latency; }
+
+    /// Counts the next write, which the ring holds already, and the largest occupancy.
+    void note_write(Cycles written) {
         // Pair (n - M, n): M tokens before this one, the oldest of them still inside at the end of this cycle? Pairs
         // whose read is not known yet are looked at when it is. Right with any M that was reached before, as well as
         // with the largest: who needs the largest of a while begins it with none.
@@ -56,20 +103,12 @@ class FifoTiming {
         ++writes_;
         max_occupancy_ = max_occupancy_ == 0 ? 1 : max_occupancy_;  // a token stays for a cycle at least (Lf >= 1)
     }
-    void read(Cycles cycle) {
-        free_from_[reads_ & index_mask_] = cycle + 1;
+    void note_read(Cycles cycle) {
         while (max_occupancy_ < shape_.capacity && reads_ + max_occupancy_ < writes_ &&
                readable_from_[(reads_ + max_occupancy_) & index_mask_] < cycle + shape_.read_latency)
             ++max_occupancy_;
         ++reads_;
     }
-
-    void add_full_stall(Cycles cycles) { full_stall_cycles_ += cycles; }
-    void add_empty_stall(Cycles cycles) { empty_stall_cycles_ += cycles; }
-
-  private:
-    friend class SteadyState;
-    friend class RelativeState;
 
     /// Tokens are numbered from here, so that one has others before it: read long ago, as the rings say.
     static constexpr std::uint64_t first_token = std::uint64_t{1} << 32;
@@ -86,5 +125,33 @@ class FifoTiming {
     std::vector<Cycles> readable_from_;  // of write n: s_n + Lf
     std::vector<Cycles> free_from_;      // of read n: r_n + 1; zero before the first read
 };
+
+/// Both times that decide a new largest occupancy never fall from one token to the next: most runs have none, as the
+/// last token before theirs shows.
+inline void FifoTiming::done(Run<true> const& /*writes*/, std::uint64_t count) {
+    std::uint64_t const end = writes_ + count;
+    Cycles const first = readable_from_[writes_ & index_mask_] - shape_.read_latency;
+    std::uint64_t const before_last = std::min(end - 1 - max_occupancy_, reads_ - 1);
+    bool const may_raise = max_occupancy_ < shape_.capacity && free_from_[before_last & index_mask_] > first + 1;
+    if (!may_raise && max_occupancy_ > 0) {
+        writes_ = end;
+        return;
+    }
+    while (writes_ != end)
+        note_write(readable_from_[writes_ & index_mask_] - shape_.read_latency);
+}
+
+inline void FifoTiming::done(Run<false> const& /*reads*/, std::uint64_t count) {
+    std::uint64_t const end = reads_ + count;
+    Cycles const last = free_from_[(end - 1) & index_mask_] - 1;
+    bool const may_raise = max_occupancy_ < shape_.capacity && reads_ + max_occupancy_ < writes_ &&
+                           readable_from_[(reads_ + max_occupancy_) & index_mask_] < last + shape_.read_latency;
+    if (!may_raise) {
+        reads_ = end;
+        return;
+    }
+    while (reads_ != end)
+        note_read(free_from_[reads_ & index_mask_] - 1);
+}
 
 }  // namespace faster::timing

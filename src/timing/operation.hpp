@@ -42,6 +42,11 @@ class Operation {
     std::uint8_t tail_ports() const { return kind() == Kind::mixed ? std::uint8_t{0} : own_tail_ports(); }
     /// tail_ports() of what is no mix.
     std::uint8_t own_tail_ports() const { return static_cast<std::uint8_t>(code_ >> tail_ports_at); }
+    /// Of what is no mix: a tail accesses one port, the last of several that other iterations access.
+    bool has_last_port_as_tail() const {
+        std::uint32_t const tail = own_tail_ports();
+        return tail != 0 && ports() > tail && ports() < 2 * tail && (ports() & tail) != 0 && (tail & (tail - 1)) == 0;
+    }
     /// The bits of a code that are set if one of `ports` is accessed; not for a mix.
     static Code at_ports(std::uint8_t ports) { return (Code{ports} << ports_at) | (Code{ports} << tail_ports_at); }
     std::uint8_t all_ports() const { return ports() | tail_ports(); }
@@ -150,6 +155,8 @@ class OperationLog {
         return operations_[next_];
     }
     Operation const& front() const { return operations_[next_]; }
+    /// With nothing split off.
+    Operation& whole_front() { return operations_[next_]; }
 
     /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
     void consume() {

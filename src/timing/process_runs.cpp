@@ -8,73 +8,237 @@
 
 namespace faster::timing {
 
-/// The accesses of up to `count` iterations, a stride apart, as long as their earliest cycles are known.
-template <unsigned N, bool Writes> std::uint32_t ProcessTiming::run_accesses(std::uint32_t count) {
-    FifoTiming* fifos[N];
+/// The accesses of up to `count` iterations, as long as their earliest cycles are known.
+template <unsigned N, bool Writes, class Stride>
+std::uint32_t ProcessTiming::run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride) {
+    FifoTiming::Run<Writes> fifos[N];
     Cycles stalls[N] = {};
     std::uint64_t known = count;
-    for (unsigned i = 0; i < N; ++i) {
-        fifos[i] = run_.fifos[i];
-        known = std::min(known, Writes ? fifos[i]->known_writes() : fifos[i]->known_reads());
-    }
+    for (unsigned i = 0; i < N; ++i)
+        known = std::min(known, Writes ? set.fifos[i]->known_writes() : set.fifos[i]->known_reads());
+    if (known == 0)
+        return 0;
+    for (unsigned i = 0; i < N; ++i)
+        fifos[i] = FifoTiming::Run<Writes>(*set.fifos[i]);
     Cycles time = time_;
-    Region const region = Region::of_loop(current_loop_, Region::Part::iterations);
     for (std::uint64_t k = 0; k < known; ++k) {
         unsigned waited_for = N;
         for (unsigned i = 0; i < N; ++i) {
-            Cycles const earliest = Writes ? fifos[i]->earliest_write() : fifos[i]->earliest_read();
-            Cycles const later = std::max(earliest, time);
+            Cycles const later = std::max(fifos[i].earliest(k), time);
             stalls[i] += later - time;
             waited_for = later > time ? i : waited_for;
             time = later;
         }
         if (trail_ != nullptr && waited_for < N)
-            trail_->stalled(index_, run_.ports[waited_for], region, 0, time);
+            trail_->stalled(index_, set.ports[waited_for], Region::of_loop(current_loop_, Region::Part::iterations), 0,
+                            time);
         for (unsigned i = 0; i < N; ++i)
-            Writes ? fifos[i]->write(time) : fifos[i]->read(time);
-        time += run_.stride;
+            fifos[i].enter(k, time);
+        time += stride(k);
     }
     time_ = time;
     for (unsigned i = 0; i < N; ++i) {
-        Writes ? fifos[i]->add_full_stall(stalls[i]) : fifos[i]->add_empty_stall(stalls[i]);
+        set.fifos[i]->done(fifos[i], known);
+        Writes ? set.fifos[i]->add_full_stall(stalls[i]) : set.fifos[i]->add_empty_stall(stalls[i]);
         (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
     }
     return static_cast<std::uint32_t>(known);
 }
 
-ProcessTiming::Run ProcessTiming::make_run(std::uint8_t ports) const {
-    using Accesses = std::uint32_t (ProcessTiming::*)(std::uint32_t);
-    static constexpr Accesses reading[] = {
-        &ProcessTiming::run_accesses<1, false>, &ProcessTiming::run_accesses<2, false>,
-        &ProcessTiming::run_accesses<3, false>, &ProcessTiming::run_accesses<4, false>};
-    static constexpr Accesses writing[] = {&ProcessTiming::run_accesses<1, true>, &ProcessTiming::run_accesses<2, true>,
-                                           &ProcessTiming::run_accesses<3, true>,
-                                           &ProcessTiming::run_accesses<4, true>};
-    Run run;
+template <unsigned N, bool Writes>
+std::uint32_t ProcessTiming::accesses(PortSet const& set, std::uint32_t count, Cycles stride) {
+    return run_accesses<N, Writes>(set, count, [stride](std::uint64_t) { return stride; });
+}
+
+template <unsigned N, bool Writes>
+std::uint32_t ProcessTiming::mixed_accesses(PortSet const& set, unsigned length, std::uint32_t gaps) {
+    Cycles const interval = plan().ii;
+    return run_accesses<N, Writes>(
+        set, length, [interval, gaps](std::uint64_t i) { return ((gaps >> i) & 1U) != 0 ? 2 * interval : interval; });
+}
+
+/// Of an operation with tails that access the last port of the set, which all other iterations access as a whole.
+template <unsigned N, bool Writes>
+std::uint32_t ProcessTiming::accesses_with_tails(PortSet const& set, Operation const& operation) {
+    auto const known_of = [&](unsigned i) {
+        return Writes ? set.fifos[i]->known_writes() : set.fifos[i]->known_reads();
+    };
+    std::uint64_t known = ~std::uint64_t{0};
+    for (unsigned i = 0; i + 1 < N; ++i)
+        known = std::min(known, known_of(i));
+    std::uint32_t const end = reachable_with_tails(operation, known, known_of(N - 1));
+    if (end == 0)
+        return 0;
+    FifoTiming::Run<Writes> fifos[N];
+    Cycles stalls[N] = {};
+    for (unsigned i = 0; i < N; ++i)
+        fifos[i] = FifoTiming::Run<Writes>(*set.fifos[i]);
+    std::uint32_t const last = length_with_tails(operation) - 1;
+    std::uint32_t const other_tail = operation.kind() == Operation::Kind::flanked ? 1 : last;
+    Cycles const interval = plan().ii;
+    Cycles time = time_;
+    std::uint32_t whole = 0;
+    for (std::uint32_t k = 0; k < end; ++k) {
+        bool const is_tail = k == last || k == other_tail;
+        unsigned waited_for = N;
+        for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i) {
+            Cycles const later = std::max(fifos[i].earliest(i + 1 < N ? whole : k), time);
+            stalls[i] += later - time;
+            waited_for = later > time ? i : waited_for;
+            time = later;
+        }
+        if (trail_ != nullptr && waited_for < N)
+            trail_->stalled(index_, set.ports[waited_for], Region::of_loop(current_loop_, Region::Part::iterations), 0,
+                            time);
+        fifos[N - 1].enter(k, time);
+        for (unsigned i = 0; i + 1 < N && !is_tail; ++i)
+            fifos[i].enter(whole, time);
+        whole += is_tail ? 0 : 1;
+        time += interval * (1U + (k == last ? operation.tail_gap() : is_tail ? 0U : operation.gap()));
+    }
+    time_ = time;
+    for (unsigned i = 0; i < N; ++i) {
+        std::uint32_t const entered = i + 1 < N ? whole : end;
+        if (entered > 0)
+            set.fifos[i]->done(fifos[i], entered);
+        Writes ? set.fifos[i]->add_full_stall(stalls[i]) : set.fifos[i]->add_empty_stall(stalls[i]);
+        (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
+    }
+    return end;
+}
+
+/// How many iterations can be done if the ports of whole ones let `known` be done, and the tails' port so many of all.
+std::uint32_t ProcessTiming::reachable_with_tails(Operation const& operation, std::uint64_t known,
+                                                  std::uint64_t known_of_tails) {
+    bool const is_flanked = operation.kind() == Operation::Kind::flanked;
+    std::uint64_t const length = length_with_tails(operation);
+    std::uint64_t const whole = length - (is_flanked ? 2 : 1);
+    std::uint64_t const reachable = known >= whole ? length : known + (is_flanked && known > 0 ? 1 : 0);
+    return static_cast<std::uint32_t>(std::min(reachable, known_of_tails));
+}
+
+ProcessTiming::PortSet ProcessTiming::make_port_set(std::uint8_t ports) const {
+    using Accesses = decltype(PortSet::accesses);
+    using MixedAccesses = decltype(PortSet::mixed_accesses);
+    using AccessesWithTails = decltype(PortSet::accesses_with_tails);
+    static constexpr Accesses accesses[2][4] = {
+        {&ProcessTiming::accesses<1, false>, &ProcessTiming::accesses<2, false>, &ProcessTiming::accesses<3, false>,
+         &ProcessTiming::accesses<4, false>},
+        {&ProcessTiming::accesses<1, true>, &ProcessTiming::accesses<2, true>, &ProcessTiming::accesses<3, true>,
+         &ProcessTiming::accesses<4, true>}};
+    static constexpr MixedAccesses mixed_accesses[2][4] = {
+        {&ProcessTiming::mixed_accesses<1, false>, &ProcessTiming::mixed_accesses<2, false>,
+         &ProcessTiming::mixed_accesses<3, false>, &ProcessTiming::mixed_accesses<4, false>},
+        {&ProcessTiming::mixed_accesses<1, true>, &ProcessTiming::mixed_accesses<2, true>,
+         &ProcessTiming::mixed_accesses<3, true>, &ProcessTiming::mixed_accesses<4, true>}};
+    static constexpr AccessesWithTails accesses_with_tails[2][4] = {
+        {nullptr, &ProcessTiming::accesses_with_tails<2, false>, &ProcessTiming::accesses_with_tails<3, false>,
+         &ProcessTiming::accesses_with_tails<4, false>},
+        {nullptr, &ProcessTiming::accesses_with_tails<2, true>, &ProcessTiming::accesses_with_tails<3, true>,
+         &ProcessTiming::accesses_with_tails<4, true>}};
+    PortSet set;
     for_each_bit(ports, [&](unsigned number) {
-        if (run.size == 4)
+        if (set.size == 4)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
         Port const& port = ports_[number];
-        run.ports[run.size] = number;
-        run.fifos[run.size++] = port.fifo;
-        run.writes = port.writes;
-        run.neighbours |= port.neighbour;
+        set.ports[set.size] = number;
+        set.fifos[set.size++] = port.fifo;
+        set.writes = port.writes;
+        set.neighbours |= port.neighbour;
     });
-    run.accesses = (run.writes ? writing : reading)[run.size - 1];
-    return run;
+    set.accesses = accesses[set.writes ? 1 : 0][set.size - 1];
+    set.mixed_accesses = mixed_accesses[set.writes ? 1 : 0][set.size - 1];
+    set.accesses_with_tails = accesses_with_tails[set.writes ? 1 : 0][set.size - 1];
+    return set;
 }
 
 void ProcessTiming::start_run(Operation const& operation) {
-    if (runs_.empty())
-        runs_.resize(std::size_t{1} << max_ports);
-    Run& known = runs_[operation.ports()];
-    if (known.size == 0)
-        known = make_run(operation.ports());
-    std::uint64_t const number = run_.number + 1;
-    run_ = known;
-    run_.number = number;
+    if (port_sets_.empty())
+        port_sets_.resize(std::size_t{1} << max_ports);
+    PortSet& set = port_sets_[operation.ports()];
+    if (set.size == 0)
+        set = make_port_set(operation.ports());
+    ++run_.number;
     run_.active = true;
+    run_.ports = &set;
     run_.stride = plan().ii * (1U + operation.gap());
+}
+
+/// As far as earliest cycles are known; true: to its end.
+bool ProcessTiming::continue_run() {
+    Operation const& operation = log_.whole_front();
+    if (operation.kind() == Operation::Kind::mixed)
+        return continue_mix();
+    bool const is_long = operation.kind() == Operation::Kind::iterate && operation.count() >= long_count;
+    return operation.has_last_port_as_tail() && !is_long ? continue_with_tails() : continue_plain_run();
+}
+
+bool ProcessTiming::continue_plain_run() {
+    Operation& operation = log_.front();
+    std::uint32_t const wanted = operation.count();
+    std::uint32_t const done = (this->*run_.ports->accesses)(*run_.ports, wanted, run_.stride);
+    if (done == 0)
+        return false;
+    charged_until_ = never;
+    end_iterations(operation, done);
+    if (done < wanted)
+        return false;
+    run_.active = false;
+    front_ports_ = 0;
+    return true;
+}
+
+bool ProcessTiming::continue_mix() {
+    Operation const mix = log_.whole_front();
+    std::uint32_t const done = (this->*run_.ports->mixed_accesses)(*run_.ports, mix.length(), mix.gaps());
+    if (done == 0)
+        return false;
+    charged_until_ = never;
+    std::uint32_t const gaps = mix.gaps() & Operation::gap_bits(1, done);
+    count_iterations(done + static_cast<std::uint64_t>(__builtin_popcount(gaps)));
+    if (done < mix.length()) {
+        log_.consume(0, done);
+        return false;
+    }
+    log_.consume();
+    run_.active = false;
+    front_ports_ = 0;
+    return true;
+}
+
+bool ProcessTiming::continue_with_tails() {
+    Operation const operation = log_.whole_front();
+    std::uint32_t const length = length_with_tails(operation);
+    std::uint32_t const done = (this->*run_.ports->accesses_with_tails)(*run_.ports, operation);
+    if (done == 0)
+        return false;
+    charged_until_ = never;
+    run_.active = false;  // what is left accesses other ports
+    front_ports_ = 0;
+    end_iterations_with_tails(operation, done);
+    return done == length;
+}
+
+/// Iterations that access something.
+std::uint32_t ProcessTiming::length_with_tails(Operation const& operation) {
+    return operation.count() + (operation.kind() == Operation::Kind::flanked ? 2U : 1U);
+}
+
+void ProcessTiming::end_iterations_with_tails(Operation const& operation, std::uint32_t done) {
+    bool const is_flanked = operation.kind() == Operation::Kind::flanked;
+    bool const is_over = done == length_with_tails(operation);
+    std::uint32_t const tails = (is_over ? 1U : 0U) + (is_flanked && done > 1 ? 1U : 0U);
+    count_iterations(done + std::uint64_t{done - tails} * operation.gap() + (is_over ? operation.tail_gap() : 0U));
+    if (is_over) {
+        log_.consume();
+        return;
+    }
+    std::uint32_t const of_rest = is_flanked ? done - std::min(done, 2U) : done;
+    log_.whole_front() = is_flanked ? operation.rest() : operation;
+    if (of_rest > 0)
+        log_.consume(0, of_rest);
+    if (is_flanked && done == 1)
+        log_.put_back(Operation(Operation::Kind::iterate, operation.tail_ports(), 0, 1));
 }
 
 }  // namespace faster::timing

@@ -15,7 +15,7 @@ unsigned lowest_bit(std::uint32_t mask) { return static_cast<unsigned>(__builtin
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
     if (ports_.size() == max_ports)
         throw std::logic_error(name_ + ": a process has at most 8 ports");
-    ports_.push_back({&fifo, writes, 0});
+    ports_.push_back({&fifo, writes});
     return static_cast<unsigned>(ports_.size() - 1);
 }
 
@@ -192,28 +192,30 @@ std::uint32_t ProcessTiming::advance(bool pause) {
                     continue;
                 }
             }
-            start_run(log_.front());
+            start_run(log_.whole_front());
         }
-        Operation& operation = log_.front();
-        std::uint32_t const wanted = operation.count();
-        std::uint32_t const done = (this->*run_.accesses)(wanted);
-        if (done == 0)
+        std::uint64_t const before = iterations_;
+        bool const is_over = continue_run();
+        if (iterations_ != before)
+            woken |= run_.ports->neighbours;
+        if (!is_over)
             return woken;
-        charged_until_ = never;
-        woken |= run_.neighbours;
-        end_iterations(operation, done);
-        if (done < wanted)
-            return woken;
-        run_.active = false;
-        front_ports_ = 0;
     }
 }
 
 /// True if the log goes on with iterations of an aligned loop that access something; silent ones before them are
 /// passed.
 bool ProcessTiming::skip_silent_iterations() {
-    while (in_loop_ && plan().aligned && !log_.exhausted() && log_.front().kind() == Operation::Kind::iterate) {
+    while (in_loop_ && plan().aligned && !log_.exhausted()) {
+        Operation const& whole = log_.whole_front();
+        if (whole.kind() == Operation::Kind::mixed ||
+            (whole.kind() == Operation::Kind::flanked && whole.has_last_port_as_tail())) {
+            front_ports_ = whole.ports();
+            return true;
+        }
         Operation& operation = log_.front();
+        if (operation.kind() != Operation::Kind::iterate)
+            return false;
         if (operation.ports() != 0) {
             front_ports_ = operation.ports();
             return true;
@@ -349,7 +351,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     *this = other;
     ports_ = ports;
     trail_ = trail;
-    runs_.clear();  // they point to the other's FIFOs
+    port_sets_.clear();  // they point to the other's FIFOs
     tapes_.clear();
     is_taped_ = false;
     set_observer(observer);

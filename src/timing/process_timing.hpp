@@ -91,7 +91,8 @@ class ProcessTiming {
 
     /// In the middle of equal iterations, at least this many of which are left.
     bool is_running(std::uint32_t iterations) const {
-        return (run_.active || is_in_equal_iterations()) && log_.front().count() >= iterations;
+        return (run_.active || is_in_equal_iterations()) && log_.front().kind() == Operation::Kind::iterate &&
+               log_.front().count() >= iterations;
     }
 
     std::string const& name() const { return name_; }
@@ -154,6 +155,9 @@ class ProcessTiming {
         FifoTiming* fifo;
         bool writes;
         std::uint32_t neighbour = 0;
+        // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
+        std::uint64_t free_until = 0;
+        std::uint64_t free_in_run = 0;
     };
     /// Accesses of a loop that share a sub-step of an iteration.
     struct Phase {
@@ -182,17 +186,24 @@ class ProcessTiming {
         std::uint64_t drain_left = 0;
     };
 
-    /// Iterations of an aligned loop that all access the same ports, all in one direction: the hot path.
-    struct Run {
-        bool active = false;
-        std::uint64_t number = 0;
-        unsigned size = 0;  ///< ports
+    /// The ports that an iteration of an aligned loop accesses, all in one direction.
+    struct PortSet {
+        unsigned size = 0;
         FifoTiming* fifos[4] = {};
         unsigned ports[4] = {};
         bool writes = false;
-        Cycles stride = 1;  ///< cycles from one access to the next
         std::uint32_t neighbours = 0;
-        std::uint32_t (ProcessTiming::*accesses)(std::uint32_t count) = nullptr;
+        std::uint32_t (ProcessTiming::*accesses)(PortSet const& set, std::uint32_t count, Cycles stride) = nullptr;
+        std::uint32_t (ProcessTiming::*mixed_accesses)(PortSet const& set, unsigned length,
+                                                       std::uint32_t gaps) = nullptr;
+        std::uint32_t (ProcessTiming::*accesses_with_tails)(PortSet const& set, Operation const& operation) = nullptr;
+    };
+    /// Iterations of an aligned loop that all access the same ports: the hot path.
+    struct Run {
+        bool active = false;
+        std::uint64_t number = 0;
+        PortSet const* ports = nullptr;
+        Cycles stride = 1;  ///< cycles from one access to the next, if that is always the same
     };
 
     unsigned add_port(FifoTiming& fifo, bool writes);
@@ -238,9 +249,24 @@ class ProcessTiming {
         return in_loop_ && !by_steps_ && !plans_[current_loop_].aligned && !log_.exhausted() &&
                log_.front().kind() == Operation::Kind::iterate && log_.front().ports() != 0;
     }
-    Run make_run(std::uint8_t ports) const;
+    PortSet make_port_set(std::uint8_t ports) const;
     void start_run(Operation const& operation);
-    template <unsigned N, bool Writes> std::uint32_t run_accesses(std::uint32_t count);
+    bool continue_run();
+    static constexpr std::uint32_t long_count = 64;
+    bool continue_plain_run();
+    bool continue_mix();
+    bool continue_with_tails();
+    void end_iterations_with_tails(Operation const& operation, std::uint32_t done);
+    static std::uint32_t length_with_tails(Operation const& operation);
+    static std::uint32_t reachable_with_tails(Operation const& operation, std::uint64_t known,
+                                              std::uint64_t known_of_tails);
+    template <unsigned N, bool Writes>
+    std::uint32_t accesses_with_tails(PortSet const& set, Operation const& operation);
+    template <unsigned N, bool Writes> std::uint32_t accesses(PortSet const& set, std::uint32_t count, Cycles stride);
+    template <unsigned N, bool Writes>
+    std::uint32_t mixed_accesses(PortSet const& set, unsigned length, std::uint32_t gaps);
+    template <unsigned N, bool Writes, class Stride>
+    std::uint32_t run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride);
 
     std::string name_;
     unsigned index_;
@@ -277,7 +303,7 @@ class ProcessTiming {
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
     std::uint64_t loops_entered_ = 0;
     Run run_;
-    std::vector<Run> runs_;  ///< by port mask, made when first needed
+    std::vector<PortSet> port_sets_;  ///< by port mask, made when first needed
     PipelinePosition pipeline_;
     std::uint64_t pipeline_run_ = 0;  ///< number of the operation at hand in an unaligned loop
     friend class SteadyState;

@@ -7,29 +7,43 @@
 namespace faster::timing {
 
 namespace {
-constexpr unsigned most_looks = 256;       // without finding a period, before giving a run up
-constexpr std::uint64_t most_room = 1024;  // tokens of FIFOs to compare at each look
+constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
+constexpr unsigned most_others = 16;        // that go on between two looks
+constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
 
 bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
 }  // namespace
 
-void SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    bool const led = leader_ != nullptr && leader_->is_running(1) && run_of(*leader_) == leader_run_;
-    if (!led)
-        follow(process);
-    if (leader_ != &process || looks_ > most_looks || !find_group(processes))
-        return;
+std::uint32_t SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
+    if (given_up_[process.index()] == run_of(process) || !leads(process) || !find_group(processes))
+        return 0;
     take(now_);
     if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
-        jump(now_);
-    else if (is_power_of_two(++looks_))  // Brent: keep an ever older state to compare with, so that any period is found
+        return jump(now_);
+    if (is_power_of_two(++looks_))  // Brent: keep an ever older state to compare with, so that any period is found
         std::swap(before_, now_);
+    if (looks_ > most_looks)
+        give_up();
+    return 0;
 }
 
-void SteadyState::follow(ProcessTiming& process) {
-    leader_ = &process;
-    leader_run_ = run_of(process);
-    looks_ = 0;
+/// Who leads does so until its run is over, or others go on much more often.
+bool SteadyState::leads(ProcessTiming& process) {
+    bool const led = leader_ != nullptr && leader_->is_running(1) && run_of(*leader_) == leader_run_;
+    if (!led || (leader_ != &process && ++others_ > most_others)) {
+        leader_ = &process;
+        leader_run_ = run_of(process);
+        looks_ = 0;
+    }
+    if (leader_ == &process)
+        others_ = 0;
+    return leader_ == &process;
+}
+
+void SteadyState::give_up() {
+    for (ProcessTiming const* member : group_)
+        given_up_[member->index()] = run_of(*member);
+    leader_ = nullptr;
 }
 
 /// A number that no two runs of a process have.
@@ -46,14 +60,6 @@ std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
     return ports;
 }
 
-std::uint32_t SteadyState::neighbours_of(ProcessTiming const& process) {
-    if (process.run_.active)
-        return process.run_.neighbours;
-    std::uint32_t neighbours = 0;
-    for_each_bit(ports_of(process), [&](unsigned port) { neighbours |= process.ports_[port].neighbour; });
-    return neighbours;
-}
-
 bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
     for (std::uint32_t ports = ports_of(process); ports != 0; ports &= ports - 1)
         if (process.ports_[static_cast<unsigned>(__builtin_ctz(ports))].fifo == &fifo)
@@ -64,36 +70,64 @@ bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo)
 /// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
 bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
     group_.assign(1, leader_);
+    ends_.clear();
     fifos_.clear();
     for (std::size_t i = 0; i < group_.size(); ++i)
-        if (!add_neighbours(*group_[i], processes))
+        if (!add_ends(*group_[i], processes))
             return false;
-    std::uint64_t room = 0;
-    for (FifoTiming const* fifo : fifos_)
-        room += fifo->room_;
-    if (room > most_room)
-        looks_ = most_looks + 1;
-    return room <= most_room;
+    std::uint64_t times = 0;
+    for (End const& end : ends_) {
+        times += end.open() ? 0 : end.known();
+        if (end.writes && is_between_closed_ends(*end.fifo))
+            fifos_.push_back(end.fifo);
+    }
+    if (times > most_times)
+        give_up();
+    return times <= most_times;
 }
 
-bool SteadyState::add_neighbours(ProcessTiming const& member, std::deque<ProcessTiming>& processes) {
-    for (std::uint32_t mask = neighbours_of(member); mask != 0; mask &= mask - 1) {
-        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(mask))];
-        if (!other.is_running(2))
+/// Of a member, which makes the processes behind those that are closed members as well.
+bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
+    for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
+        auto const number = static_cast<unsigned>(__builtin_ctz(ports));
+        ProcessTiming::Port const& port = member.ports_[number];
+        End end{&member, number, port.fifo, port.writes, 0};
+        end.free = free_accesses(end);
+        ends_.push_back(end);
+        if (end.open())
+            continue;
+        if (port.neighbour == 0)
+            return false;
+        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))];
+        if (!other.is_running(2) || !accesses(other, *port.fifo))
             return false;
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
             group_.push_back(&other);
     }
-    for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
-        ProcessTiming::Port const& port = member.ports_[static_cast<unsigned>(__builtin_ctz(ports))];
-        if (std::find(fifos_.begin(), fifos_.end(), port.fifo) != fifos_.end())
-            continue;
-        if (port.neighbour == 0 ||
-            !accesses(processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))], *port.fifo))
-            return false;
-        fifos_.push_back(port.fifo);
-    }
     return true;
+}
+
+/// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept with the port,
+/// so that each is looked at once.
+std::uint64_t SteadyState::free_accesses(End const& end) {
+    ProcessTiming const& process = *end.process;
+    ProcessTiming::Port& port = end.process->ports_[end.port];
+    std::uint64_t const next = end.accesses();
+    if (port.free_in_run != run_of(process) || port.free_until < next) {
+        port.free_in_run = run_of(process);
+        port.free_until = next;
+    }
+    std::uint64_t free = port.free_until - next;
+    Cycles const interval = process.plans_[process.current_loop_].ii;
+    while (free < end.known() && end.earliest(free) <= process.time_ + free * interval)
+        ++free;
+    port.free_until = next + free;
+    return free;
+}
+
+bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
+    return 2 == std::count_if(ends_.begin(), ends_.end(),
+                              [&fifo](End const& end) { return end.fifo == &fifo && !end.open(); });
 }
 
 /// Where an unaligned loop stands in its iteration, and what it has yet to write.
@@ -133,24 +167,17 @@ void SteadyState::take(Snapshot& snapshot) const {
         snapshot.growing.push_back(process->full_stall_cycles_);
         snapshot.growing.push_back(process->iterations_);
     }
-    for (FifoTiming const* fifo : fifos_) {
-        snapshot.relative.push_back(static_cast<std::int64_t>(fifo->known_reads()));
+    for (FifoTiming const* fifo : fifos_)
         snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy_));
+    for (End const& end : ends_) {
+        snapshot.relative.push_back(end.open() ? 1 : 0);
+        // An open end has made nobody wait since, or it would not go on like this.
+        snapshot.relative.push_back(static_cast<std::int64_t>(end.open() ? end.stalls() : end.known()));
         // A time before the local time of who waits for it decides nothing: it could as well be that time.
-        Cycles writer = 0;
-        Cycles reader = 0;
-        for (ProcessTiming const* process : group_)
-            for_each_bit(ports_of(*process), [&](unsigned port) {
-                if (process->ports_[port].fifo == fifo)
-                    (process->ports_[port].writes ? writer : reader) = process->time_;
-            });
-        for (std::uint64_t i = 0; i < fifo->known_reads(); ++i)
-            snapshot.relative.push_back(since(std::max(reader, fifo->earliest_read(i))));
-        for (std::uint64_t i = 0; i < fifo->known_writes(); ++i)
-            snapshot.relative.push_back(since(std::max(writer, fifo->earliest_write(i))));
-        snapshot.growing.push_back(fifo->writes_);
-        snapshot.growing.push_back(fifo->full_stall_cycles_);
-        snapshot.growing.push_back(fifo->empty_stall_cycles_);
+        for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
+            snapshot.relative.push_back(since(std::max(end.process->time_, end.earliest(i))));
+        snapshot.growing.push_back(end.accesses());
+        snapshot.growing.push_back(end.stalls());
     }
 }
 
@@ -164,14 +191,20 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
             return 0;
         periods = std::min(periods, (operation.count() - 1) / done);
     }
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        std::size_t const at = 1 + 3 * group_.size() + 2 * i;
+        std::uint64_t const accesses = now.growing[at] - before_.growing[at];
+        if (ends_[i].open() && accesses > 0)
+            periods = std::min(periods, ends_[i].free / accesses);
+    }
     return periods;
 }
 
-void SteadyState::jump(Snapshot const& now) {
+std::uint32_t SteadyState::jump(Snapshot const& now) {
     std::uint64_t const periods = whole_periods_left(now);
     auto const growth = [&](std::size_t i) { return periods * (now.growing[i] - before_.growing[i]); };
     if (periods == 0)
-        return;
+        return 0;
     std::size_t at = 0;
     Cycles const cycles = growth(at++);
     leave_trail(periods, cycles / periods);
@@ -187,13 +220,29 @@ void SteadyState::jump(Snapshot const& now) {
         Operation& operation = process->log_.front();
         operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
     }
-    for (FifoTiming* fifo : fifos_) {
-        shift(*fifo, growth(at), cycles);
-        fifo->full_stall_cycles_ += growth(at + 1);
-        fifo->empty_stall_cycles_ += growth(at + 2);
-        at += 3;
-    }
+    // Open ends first, as who is behind them may need what they write or the room they make.
+    for (bool const open : {true, false})
+        for (std::size_t i = 0; i < ends_.size(); ++i)
+            if (ends_[i].open() == open)
+                go_on(ends_[i], growth(at + 2 * i), growth(at + 2 * i + 1), periods, cycles);
     looks_ = 0;
+    return behind_open_ends();
+}
+
+std::uint32_t SteadyState::behind_open_ends() const {
+    std::uint32_t processes = 0;
+    for (End const& end : ends_)
+        processes |= end.open() ? end.process->ports_[end.port].neighbour : 0U;
+    return processes;
+}
+
+void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles) {
+    (end.writes ? end.fifo->full_stall_cycles_ : end.fifo->empty_stall_cycles_) += stalls;
+    if (std::find(fifos_.begin(), fifos_.end(), end.fifo) == fifos_.end())
+        end.writes ? repeat<true>(*end.fifo, accesses, periods, cycles)
+                   : repeat<false>(*end.fifo, accesses, periods, cycles);
+    else if (end.writes)
+        shift(*end.fifo, accesses, cycles);
 }
 
 void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
@@ -222,6 +271,16 @@ void SteadyState::shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles) {
         fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = readable[i];
     for (std::uint64_t i = 0; i < writable.size(); ++i)
         fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = writable[i];
+}
+
+/// What happened in the last period happens again in each.
+template <bool Writes>
+void SteadyState::repeat(FifoTiming& fifo, std::uint64_t accesses, std::uint64_t periods, Cycles cycles) {
+    FifoTiming::Run<Writes> run(fifo);
+    for (std::uint64_t i = 0; i < accesses; ++i)
+        run.repeat(i, accesses / periods, cycles / periods);
+    if (accesses > 0)
+        fifo.done(run, accesses);
 }
 
 }  // namespace faster::timing

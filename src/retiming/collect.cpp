@@ -79,16 +79,37 @@ void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row
     }
 }
 
-/// A process that drains a deep pipeline may end after the last result was read; what lies beyond is not part of the
-/// run.
+/// Takes the last `beyond` cycles of a process away, which are not part of the run: of the drain of its last loop, and
+/// then of that loop's iterations, which end with what a port conflict and a recurrence cost.
+void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) {
+    Cycles const drain = std::min(row[CycleClass::fill_drain], beyond);
+    row[CycleClass::fill_drain] -= drain;
+    beyond -= drain;
+    if (beyond == 0 || process.loops().empty())
+        return;
+    timing::InitiationInterval const& interval = process.loops()[process.current_loop()].interval;
+    Cycles const iterations = beyond / interval.achieved;
+    Cycles const part = beyond % interval.achieved;
+    Cycles const part_conflict = std::min(part, interval.port_conflict_per_iteration);
+    Cycles const part_recurrence = std::min(part - part_conflict, interval.recurrence_per_iteration);
+    Cycles const conflict =
+        std::min(row[CycleClass::port_conflict], iterations * interval.port_conflict_per_iteration + part_conflict);
+    row[CycleClass::port_conflict] -= conflict;
+    if (conflict > 0)
+        row.port_conflicts[number_of(interval.bram, bram_names)] -= conflict;
+    row[CycleClass::recurrence] -=
+        std::min(row[CycleClass::recurrence], iterations * interval.recurrence_per_iteration + part_recurrence);
+}
+
+/// A process that drains a deep pipeline, or clears a map for a sample that does not come, may end after the last
+/// result was read; what lies beyond is not part of the run.
 ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycles setup_cycles, Cycles total_cycles) {
     ProcessStatistics row;
     add_stalls(process, row);
     add_loop_costs(process, row);
     row[CycleClass::setup] = setup_cycles;
     Cycles const end = std::min(process.local_time(), total_cycles);
-    Cycles& drain = row[CycleClass::fill_drain];
-    drain -= std::min(drain, process.local_time() - end);
+    cut_off(process, process.local_time() - end, row);
     row[CycleClass::busy] = end - row.sum();
     row[CycleClass::idle_after] = total_cycles - end;
     return row;

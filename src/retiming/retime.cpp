@@ -1,6 +1,7 @@
 #include "retiming/retime.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -16,10 +17,18 @@ namespace {
 /// Lets one core do the operations of its samples, one sample after the other.
 class Replay {
   public:
-    Replay(OperationTape const& tape, ScriptedRun const* scripts, CoreShare share, timing::CoreTiming& core)
-        : tape_(tape), scripts_(scripts), share_(share), core_(core), is_stuck_(core.processes().size(), false) {}
+    using Leaves = std::function<bool(timing::CoreTiming const&)>;
 
-    /// As far as a walk of the core, or a walk further; false: all is done.
+    Replay(OperationTape const& tape, ScriptedRun const* scripts, CoreShare share, timing::CoreTiming& core,
+           Leaves leaves)
+        : tape_(tape),
+          scripts_(scripts),
+          share_(share),
+          core_(core),
+          leaves_(std::move(leaves)),
+          is_stuck_(core.processes().size(), false) {}
+
+    /// As far as a walk of the core, or a walk further; false: all is done, or left.
     bool go_on() {
         if (is_walking_)
             core_.arrive();
@@ -29,6 +38,8 @@ class Replay {
             if (is_walking_)
                 return true;
             end_sample(share_.first + fed_);
+            if (leaves_ && leaves_(core_))
+                break;
         }
         core_.resolve();
         return false;
@@ -116,6 +127,7 @@ class Replay {
     ScriptedRun const* scripts_;
     CoreShare share_;
     timing::CoreTiming& core_;
+    Leaves leaves_;
     SampleOperations operations_;
     std::vector<bool> is_stuck_;
     std::size_t supplied_ = 0;  ///< samples whose vertices have been asked for
@@ -143,20 +155,18 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
     }
 }
 
-using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
-
 Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config,
-                   std::vector<std::size_t> const& numbers, bool leave_trails) {
+                   std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     auto const automaton = std::make_shared<timing::Automaton>();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
         cores.push_back(core_variant(*run.blueprint, config));
         cores.back()->let_follow(rasterizer_and_followers(Parts(config)), automaton);
-        if (leave_trails)
+        if (options.leave_trails)
             cores.back()->leave_trail();
         CoreShare const share = share_of(number, config.raster_cores, run.tape.samples());
-        replays.push_back(std::make_unique<Replay>(run.tape, scripts, share, *cores.back()));
+        replays.push_back(std::make_unique<Replay>(run.tape, scripts, share, *cores.back(), options.leaves));
     }
     feed_all(replays, *automaton);
     return cores;
@@ -165,7 +175,7 @@ Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, Accelerat
 RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config) {
     std::vector<std::size_t> numbers(config.raster_cores);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    Cores const timings = retime_cores(run, scripts, config, numbers, false);
+    Cores const timings = retime_cores(run, scripts, config, numbers, {});
     std::vector<FinishedCore> cores;
     for (std::size_t const k : numbers) {
         CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
@@ -177,8 +187,8 @@ RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, Acceler
 }  // namespace
 
 Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
-                   bool leave_trails) {
-    return retime_cores(run.run(), &run, config, cores, leave_trails);
+                   CoreOptions const& options) {
+    return retime_cores(run.run(), &run, config, cores, options);
 }
 
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }

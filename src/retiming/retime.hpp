@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,10 +17,17 @@ RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
 /// The same, several times as fast.
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
 
+using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
+
+struct CoreOptions {
+    bool leave_trails = false;
+    /// Asked after each sample of each core: whether to leave the others.
+    std::function<bool(timing::CoreTiming const& timing)> leaves = nullptr;
+};
+
 /// Some of its cores, each with its share of the samples done as far as that goes. Of cores that deadlock, since when
 /// their processes wait is not always known.
-std::vector<std::unique_ptr<timing::CoreTiming>> retime_cores(ScriptedRun const& run, AcceleratorConfig const& config,
-                                                              std::vector<std::size_t> const& cores,
-                                                              bool leave_trails = false);
+Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
+                   CoreOptions const& options = {});
 
 }  // namespace faster::retiming

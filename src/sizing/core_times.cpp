@@ -31,6 +31,14 @@ constexpr auto collector = static_cast<unsigned>(ModuleId::result_collector);
 
 std::vector<Cycles> const& results_of(timing::CoreTiming const& core) { return core.processes()[collector].stamps(); }
 
+timing::ProcessTiming const& writer_of_results(timing::CoreTiming const& core) {
+    return core.processes()[static_cast<std::size_t>(core.ends(collector, 0).writer)];
+}
+
+Cycles stalls_of(timing::ProcessTiming const& process) {
+    return process.empty_stall_cycles() + process.full_stall_cycles();
+}
+
 /// How often a path turns at a port of a process, wherever in its program.
 std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timing::PathSums const& path) {
     auto const loops = static_cast<unsigned>(process.loops().size());
@@ -90,11 +98,50 @@ Members members_of_deadlock(timing::CoreTiming& core) {
 CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
     : run_(run, config.flow),
       config_(std::move(config)),
-      cores_(cores_with_samples(config_.raster_cores, run.tape.samples())) {}
+      cores_(cores_with_samples(config_.raster_cores, run.tape.samples())),
+      work_(cores_) {}
 
-bool CoreTimes::is_known(std::size_t core, Choice const& choice) const {
+std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
     std::lock_guard<std::mutex> const lock(mutex_);
-    return known_.count({core, choice}) > 0;
+    auto const known = known_.find({core, choice});
+    return known == known_.end() ? std::nullopt : std::optional(known->second);
+}
+
+std::optional<Cycles> CoreTimes::likely_cycles(std::size_t core, Choice const& choice) const {
+    std::optional<Known> const there = known(core, choice);
+    return there ? std::optional(there->likely_end) : std::nullopt;
+}
+
+Cycles CoreTimes::least_cycles(std::size_t core, Choice const& choice) const {
+    std::optional<Known> const there = known(core, choice);
+    return there ? there->end : 0;
+}
+
+bool CoreTimes::has_room_but_for(std::size_t core, Choice const& choice, std::vector<FifoId> const& fifos) const {
+    std::optional<Known> const there = known(core, choice);
+    if (!there || there->is_left_early || there->end == Cut::deadlock)
+        return false;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (there->room[i] == choice[i].capacity() &&
+            std::find(fifos.begin(), fifos.end(), static_cast<FifoId>(i)) == fifos.end())
+            return false;
+    return true;
+}
+
+std::uint64_t CoreTimes::needed_room(Choice const& choice, std::size_t fifo) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    std::uint64_t room = 1;
+    for (std::size_t core = 0; core < cores_; ++core)
+        room = std::max(room, known_.at({core, choice}).room[fifo]);
+    return room;
+}
+
+/// Enough room for what happened there, and at most its latency.
+bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const& known) {
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (choice[i].capacity() < known.room[i] || choice[i].read_latency() > place.second[i].read_latency())
+            return false;
+    return true;
 }
 
 Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
@@ -111,10 +158,17 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
     Cycles const end = end_of(core, place.first);
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
-    known_.emplace(place, end);
+    Known& known = known_[place];
+    known = {end, false, end, {}};
     if (end != Cut::deadlock)
-        for (std::size_t i = 0; i < fifo_count; ++i)
-            tokens_[i] = std::max(tokens_[i], core.fifos()[i].writes());
+        note_work(place.first, core, end);
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        timing::FifoTiming const& fifo = core.fifos()[i];
+        // A token may not enter in the cycle in which the one whose place it takes leaves.
+        known.room[i] = std::min(place.second[i].capacity(), fifo.max_occupancy() + 1);
+        if (end != Cut::deadlock)
+            tokens_[i] = std::max(tokens_[i], fifo.writes());
+    }
 }
 
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
@@ -123,20 +177,75 @@ void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& ch
         enter({cores[i], choice}, *timings[i]);
 }
 
+/// What the writer of the results does is the same with all FIFOs; only its waiting is not. The collector is there for
+/// each result, unless they follow each other closely.
+void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cycles end) {
+    constexpr Cycles close = 100;
+    std::vector<Cycles> const& results = results_of(core);
+    bool const is_close = results.size() > 1 && results[results.size() - 1] - results[results.size() - 2] < close;
+    timing::ProcessTiming const& writer = writer_of_results(core);
+    if (!work_[number].is_known && !is_close)
+        work_[number] = {true, end - stalls_of(writer) - writer.awaited_setup_cycles()};
+}
+
+CoreTimes::Work CoreTimes::work_of(std::size_t core) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    return work_[core];
+}
+
+/// It has waited too long for its work still to be done in time.
+CoreTimes::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
+    Work const work = work_of(core);
+    if (!work.is_known)
+        return nullptr;
+    return [=](timing::CoreTiming const& timing) {
+        return !results_of(timing).empty() && work.cycles + stalls_of(writer_of_results(timing)) > bound;
+    };
+}
+
+void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound) {
+    retiming::CoreOptions options;
+    options.leaves = as_soon_as_exceeds(core, bound);
+    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
+    if (!enter_as_left({core, choice}, *timings.front(), bound))
+        enter({core, choice}, *timings.front());
+}
+
+/// False if it has not been left before its end.
+bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
+    Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
+    std::size_t const done = results_of(core).size();
+    std::size_t const samples = share_of(place.first, config_.raster_cores, run_.run().tape.samples()).count;
+    if (done == samples || !exceeds || !exceeds(core))
+        return false;
+    Cycles const work = work_of(place.first).cycles;
+    Cycles const stalls = stalls_of(writer_of_results(core));
+    std::lock_guard<std::mutex> const lock(mutex_);
+    ++retimed_;
+    Known& known = known_[place];
+    if (known.end < work + stalls)
+        known = {work + stalls, true, work + stalls * samples / done, {}};
+    return true;
+}
+
 std::optional<bool> CoreTimes::known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const {
     std::lock_guard<std::mutex> const lock(mutex_);
     for (auto known = known_.lower_bound({core, Choice{}}); known != known_.end() && known->first.first == core;
          ++known) {
-        auto const& [place, cycles] = *known;
-        if (cycles > bound ? is_no_faster(choice, place.second) : is_no_faster(place.second, choice))
-            return cycles > bound;
+        bool const exceeds = known->second.end > bound;
+        if (!exceeds && known->second.is_left_early)
+            continue;
+        if (exceeds ? is_no_faster(choice, known->first.second) : is_as_fast(choice, known->first, known->second))
+            return exceeds;
     }
     return std::nullopt;
 }
 
 bool CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound) {
-    std::optional<bool> const known = known_to_exceed(core, choice, bound);
-    return known ? *known : cycles(core, choice) > bound;
+    if (std::optional<bool> const known = known_to_exceed(core, choice, bound))
+        return *known;
+    work_out_whether_exceeds(core, choice, bound);
+    return known_to_exceed(core, choice, bound).value();
 }
 
 std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs) {
@@ -149,9 +258,9 @@ std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsig
             if (!known)
                 open.push_back(core);
         }
-        on_threads(open.size(), jobs, [&](std::size_t i) { work_out({open[i]}, choice); });
+        on_threads(open.size(), jobs, [&](std::size_t i) { work_out_whether_exceeds(open[i], choice, bound); });
         for (std::size_t const worked_out : open)
-            if (cycles(worked_out, choice) > bound)
+            if (known_to_exceed(worked_out, choice, bound).value())
                 return worked_out;
         if (is_decided)
             return core - 1;
@@ -160,17 +269,19 @@ std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsig
 }
 
 Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
-    if (!is_known(core, choice))
+    std::optional<Known> there = known(core, choice);
+    if (!there || there->is_left_early) {
         work_out({core}, choice);
-    std::lock_guard<std::mutex> const lock(mutex_);
-    return known_.at({core, choice});
+        there = known(core, choice);
+    }
+    return there->end;
 }
 
 Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
     std::vector<std::vector<std::size_t>> shares(std::max(1U, jobs));
     std::size_t next = 0;
     for (std::size_t core = 0; core < cores_; ++core)
-        if (!is_known(core, choice))
+        if (auto const there = known(core, choice); !there || there->is_left_early)
             shares[next++ % shares.size()].push_back(core);
     on_threads(shares.size(), jobs, [&](std::size_t i) { work_out(shares[i], choice); });
     Cycles total = 0;
@@ -179,12 +290,31 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
     return total;
 }
 
-Cut CoreTimes::explain(std::size_t core, Choice const& choice) {
-    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, true);
+Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock); }
+
+Cut CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound) {
+    std::pair<Place, Cycles> const place{{core, choice}, bound};
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (auto const known = explained_.find(place); known != explained_.end())
+            return known->second;
+    }
+    Cut const cut = work_out_why(core, choice, bound);
+    std::lock_guard<std::mutex> const lock(mutex_);
+    return explained_.emplace(place, cut).first->second;
+}
+
+Cut CoreTimes::work_out_why(std::size_t core, Choice const& choice, Cycles bound) {
+    retiming::CoreOptions options;
+    options.leave_trails = true;
+    options.leaves = as_soon_as_exceeds(core, bound);
+    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
     timing::CoreTiming& timing = *timings.front();
-    enter({core, choice}, timing);
     Cut cut;
-    cut.total_cycles = end_of(timing, core);
+    bool const is_left = enter_as_left({core, choice}, timing, bound);
+    if (!is_left)
+        enter({core, choice}, timing);
+    cut.total_cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
     Members const members = cut.total_cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing);
     for (std::size_t i = 0; i < fifo_count; ++i)
         if (members[i].capacity > 0 || members[i].is_slow) {

@@ -1,10 +1,10 @@
 #include "sizing/search.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "common/on_threads.hpp"
+#include "sizing/last_that_holds.hpp"
 #include "sizing/token_bits.hpp"
 
 namespace faster::sizing {
@@ -12,49 +12,11 @@ namespace faster::sizing {
 namespace {
 
 constexpr std::uint64_t first_depth = 64;
-constexpr std::uint64_t growth = 8;
+constexpr std::uint64_t growth = 512;
+
+double difference(Cycles one, Cycles other) { return static_cast<double>(one) - static_cast<double>(other); }
 
 bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
-
-/// Something that holds for the first of some numbers, and for all up to one.
-struct Monotone {
-    std::function<bool(std::size_t)> holds;
-    std::function<std::optional<bool>(std::size_t)> is_known_to_hold;  ///< without working it out
-};
-
-/// The number of the first of 0 .. count - 1 for which `holds` is false, as it is from there on.
-std::size_t first_without(std::size_t count, std::function<bool(std::size_t)> const& holds) {
-    std::size_t first = 0;
-    for (std::size_t end = count; first < end;) {
-        std::size_t const middle = first + (end - first) / 2;
-        holds(middle) ? first = middle + 1 : end = middle;
-    }
-    return first;
-}
-
-/// The last of 0 .. count - 1 for which it holds. Works out as many at once as there are jobs.
-std::size_t last_that(std::size_t count, unsigned jobs, Monotone const& monotone) {
-    auto const known_or = [&](bool otherwise) {
-        return first_without(count, [&](std::size_t i) { return monotone.is_known_to_hold(i).value_or(otherwise); });
-    };
-    std::size_t const known = known_or(false);
-    std::size_t yes = known == 0 ? 0 : known - 1;
-    std::size_t no = known_or(true);
-    while (no - yes > 1) {
-        std::size_t const probes = std::min<std::size_t>(std::max(1U, jobs), no - yes - 1);
-        std::vector<char> held(probes);
-        auto const place = [&](std::size_t i) { return yes + (no - yes) * (i + 1) / (probes + 1); };
-        on_threads(probes, jobs, [&](std::size_t i) { held[i] = monotone.holds(place(i)) ? 1 : 0; });
-        auto const passed = static_cast<std::size_t>(std::find(held.begin(), held.end(), 0) - held.begin());
-        std::size_t const old_no = no;
-        no = passed < probes ? place(passed) : old_no;
-        if (passed > 0) {
-            std::size_t const i = passed - 1;
-            yes = yes + (old_no - yes) * (i + 1) / (probes + 1);
-        }
-    }
-    return yes;
-}
 
 }  // namespace
 
@@ -65,38 +27,50 @@ FifoFrame::FifoFrame(AcceleratorConfig const& config, CostWeights const& cost_we
     }
 }
 
-Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
-    Unbounded result;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        result.choice[i] = choice_of(frame.kinds[i], first_depth);
-    for (;;) {
-        result.total_cycles = times.total_cycles(result.choice, jobs);
-        std::size_t last = 0;
-        while (last < times.cores() && times.cycles(last, result.choice) != result.total_cycles)
-            ++last;
-        if (last == times.cores())  // no samples
-            return result;
-        bool is_deeper = true;
-        while (is_deeper) {
-            is_deeper = false;
-            for (Cut::Member const& member : times.explain(last, result.choice).members) {
-                FifoChoice& fifo = result.choice[index_of(member.fifo)];
-                if (member.capacity == 0 || fifo.depth == most_depth)
-                    continue;
-                fifo.depth = std::min(most_depth, fifo.depth * growth);
-                is_deeper = true;
-            }
-        }
-        if (times.total_cycles(result.choice, jobs) == times.cycles(last, result.choice)) {
-            result.total_cycles = times.cycles(last, result.choice);
-            return result;
+/// Until the critical path of a core waits for no room.
+void deepen(Choice& choice, std::size_t core, CoreTimes& times) {
+    for (bool is_deeper = true; is_deeper;) {
+        is_deeper = false;
+        for (Cut::Member const& member : times.explain(core, choice).members) {
+            FifoChoice& fifo = choice[index_of(member.fifo)];
+            if (member.capacity == 0 || fifo.depth == most_depth)
+                continue;
+            fifo.depth = std::min(most_depth, fifo.depth * growth);
+            is_deeper = true;
         }
     }
 }
 
+/// No room that no core ever needs.
+Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
+    Choice smaller = choice;
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        std::uint64_t const spare = choice[i].capacity() - times.needed_room(choice, i);
+        smaller[i].depth -= std::min(spare, choice[i].depth - 1);
+    }
+    return smaller;
+}
+
+Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    Unbounded result;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        result.choice[i] = choice_of(frame.kinds[i], first_depth);
+    for (std::size_t last = 0; last < times.cores();) {
+        deepen(result.choice, last, times);
+        result.total_cycles = times.total_cycles(result.choice, jobs);
+        if (times.cycles(last, result.choice) == result.total_cycles)
+            break;
+        last = 0;
+        while (times.cycles(last, result.choice) != result.total_cycles)
+            ++last;
+    }
+    result.choice = without_spare_room(result.choice, times);
+    return result;
+}
+
 Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
                std::size_t most_retimings)
-    : frame_(frame), times_(times), unbounded_(unbounded), jobs_(jobs), most_retimings_(most_retimings) {
+    : frame_(frame), times_(times), unbounded_(unbounded), jobs_(std::max(1U, jobs)), most_retimings_(most_retimings) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
         std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
         room_[i] = unbounded.choice[i].capacity();
@@ -149,14 +123,16 @@ Found Search::cheapest(Cycles bound) {
 bool Search::learn(Choice const& choice, Cycles bound) {
     std::optional<Cut> cut;
     if (times_.cores() > 0 && times_.known_to_exceed(strict_core_, choice, bound).value_or(true))
-        cut = times_.explain(strict_core_, choice);
+        cut = times_.suspects(strict_core_, choice, bound);
     std::size_t const core = broken_core(choice, bound);
     if (core == times_.cores())
         return false;
     if (!cut || cut->total_cycles <= bound)
-        cut = times_.explain(core, choice);
+        cut = times_.suspects(core, choice, bound);
     for (std::size_t i = 0; i < fifo_count; ++i)
         room_[i] = std::max(room_[i], choice[i].capacity());  // so that the cut rules this choice out
+    if (!times_.exceeds(core, corner(*cut), bound))           // the suspects are not all who are to blame
+        cut = times_.explain(core, choice);
     cuts_.push_back(widened(*cut, core, bound));
     return true;
 }
@@ -178,37 +154,88 @@ Choice Search::corner(Cut const& cut) const {
     return choice;
 }
 
+/// As many choices as can be ruled out with a cut that the bound is broken by.
 Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
     drop_members(cut, core, bound);
     for (std::size_t i = 0; i < cut.members.size(); ++i)
         if (cut.members[i].capacity > 0)
             deepen_member(cut, i, core, bound);
-    return times_.explain(core, corner(cut));
+    std::vector<FifoId> members;
+    for (Cut::Member const& member : cut.members)
+        if (member.capacity > 0)
+            members.push_back(member.fifo);
+    cut.total_cycles = times_.least_cycles(core, corner(cut));
+    bool const is_sure = times_.has_room_but_for(core, corner(cut), members);
+    explain_ahead(cut, core, is_sure, bound);
+    return is_sure ? cut : times_.explain(core, corner(cut));
 }
 
+/// Finds out why a cut's corner takes as long as it does, which may depend on more than the members, and at the same
+/// time why the choice does that will be next if it does not, as mostly.
+void Search::explain_ahead(Cut const& cut, std::size_t core, bool is_sure, Cycles bound) {
+    std::vector<Cut> cuts = cuts_against(bound);
+    cuts.push_back(cut);
+    std::optional<Choice> const next = jobs_ > 1 && !is_sure ? cheapest_choice(levels_, cuts) : std::nullopt;
+    on_threads(next ? 2 : 1, jobs_, [&](std::size_t i) {
+        if (i == 1)
+            times_.suspects(strict_core_, *next, bound);
+        else if (!is_sure)
+            times_.explain(core, corner(cut));
+    });
+}
+
+/// To one member that suffices, or until none can be spared.
 void Search::drop_members(Cut& cut, std::size_t core, Cycles bound) {
-    for (std::size_t i = cut.members.size(); i-- > 0 && cut.members.size() > 1;) {
-        Cut fewer = cut;
-        fewer.members.erase(fewer.members.begin() + static_cast<std::ptrdiff_t>(i));
-        if (times_.exceeds(core, corner(fewer), bound))
-            cut = fewer;
+    auto const breaks = [&](std::vector<Cut::Member> const& members) {
+        return times_.exceeds(core, corner({members, 0}), bound);
+    };
+    for (std::size_t i = 0; i < cut.members.size() && cut.members.size() > 1; i += jobs_) {
+        std::size_t const count = std::min<std::size_t>(jobs_, cut.members.size() - i);
+        on_threads(count, jobs_, [&](std::size_t k) { breaks({cut.members[i + k]}); });
+        for (std::size_t k = 0; k < count && cut.members.size() > 1; ++k)
+            if (breaks({cut.members[i + k]}))
+                cut.members = {cut.members[i + k]};
+    }
+    for (std::size_t i = cut.members.size(); i-- > 0 && cut.members.size() > 2;) {
+        std::vector<Cut::Member> fewer = cut.members;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        std::vector<Cut::Member> still_fewer = fewer;  // what is asked next if this breaks the bound
+        if (i > 0)
+            still_fewer.erase(still_fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
+        on_threads(2, jobs_, [&](std::size_t k) { k == 0 || jobs_ == 1 ? breaks(fewer) : breaks(still_fewer); });
+        if (breaks(fewer))
+            cut.members = fewer;
     }
 }
 
 void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound) {
+    std::size_t const fifo = index_of(cut.members[member].fifo);
     std::vector<std::uint64_t> capacities{cut.members[member].capacity};
-    for (Level const& level : levels_[index_of(cut.members[member].fifo)])
-        if (level.choice.capacity() > capacities.front())
+    for (Level const& level : levels_[fifo])
+        if (level.choice.capacity() > capacities.front() && level.choice.capacity() < room_[fifo])
             capacities.push_back(level.choice.capacity());
+    capacities.push_back(room_[fifo]);
     std::sort(capacities.begin(), capacities.end());
     auto const corner_at = [&](std::size_t i) {
         Cut deeper = cut;
         deeper.members[member].capacity = capacities[i];
         return corner(deeper);
     };
-    Monotone const breaks{[&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); },
-                          [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
-    cut.members[member].capacity = capacities[last_that(capacities.size(), jobs_, breaks)];
+    Monotone breaks;
+    breaks.holds = [&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); };
+    breaks.is_known_to_hold = [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); };
+    breaks.known_margin = [&](std::size_t i) -> std::optional<double> {
+        std::optional<Cycles> const cycles = times_.likely_cycles(core, corner_at(i));
+        return cycles && *cycles != Cut::deadlock ? std::optional(difference(*cycles, bound)) : std::nullopt;
+    };
+    breaks.place = [&](std::size_t i) { return static_cast<double>(capacities[i]); };
+    std::size_t const ends[] = {0, capacities.size() - 1};
+    on_threads(2, jobs_, [&](std::size_t i) {
+        if (!times_.likely_cycles(core, corner_at(ends[i])))
+            times_.work_out_whether_exceeds(core, corner_at(ends[i]), bound);
+    });
+    std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
+    cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
 }
 
 /// From unbounded FIFOs down, one after the other, until none can be had for less.
@@ -236,8 +263,10 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
         };
         if (levels.empty() || !is_within_at(0))
             continue;
-        Monotone const fits{is_within_at, [](std::size_t) { return std::nullopt; }};
-        choice[fifo] = levels[last_that(levels.size(), 1, fits)].choice;
+        Monotone fits;
+        fits.holds = is_within_at;
+        fits.is_known_to_hold = [](std::size_t) { return std::nullopt; };
+        choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
         return true;
     }
     return false;
@@ -270,6 +299,19 @@ std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
     return is_known ? std::optional<bool>(true) : std::nullopt;
 }
 
+std::optional<double> Search::known_spare_cycles(Choice const& choice, Cycles bound,
+                                                 std::vector<std::size_t> const& cores) const {
+    std::optional<double> least;
+    for (std::size_t const core : cores) {
+        std::optional<Cycles> const cycles = times_.likely_cycles(core, choice);
+        if (!cycles || *cycles == Cut::deadlock)
+            return std::nullopt;
+        double const spare = difference(bound, *cycles);
+        least = least ? std::min(*least, spare) : spare;
+    }
+    return least;
+}
+
 /// Looks at some cores only.
 Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
@@ -282,13 +324,14 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
             shallower[i].depth = deepest - less;
             return shallower;
         };
-        Monotone const fits{[&](std::size_t less) {
-                                return std::none_of(cores.begin(), cores.end(), [&](std::size_t core) {
-                                    return times_.exceeds(core, with_less(less), bound);
-                                });
-                            },
-                            [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
-        choice[i].depth = deepest - last_that(deepest - shallowest + 1, jobs_, fits);
+        Monotone fits;
+        fits.holds = [&](std::size_t less) {
+            return std::none_of(cores.begin(), cores.end(),
+                                [&](std::size_t core) { return times_.exceeds(core, with_less(less), bound); });
+        };
+        fits.is_known_to_hold = [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); };
+        fits.known_margin = [&](std::size_t less) { return known_spare_cycles(with_less(less), bound, cores); };
+        choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;
 }

@@ -56,6 +56,7 @@ class Search {
     std::size_t broken_core(Choice const& choice, Cycles bound);
     bool learn(Choice const& choice, Cycles bound);
     Cut widened(Cut cut, std::size_t core, Cycles bound);
+    void explain_ahead(Cut const& cut, std::size_t core, bool is_sure, Cycles bound);
     void drop_members(Cut& cut, std::size_t core, Cycles bound);
     void deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound);
     Choice corner(Cut const& cut) const;
@@ -63,6 +64,8 @@ class Search {
     Choice descend(Cycles bound);
     bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
     std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;
+    std::optional<double> known_spare_cycles(Choice const& choice, Cycles bound,
+                                             std::vector<std::size_t> const& cores) const;
     Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
     double cost_of_choice(Choice const& choice) const;
 

@@ -1,0 +1,88 @@
+#include "sizing/last_that_holds.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <mutex>
+#include <random>
+#include <set>
+
+namespace faster::sizing {
+namespace {
+
+/// Margins that never rise, of which those asked for are known.
+struct Margins {
+    std::vector<double> margins;
+    bool are_told = true;
+    std::mutex mutex;
+    std::set<std::size_t> asked;
+
+    Monotone monotone() {
+        Monotone monotone;
+        monotone.holds = [this](std::size_t i) {
+            std::lock_guard<std::mutex> const lock(mutex);
+            asked.insert(i);
+            return margins[i] >= 0;
+        };
+        monotone.is_known_to_hold = [this](std::size_t i) -> std::optional<bool> {
+            for (std::size_t const known : asked)
+                if (margins[known] >= 0 ? i <= known : i >= known)
+                    return margins[known] >= 0;
+            return std::nullopt;
+        };
+        monotone.known_margin = [this](std::size_t i) {
+            return are_told && asked.count(i) > 0 ? std::optional(margins[i]) : std::nullopt;
+        };
+        return monotone;
+    }
+
+    std::size_t last() const {
+        auto const none = [](double margin) { return margin < 0; };
+        return static_cast<std::size_t>(std::find_if(margins.begin(), margins.end(), none) - margins.begin()) - 1;
+    }
+};
+
+std::vector<double> random_margins(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::size_t const count = 1 + random() % (seed % 2 == 0 ? 8 : 3000);
+    std::size_t const bend = random() % count;
+    auto const power = static_cast<double>(1 + random() % 3);
+    auto const step = static_cast<double>(random() % 3);
+    std::vector<double> margins;
+    for (std::size_t i = 0; i < count; ++i) {
+        double const beyond = i < bend ? 0 : static_cast<double>(i - bend);
+        margins.push_back(std::floor(static_cast<double>(seed % 50) - std::pow(beyond, power) / 7) -
+                          step * static_cast<double>(i / 3) * 3);
+    }
+    return margins;
+}
+
+}  // namespace
+
+TEST_CASE("The last that holds is found whatever the margins are, told or not, with any number of jobs", "[sizing]") {
+    for (std::uint64_t seed = 1; seed < 400; ++seed)
+        for (unsigned const jobs : {0U, 1U, 2U, 5U})
+            for (bool const are_told : {true, false}) {
+                CAPTURE(seed, jobs, are_told);
+                Margins margins;
+                margins.margins = random_margins(seed);
+                margins.are_told = are_told;
+                REQUIRE(last_that_holds(margins.margins.size(), jobs, margins.monotone()) == margins.last());
+                REQUIRE(margins.asked.size() <= 40 + 5 * jobs);
+            }
+}
+
+TEST_CASE("Where margins are a line with a bend, few numbers are tried", "[sizing]") {
+    for (std::size_t const bend : {0U, 700U, 9000U}) {
+        CAPTURE(bend);
+        Margins margins;
+        for (std::size_t i = 0; i < 16384; ++i)
+            margins.margins.push_back(20'000 - 37.5 * static_cast<double>(i < bend ? 0 : i - bend));
+        REQUIRE(last_that_holds(margins.margins.size(), 2, margins.monotone()) == margins.last());
+        CHECK(margins.asked.size() <=
+              20);  // 28 bits, if half of them were found at a time: bisection by two at once takes 18
+    }
+}
+
+}  // namespace faster::sizing

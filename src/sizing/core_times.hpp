@@ -90,7 +90,7 @@ class CoreTimes {
     std::size_t cores_;
     std::array<std::uint64_t, fifo_count> tokens_{};
     std::map<Place, Known> known_;                       ///< by core first
-    std::map<std::pair<Place, Cycles>, Cut> explained_;  ///< until which bound was broken
+    std::map<std::pair<Place, Cycles>, Cut> explained_;  ///< by the bound that was to be broken, too
     std::vector<Work> work_;                             ///< by core
     std::size_t retimed_ = 0;
     mutable std::mutex mutex_;

@@ -252,7 +252,7 @@ class ProcessTiming {
     PortSet make_port_set(std::uint8_t ports) const;
     void start_run(Operation const& operation);
     bool continue_run();
-    static constexpr std::uint32_t long_count = 64;
+    static constexpr std::uint32_t long_count = 64;  ///< of iterations: SteadyState may want to see them
     bool continue_plain_run();
     bool continue_mix();
     bool continue_with_tails();

@@ -89,16 +89,16 @@ void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatist
         return;
     timing::InitiationInterval const& interval = process.loops()[process.current_loop()].interval;
     Cycles const iterations = beyond / interval.achieved;
-    Cycles const part = beyond % interval.achieved;
-    Cycles const part_conflict = std::min(part, interval.port_conflict_per_iteration);
-    Cycles const part_recurrence = std::min(part - part_conflict, interval.recurrence_per_iteration);
+    timing::IterationShares const all = timing::shares_of(interval, interval.achieved);
+    timing::IterationShares const done =
+        timing::shares_of(interval, interval.achieved - beyond % interval.achieved);  // of the one that is cut through
     Cycles const conflict =
-        std::min(row[CycleClass::port_conflict], iterations * interval.port_conflict_per_iteration + part_conflict);
+        std::min(row[CycleClass::port_conflict], (iterations + 1) * all.port_conflict - done.port_conflict);
     row[CycleClass::port_conflict] -= conflict;
     if (conflict > 0)
         row.port_conflicts[number_of(interval.bram, bram_names)] -= conflict;
     row[CycleClass::recurrence] -=
-        std::min(row[CycleClass::recurrence], iterations * interval.recurrence_per_iteration + part_recurrence);
+        std::min(row[CycleClass::recurrence], (iterations + 1) * all.recurrence - done.recurrence);
 }
 
 /// A process that drains a deep pipeline, or clears a map for a sample that does not come, may end after the last

@@ -107,9 +107,9 @@ std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const&
     return known == known_.end() ? std::nullopt : std::optional(known->second);
 }
 
-std::optional<Cycles> CoreTimes::likely_cycles(std::size_t core, Choice const& choice) const {
+bool CoreTimes::is_done(std::size_t core, Choice const& choice) const {
     std::optional<Known> const there = known(core, choice);
-    return there ? std::optional(there->likely_end) : std::nullopt;
+    return there && !there->is_left_early;
 }
 
 Cycles CoreTimes::least_cycles(std::size_t core, Choice const& choice) const {
@@ -159,7 +159,7 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
     Known& known = known_[place];
-    known = {end, false, end, {}};
+    known = {end, false, {}};
     if (end != Cut::deadlock)
         note_work(place.first, core, end);
     for (std::size_t i = 0; i < fifo_count; ++i) {
@@ -184,22 +184,22 @@ void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cy
     std::vector<Cycles> const& results = results_of(core);
     bool const is_close = results.size() > 1 && results[results.size() - 1] - results[results.size() - 2] < close;
     timing::ProcessTiming const& writer = writer_of_results(core);
-    if (!work_[number].is_known && !is_close)
-        work_[number] = {true, end - stalls_of(writer) - writer.awaited_setup_cycles()};
+    if (!work_[number] && !is_close)
+        work_[number] = end - stalls_of(writer) - writer.awaited_setup_cycles();
 }
 
-CoreTimes::Work CoreTimes::work_of(std::size_t core) const {
+std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
     std::lock_guard<std::mutex> const lock(mutex_);
     return work_[core];
 }
 
 /// It has waited too long for its work still to be done in time.
 CoreTimes::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
-    Work const work = work_of(core);
-    if (!work.is_known)
+    std::optional<Cycles> const work = work_of(core);
+    if (!work)
         return nullptr;
     return [=](timing::CoreTiming const& timing) {
-        return !results_of(timing).empty() && work.cycles + stalls_of(writer_of_results(timing)) > bound;
+        return !results_of(timing).empty() && *work + stalls_of(writer_of_results(timing)) > bound;
     };
 }
 
@@ -218,13 +218,12 @@ bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core
     std::size_t const samples = share_of(place.first, config_.raster_cores, run_.run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
         return false;
-    Cycles const work = work_of(place.first).cycles;
-    Cycles const stalls = stalls_of(writer_of_results(core));
+    Cycles const least = *work_of(place.first) + stalls_of(writer_of_results(core));
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
     Known& known = known_[place];
-    if (known.end < work + stalls)
-        known = {work + stalls, true, work + stalls * samples / done, {}};
+    if (known.end < least)
+        known = {least, true, {}};
     return true;
 }
 
@@ -269,19 +268,16 @@ std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsig
 }
 
 Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
-    std::optional<Known> there = known(core, choice);
-    if (!there || there->is_left_early) {
+    if (!is_done(core, choice))
         work_out({core}, choice);
-        there = known(core, choice);
-    }
-    return there->end;
+    return known(core, choice)->end;
 }
 
 Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
     std::vector<std::vector<std::size_t>> shares(std::max(1U, jobs));
     std::size_t next = 0;
     for (std::size_t core = 0; core < cores_; ++core)
-        if (auto const there = known(core, choice); !there || there->is_left_early)
+        if (!is_done(core, choice))
             shares[next++ % shares.size()].push_back(core);
     on_threads(shares.size(), jobs, [&](std::size_t i) { work_out(shares[i], choice); });
     Cycles total = 0;

@@ -28,15 +28,12 @@ class CoreTimes {
     /// make a run longer, and room that was never needed makes it no shorter.
     std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
     bool exceeds(std::size_t core, Choice const& choice, Cycles bound);
-    /// About cycles(), if anything has been worked out: where it turned out early that a core exceeds a bound, as much
-    /// as it would take if it went on like that.
-    std::optional<Cycles> likely_cycles(std::size_t core, Choice const& choice) const;
+    /// Whether cycles() has nothing to work out.
+    bool is_done(std::size_t core, Choice const& choice) const;
     /// No more than cycles(), of what has been worked out.
     Cycles least_cycles(std::size_t core, Choice const& choice) const;
     /// Whether no FIFO but those of some numbers was ever full, so that more room for others makes no difference.
     bool has_room_but_for(std::size_t core, Choice const& choice, std::vector<FifoId> const& fifos) const;
-    /// Retimes a core as far as needed to know whether it takes more than `bound`.
-    void work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound);
     /// The capacity of a FIFO that would be enough for all cores, each of which has been worked out.
     std::uint64_t needed_room(Choice const& choice, std::size_t fifo) const;
     /// The first core that does; cores() if none does. On up to `jobs` threads.
@@ -62,15 +59,8 @@ class CoreTimes {
     using Place = std::pair<std::size_t, Choice>;
     struct Known {
         Cycles end = 0;
-        bool is_left_early = false;  ///< not before `end`, and then nothing is known of room
-        Cycles likely_end = 0;
+        bool is_left_early = false;                    ///< not before `end`, and then nothing is known of room
         std::array<std::uint64_t, fifo_count> room{};  ///< capacities that would have been enough, at most the choice's
-    };
-
-    /// What a core does whatever its FIFOs are, all of it one after the other: the process that writes the results.
-    struct Work {
-        bool is_known = false;
-        Cycles cycles = 0;
     };
 
     static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
@@ -80,7 +70,9 @@ class CoreTimes {
     Cut work_out_why(std::size_t core, Choice const& choice, Cycles bound);
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
-    Work work_of(std::size_t core) const;
+    /// Retimes a core as far as needed to know whether it takes more than `bound`.
+    void work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound);
+    std::optional<Cycles> work_of(std::size_t core) const;
     void note_work(std::size_t number, timing::CoreTiming const& core, Cycles end);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);
@@ -91,7 +83,8 @@ class CoreTimes {
     std::array<std::uint64_t, fifo_count> tokens_{};
     std::map<Place, Known> known_;                       ///< by core first
     std::map<std::pair<Place, Cycles>, Cut> explained_;  ///< by the bound that was to be broken, too
-    std::vector<Work> work_;                             ///< by core
+    /// What a core does whatever its FIFOs are, all of it one after the other: the process that writes the results.
+    std::vector<std::optional<Cycles>> work_;
     std::size_t retimed_ = 0;
     mutable std::mutex mutex_;
 };

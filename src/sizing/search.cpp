@@ -14,8 +14,6 @@ namespace {
 constexpr std::uint64_t first_depth = 64;
 constexpr std::uint64_t growth = 512;
 
-double difference(Cycles one, Cycles other) { return static_cast<double>(one) - static_cast<double>(other); }
-
 bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
 
 }  // namespace
@@ -202,7 +200,8 @@ void Search::drop_members(Cut& cut, std::size_t core, Cycles bound) {
         std::vector<Cut::Member> still_fewer = fewer;  // what is asked next if this breaks the bound
         if (i > 0)
             still_fewer.erase(still_fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
-        on_threads(2, jobs_, [&](std::size_t k) { k == 0 || jobs_ == 1 ? breaks(fewer) : breaks(still_fewer); });
+        on_threads(i > 0 && jobs_ > 1 ? 2 : 1, jobs_,
+                   [&](std::size_t k) { k == 0 ? breaks(fewer) : breaks(still_fewer); });
         if (breaks(fewer))
             cut.members = fewer;
     }
@@ -221,19 +220,8 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
         deeper.members[member].capacity = capacities[i];
         return corner(deeper);
     };
-    Monotone breaks;
-    breaks.holds = [&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); };
-    breaks.is_known_to_hold = [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); };
-    breaks.known_margin = [&](std::size_t i) -> std::optional<double> {
-        std::optional<Cycles> const cycles = times_.likely_cycles(core, corner_at(i));
-        return cycles && *cycles != Cut::deadlock ? std::optional(difference(*cycles, bound)) : std::nullopt;
-    };
-    breaks.place = [&](std::size_t i) { return static_cast<double>(capacities[i]); };
-    std::size_t const ends[] = {0, capacities.size() - 1};
-    on_threads(2, jobs_, [&](std::size_t i) {
-        if (!times_.likely_cycles(core, corner_at(ends[i])))
-            times_.work_out_whether_exceeds(core, corner_at(ends[i]), bound);
-    });
+    Monotone const breaks{[&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); },
+                          [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
     std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
     cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
 }
@@ -263,9 +251,7 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
         };
         if (levels.empty() || !is_within_at(0))
             continue;
-        Monotone fits;
-        fits.holds = is_within_at;
-        fits.is_known_to_hold = [](std::size_t) { return std::nullopt; };
+        Monotone const fits{is_within_at, [](std::size_t) { return std::nullopt; }};
         choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
         return true;
     }
@@ -299,19 +285,6 @@ std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
     return is_known ? std::optional<bool>(true) : std::nullopt;
 }
 
-std::optional<double> Search::known_spare_cycles(Choice const& choice, Cycles bound,
-                                                 std::vector<std::size_t> const& cores) const {
-    std::optional<double> least;
-    for (std::size_t const core : cores) {
-        std::optional<Cycles> const cycles = times_.likely_cycles(core, choice);
-        if (!cycles || *cycles == Cut::deadlock)
-            return std::nullopt;
-        double const spare = difference(bound, *cycles);
-        least = least ? std::min(*least, spare) : spare;
-    }
-    return least;
-}
-
 /// Looks at some cores only.
 Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
@@ -324,13 +297,12 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
             shallower[i].depth = deepest - less;
             return shallower;
         };
-        Monotone fits;
-        fits.holds = [&](std::size_t less) {
-            return std::none_of(cores.begin(), cores.end(),
-                                [&](std::size_t core) { return times_.exceeds(core, with_less(less), bound); });
-        };
-        fits.is_known_to_hold = [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); };
-        fits.known_margin = [&](std::size_t less) { return known_spare_cycles(with_less(less), bound, cores); };
+        Monotone const fits{[&](std::size_t less) {
+                                return std::none_of(cores.begin(), cores.end(), [&](std::size_t core) {
+                                    return times_.exceeds(core, with_less(less), bound);
+                                });
+                            },
+                            [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
         choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;

@@ -64,8 +64,6 @@ class Search {
     Choice descend(Cycles bound);
     bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
     std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;
-    std::optional<double> known_spare_cycles(Choice const& choice, Cycles bound,
-                                             std::vector<std::size_t> const& cores) const;
     Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
     double cost_of_choice(Choice const& choice) const;
 

@@ -31,4 +31,10 @@ InitiationInterval schedule(Cycles target, Cycles recurrence, std::vector<BramDe
     return interval;
 }
 
+IterationShares shares_of(InitiationInterval const& interval, Cycles steps) {
+    Cycles const own = std::min(steps, interval.target);
+    Cycles const recurrence = std::min(steps - own, interval.recurrence_per_iteration);
+    return {own, recurrence, steps - own - recurrence};
+}
+
 }  // namespace faster::timing

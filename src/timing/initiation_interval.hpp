@@ -31,4 +31,11 @@ struct InitiationInterval {
 /// demand the same, the first in `demands` counts.
 InitiationInterval schedule(Cycles target, Cycles recurrence, std::vector<BramDemand> const& demands);
 
+/// Steps of an iteration, by what makes them necessary.
+struct IterationShares {
+    Cycles own, recurrence, port_conflict;
+};
+/// The first `steps` steps of an iteration, at most all.
+IterationShares shares_of(InitiationInterval const& interval, Cycles steps);
+
 }  // namespace faster::timing

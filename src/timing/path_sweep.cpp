@@ -10,16 +10,6 @@ using Share = PathSums::Share;
 
 bool is_power_of_two(std::uint64_t value) { return (value & (value - 1)) == 0; }
 
-/// The first `steps` steps of an iteration, by what makes them necessary.
-struct Shares {
-    Cycles own, recurrence, port_conflict;
-};
-Shares shares_of(InitiationInterval const& interval, Cycles steps) {
-    Cycles const own = std::min(steps, interval.target);
-    Cycles const recurrence = std::min(steps - own, interval.recurrence_per_iteration);
-    return {own, recurrence, steps - own - recurrence};
-}
-
 /// Whatever happens from now on has its causes in what a process has done so far, or in a token or a gap of a FIFO.
 std::vector<PathSweep::Position> live_positions(CoreTiming const& core) {
     std::vector<PathSweep::Position> live;
@@ -208,9 +198,9 @@ void PathSweep::add_own(unsigned process, Region region, Cycles step, Cycles cyc
         return;
     }
     // What is below zero wraps, and is right again in the sum.
-    Shares const all = shares_of(interval, interval.achieved);
-    Shares const first = shares_of(interval, step);
-    Shares const last = shares_of(interval, (step + cycles) % interval.achieved);
+    IterationShares const all = shares_of(interval, interval.achieved);
+    IterationShares const first = shares_of(interval, step);
+    IterationShares const last = shares_of(interval, (step + cycles) % interval.achieved);
     Cycles const iterations = (step + cycles) / interval.achieved;
     add(Share::own, iterations * all.own + last.own - first.own);
     add(Share::recurrence, iterations * all.recurrence + last.recurrence - first.recurrence);

@@ -8,40 +8,72 @@
 
 namespace faster::timing {
 
-/// The accesses of up to `count` iterations, as long as their earliest cycles are known.
+/// Iterations one after the other, all accesses of which have known earliest cycles. Each accesses all ports of a set,
+/// or is a tail that accesses only the last.
+template <unsigned N, bool Writes> class ProcessTiming::Burst {
+  public:
+    Burst(ProcessTiming& process, PortSet const& set) : process_(process), set_(set), time_(process.time_) {
+        for (unsigned i = 0; i < N; ++i)
+            fifos_[i] = FifoTiming::Run<Writes>(*set.fifos[i]);
+    }
+
+    static std::uint64_t known(PortSet const& set, unsigned port) {
+        return Writes ? set.fifos[port]->known_writes() : set.fifos[port]->known_reads();
+    }
+
+    /// The next iteration is `stride` cycles after this one.
+    void iterate(bool is_tail, Cycles stride) {
+        unsigned waited_for = N;
+        for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i) {
+            Cycles const later = std::max(fifos_[i].earliest(accesses_of(i)), time_);
+            stalls_[i] += later - time_;
+            waited_for = later > time_ ? i : waited_for;
+            time_ = later;
+        }
+        if (process_.trail_ != nullptr && waited_for < N)
+            process_.trail_->stalled(process_.index_, set_.ports[waited_for],
+                                     Region::of_loop(process_.current_loop_, Region::Part::iterations), 0, time_);
+        for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i)
+            fifos_[i].enter(accesses_of(i), time_);
+        whole_ += is_tail ? 0 : 1;
+        ++iterations_;
+        time_ += stride;
+    }
+
+    void end() {
+        process_.time_ = time_;
+        for (unsigned i = 0; i < N; ++i) {
+            if (accesses_of(i) > 0)
+                set_.fifos[i]->done(fifos_[i], accesses_of(i));
+            Writes ? set_.fifos[i]->add_full_stall(stalls_[i]) : set_.fifos[i]->add_empty_stall(stalls_[i]);
+            (Writes ? process_.full_stall_cycles_ : process_.empty_stall_cycles_) += stalls_[i];
+        }
+    }
+
+  private:
+    std::uint64_t accesses_of(unsigned port) const { return port + 1 < N ? whole_ : iterations_; }
+
+    ProcessTiming& process_;
+    PortSet const& set_;
+    FifoTiming::Run<Writes> fifos_[N];
+    Cycles stalls_[N] = {};
+    Cycles time_;
+    std::uint64_t iterations_ = 0;
+    std::uint64_t whole_ = 0;  ///< of them, not tails
+};
+
+/// Up to `count` iterations that access all ports, as long as their earliest cycles are known.
 template <unsigned N, bool Writes, class Stride>
 std::uint32_t ProcessTiming::run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride) {
-    FifoTiming::Run<Writes> fifos[N];
-    Cycles stalls[N] = {};
     std::uint64_t known = count;
     for (unsigned i = 0; i < N; ++i)
-        known = std::min(known, Writes ? set.fifos[i]->known_writes() : set.fifos[i]->known_reads());
+        known = std::min(known, Burst<N, Writes>::known(set, i));
     if (known == 0)
         return 0;
-    for (unsigned i = 0; i < N; ++i)
-        fifos[i] = FifoTiming::Run<Writes>(*set.fifos[i]);
-    Cycles time = time_;
-    for (std::uint64_t k = 0; k < known; ++k) {
-        unsigned waited_for = N;
-        for (unsigned i = 0; i < N; ++i) {
-            Cycles const later = std::max(fifos[i].earliest(k), time);
-            stalls[i] += later - time;
-            waited_for = later > time ? i : waited_for;
-            time = later;
-        }
-        if (trail_ != nullptr && waited_for < N)
-            trail_->stalled(index_, set.ports[waited_for], Region::of_loop(current_loop_, Region::Part::iterations), 0,
-                            time);
-        for (unsigned i = 0; i < N; ++i)
-            fifos[i].enter(k, time);
-        time += stride(k);
-    }
-    time_ = time;
-    for (unsigned i = 0; i < N; ++i) {
-        set.fifos[i]->done(fifos[i], known);
-        Writes ? set.fifos[i]->add_full_stall(stalls[i]) : set.fifos[i]->add_empty_stall(stalls[i]);
-        (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
-    }
+    Burst<N, Writes> burst(*this, set);
+    for (std::uint64_t k = 0; k < known; ++k)
+        burst.iterate(false, stride(k));
+    burst.end();
     return static_cast<std::uint32_t>(known);
 }
 
@@ -60,50 +92,21 @@ std::uint32_t ProcessTiming::mixed_accesses(PortSet const& set, unsigned length,
 /// Of an operation with tails that access the last port of the set, which all other iterations access as a whole.
 template <unsigned N, bool Writes>
 std::uint32_t ProcessTiming::accesses_with_tails(PortSet const& set, Operation const& operation) {
-    auto const known_of = [&](unsigned i) {
-        return Writes ? set.fifos[i]->known_writes() : set.fifos[i]->known_reads();
-    };
     std::uint64_t known = ~std::uint64_t{0};
     for (unsigned i = 0; i + 1 < N; ++i)
-        known = std::min(known, known_of(i));
-    std::uint32_t const end = reachable_with_tails(operation, known, known_of(N - 1));
+        known = std::min(known, Burst<N, Writes>::known(set, i));
+    std::uint32_t const end = reachable_with_tails(operation, known, Burst<N, Writes>::known(set, N - 1));
     if (end == 0)
         return 0;
-    FifoTiming::Run<Writes> fifos[N];
-    Cycles stalls[N] = {};
-    for (unsigned i = 0; i < N; ++i)
-        fifos[i] = FifoTiming::Run<Writes>(*set.fifos[i]);
     std::uint32_t const last = length_with_tails(operation) - 1;
     std::uint32_t const other_tail = operation.kind() == Operation::Kind::flanked ? 1 : last;
     Cycles const interval = plan().ii;
-    Cycles time = time_;
-    std::uint32_t whole = 0;
+    Burst<N, Writes> burst(*this, set);
     for (std::uint32_t k = 0; k < end; ++k) {
         bool const is_tail = k == last || k == other_tail;
-        unsigned waited_for = N;
-        for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i) {
-            Cycles const later = std::max(fifos[i].earliest(i + 1 < N ? whole : k), time);
-            stalls[i] += later - time;
-            waited_for = later > time ? i : waited_for;
-            time = later;
-        }
-        if (trail_ != nullptr && waited_for < N)
-            trail_->stalled(index_, set.ports[waited_for], Region::of_loop(current_loop_, Region::Part::iterations), 0,
-                            time);
-        fifos[N - 1].enter(k, time);
-        for (unsigned i = 0; i + 1 < N && !is_tail; ++i)
-            fifos[i].enter(whole, time);
-        whole += is_tail ? 0 : 1;
-        time += interval * (1U + (k == last ? operation.tail_gap() : is_tail ? 0U : operation.gap()));
+        burst.iterate(is_tail, interval * (1U + (k == last ? operation.tail_gap() : is_tail ? 0U : operation.gap())));
     }
-    time_ = time;
-    for (unsigned i = 0; i < N; ++i) {
-        std::uint32_t const entered = i + 1 < N ? whole : end;
-        if (entered > 0)
-            set.fifos[i]->done(fifos[i], entered);
-        Writes ? set.fifos[i]->add_full_stall(stalls[i]) : set.fifos[i]->add_empty_stall(stalls[i]);
-        (Writes ? full_stall_cycles_ : empty_stall_cycles_) += stalls[i];
-    }
+    burst.end();
     return end;
 }
 

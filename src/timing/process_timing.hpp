@@ -51,6 +51,8 @@ struct LoopCost {
 class ProcessTiming {
   public:
     enum class Status { exhausted, blocked, ready };
+    /// Equal iterations from which on it pays to look for a steady state.
+    static constexpr std::uint32_t long_count = 64;
 
     explicit ProcessTiming(std::string name, unsigned index) : name_(std::move(name)), index_(index) {}
 
@@ -252,7 +254,6 @@ class ProcessTiming {
     PortSet make_port_set(std::uint8_t ports) const;
     void start_run(Operation const& operation);
     bool continue_run();
-    static constexpr std::uint32_t long_count = 64;  ///< of iterations: SteadyState may want to see them
     bool continue_plain_run();
     bool continue_mix();
     bool continue_with_tails();
@@ -260,6 +261,7 @@ class ProcessTiming {
     static std::uint32_t length_with_tails(Operation const& operation);
     static std::uint32_t reachable_with_tails(Operation const& operation, std::uint64_t known,
                                               std::uint64_t known_of_tails);
+    template <unsigned N, bool Writes> class Burst;
     template <unsigned N, bool Writes>
     std::uint32_t accesses_with_tails(PortSet const& set, Operation const& operation);
     template <unsigned N, bool Writes> std::uint32_t accesses(PortSet const& set, std::uint32_t count, Cycles stride);

@@ -16,7 +16,7 @@ namespace faster::timing {
 class SteadyState {
   public:
     /// Iterations left in a run, below which jumping does not pay.
-    static constexpr std::uint32_t worthwhile_count = 64;
+    static constexpr std::uint32_t worthwhile_count = ProcessTiming::long_count;
 
     /// To be called whenever `process`, one of `processes` of a core, with that much left to do is
     /// about to advance. The bits of the processes outside its group that may go on because of it.

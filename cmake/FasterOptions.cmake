@@ -26,3 +26,11 @@ function(faster_add_library name)
   add_library(faster::${name} ALIAS faster_${name})
   target_link_libraries(faster_${name} PUBLIC faster_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
+
+# faster_compile_quickly(TARGET...)
+# For code in which no time is spent: compiles a sixth to a third quicker, minutes of CI in all.
+function(faster_compile_quickly)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
+endfunction()

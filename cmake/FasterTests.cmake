@@ -30,8 +30,7 @@ function(faster_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # What takes time in a test is in the libraries. Its own code compiles a third quicker so, a minute and a half of CI.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  faster_compile_quickly(${name})  # what takes time in a test is in the libraries
   target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})
   catch_discover_tests(${name} TEST_PREFIX "${name}." EXTRA_ARGS --warn NoTests PROPERTIES
     LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "skipped: " ${faster_test_environment})

@@ -48,6 +48,25 @@ std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timi
     return turns;
 }
 
+/// Leaves a core once nobody needs it any more, and knows that it did.
+class GivenUp {
+  public:
+    using Leaves = std::function<bool(timing::CoreTiming const&)>;
+
+    explicit GivenUp(CoreTimes::IsObsolete is_obsolete) : is_obsolete_(std::move(is_obsolete)) {}
+    Leaves or_if(Leaves const& leaves) {
+        return [this, leaves](timing::CoreTiming const& core) {
+            is_given_up_ = is_obsolete_ && is_obsolete_();
+            return is_given_up_ || (leaves && leaves(core));
+        };
+    }
+    explicit operator bool() const { return is_given_up_; }
+
+  private:
+    CoreTimes::IsObsolete is_obsolete_;
+    bool is_given_up_ = false;
+};
+
 using Members = std::array<Cut::Member, fifo_count>;
 
 Members members_of_path(timing::CoreTiming const& core) {
@@ -93,6 +112,17 @@ Members members_of_deadlock(timing::CoreTiming& core) {
     return members;
 }
 
+/// Those that hold anybody up.
+std::vector<Cut::Member> members_of(Members const& members) {
+    std::vector<Cut::Member> kept;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (members[i].capacity > 0 || members[i].is_slow) {
+            kept.push_back(members[i]);
+            kept.back().fifo = static_cast<FifoId>(i);
+        }
+    return kept;
+}
+
 }  // namespace
 
 CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
@@ -115,17 +145,6 @@ bool CoreTimes::is_done(std::size_t core, Choice const& choice) const {
 Cycles CoreTimes::least_cycles(std::size_t core, Choice const& choice) const {
     std::optional<Known> const there = known(core, choice);
     return there ? there->end : 0;
-}
-
-bool CoreTimes::has_room_but_for(std::size_t core, Choice const& choice, std::vector<FifoId> const& fifos) const {
-    std::optional<Known> const there = known(core, choice);
-    if (!there || there->is_left_early || there->end == Cut::deadlock)
-        return false;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        if (there->room[i] == choice[i].capacity() &&
-            std::find(fifos.begin(), fifos.end(), static_cast<FifoId>(i)) == fifos.end())
-            return false;
-    return true;
 }
 
 std::uint64_t CoreTimes::needed_room(Choice const& choice, std::size_t fifo) const {
@@ -203,11 +222,13 @@ CoreTimes::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) 
     };
 }
 
-void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound) {
+void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound,
+                                         IsObsolete const& is_obsolete) {
+    GivenUp given_up{is_obsolete};
     retiming::CoreOptions options;
-    options.leaves = as_soon_as_exceeds(core, bound);
+    options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
     auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
-    if (!enter_as_left({core, choice}, *timings.front(), bound))
+    if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
         enter({core, choice}, *timings.front());
 }
 
@@ -241,10 +262,15 @@ std::optional<bool> CoreTimes::known_to_exceed(std::size_t core, Choice const& c
 }
 
 bool CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound) {
+    return exceeds(core, choice, bound, nullptr).value();
+}
+
+std::optional<bool> CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound,
+                                       IsObsolete const& is_obsolete) {
     if (std::optional<bool> const known = known_to_exceed(core, choice, bound))
-        return *known;
-    work_out_whether_exceeds(core, choice, bound);
-    return known_to_exceed(core, choice, bound).value();
+        return known;
+    work_out_whether_exceeds(core, choice, bound, is_obsolete);
+    return known_to_exceed(core, choice, bound);
 }
 
 std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs) {
@@ -286,38 +312,50 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
     return total;
 }
 
-Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock); }
+Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
 
-Cut CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound) {
+std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
+                                       IsObsolete const& is_obsolete) {
     std::pair<Place, Cycles> const place{{core, choice}, bound};
     {
         std::lock_guard<std::mutex> const lock(mutex_);
         if (auto const known = explained_.find(place); known != explained_.end())
             return known->second;
     }
-    Cut const cut = work_out_why(core, choice, bound);
+    std::optional<Cut> const cut = work_out_why(core, choice, bound, is_obsolete);
     std::lock_guard<std::mutex> const lock(mutex_);
-    return explained_.emplace(place, cut).first->second;
+    if (cut)
+        explained_.emplace(place, *cut);
+    return cut;
 }
 
-Cut CoreTimes::work_out_why(std::size_t core, Choice const& choice, Cycles bound) {
+std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
+                                                          Leaves const& leaves) const {
     retiming::CoreOptions options;
     options.leave_trails = true;
-    options.leaves = as_soon_as_exceeds(core, bound);
-    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
-    timing::CoreTiming& timing = *timings.front();
-    Cut cut;
-    bool const is_left = enter_as_left({core, choice}, timing, bound);
+    options.leaves = leaves;
+    return std::move(retime_cores(run_, with_choice(config_, choice), {core}, options).front());
+}
+
+Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {
+    auto const timing = with_trail(
+        core, choice, [samples](timing::CoreTiming const& so_far) { return results_of(so_far).size() >= samples; });
+    return results_of(*timing).empty() ? Cut()
+                                       : Cut{members_of(members_of_path(*timing)), results_of(*timing).back() + 1};
+}
+
+std::optional<Cut> CoreTimes::work_out_why(std::size_t core, Choice const& choice, Cycles bound,
+                                           IsObsolete const& is_obsolete) {
+    GivenUp given_up{is_obsolete};
+    auto const timing = with_trail(core, choice, given_up.or_if(as_soon_as_exceeds(core, bound)));
+    if (given_up)
+        return std::nullopt;
+    bool const is_left = enter_as_left({core, choice}, *timing, bound);
     if (!is_left)
-        enter({core, choice}, timing);
-    cut.total_cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
-    Members const members = cut.total_cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing);
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        if (members[i].capacity > 0 || members[i].is_slow) {
-            cut.members.push_back(members[i]);
-            cut.members.back().fifo = static_cast<FifoId>(i);
-        }
-    return cut;
+        enter({core, choice}, *timing);
+    Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(*timing, core);
+    Members const members = cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing);
+    return Cut{members_of(members), cycles};
 }
 
 }  // namespace faster::sizing

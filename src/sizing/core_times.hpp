@@ -28,12 +28,13 @@ class CoreTimes {
     /// make a run longer, and room that was never needed makes it no shorter.
     std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
     bool exceeds(std::size_t core, Choice const& choice, Cycles bound);
+    /// The same, unless it is given up because nobody needs it any more.
+    using IsObsolete = std::function<bool()>;
+    std::optional<bool> exceeds(std::size_t core, Choice const& choice, Cycles bound, IsObsolete const& is_obsolete);
     /// Whether cycles() has nothing to work out.
     bool is_done(std::size_t core, Choice const& choice) const;
     /// No more than cycles(), of what has been worked out.
     Cycles least_cycles(std::size_t core, Choice const& choice) const;
-    /// Whether no FIFO but those of some numbers was ever full, so that more room for others makes no difference.
-    bool has_room_but_for(std::size_t core, Choice const& choice, std::vector<FifoId> const& fifos) const;
     /// The capacity of a FIFO that would be enough for all cores, each of which has been worked out.
     std::uint64_t needed_room(Choice const& choice, std::size_t fifo) const;
     /// The first core that does; cores() if none does. On up to `jobs` threads.
@@ -47,8 +48,11 @@ class CoreTimes {
     /// full in the deadlock.
     Cut explain(std::size_t core, Choice const& choice);
     /// The same of as much as it takes to know that a core takes more than `bound`, so that it proves nothing; of all
-    /// if it does not.
-    Cut suspects(std::size_t core, Choice const& choice, Cycles bound);
+    /// if it does not. Nothing if it is given up.
+    std::optional<Cut> suspects(std::size_t core, Choice const& choice, Cycles bound,
+                                IsObsolete const& is_obsolete = nullptr);
+    /// The same of its first `samples`, whatever comes behind them.
+    Cut first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const;
 
     /// Tokens that go through each FIFO, of the core that has most, among those that were seen to end.
     std::array<std::uint64_t, fifo_count> const& tokens() const { return tokens_; }
@@ -67,11 +71,14 @@ class CoreTimes {
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
     using Leaves = std::function<bool(timing::CoreTiming const&)>;
     Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
-    Cut work_out_why(std::size_t core, Choice const& choice, Cycles bound);
+    std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice, Leaves const& leaves) const;
+    std::optional<Cut> work_out_why(std::size_t core, Choice const& choice, Cycles bound,
+                                    IsObsolete const& is_obsolete);
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
-    /// Retimes a core as far as needed to know whether it takes more than `bound`.
-    void work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound);
+    /// Retimes a core as far as needed to know whether it takes more than `bound`, unless that is obsolete.
+    void work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound,
+                                  IsObsolete const& is_obsolete = nullptr);
     std::optional<Cycles> work_of(std::size_t core) const;
     void note_work(std::size_t number, timing::CoreTiming const& core, Cycles end);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;

@@ -9,7 +9,7 @@ namespace {
 FrontPoint point_at(FifoFrame const& frame, Search& search, Cycles bound) {
     FrontPoint point;
     point.bound = bound;
-    point.found = search.cheapest(bound);
+    point.found = search.timed(search.cheapest(bound));
     point.primitives = sum_of(point.found.choice, frame.bits, frame.weights);
     point.cost = cost_of(point.primitives, frame.weights);
     return point;

@@ -7,12 +7,14 @@ namespace faster::sizing {
 
 /// Something that holds for the first of some numbers, and for all up to one.
 struct Monotone {
-    std::function<bool(std::size_t)> holds;
+    using IsObsolete = std::function<bool()>;
+    /// Works it out. May give up, with nothing, once it is obsolete: others have told.
+    std::function<std::optional<bool>(std::size_t, IsObsolete const&)> holds;
     std::function<std::optional<bool>(std::size_t)> is_known_to_hold;  ///< without working it out
 };
 
-/// The last of 0 .. count - 1 for which it holds, as for 0. Tries as many at once as there are jobs: first near 0,
-/// where many searches end, then evenly.
+/// The last of 0 .. count - 1 for which it holds, as for 0. Each of the jobs always has a number to try: first near 0,
+/// where many searches end, then in the middle of the widest gap that nobody tries.
 std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& monotone);
 
 }  // namespace faster::sizing

@@ -1,6 +1,7 @@
 #include "sizing/search.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 #include "common/on_threads.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::uint64_t first_depth = 64;
 constexpr std::uint64_t growth = 512;
+constexpr std::size_t samples_at_first = 4;  // most of what holds a core up shows in them
 
 bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
 
@@ -25,18 +27,17 @@ FifoFrame::FifoFrame(AcceleratorConfig const& config, CostWeights const& cost_we
     }
 }
 
-/// Until the critical path of a core waits for no room.
-void deepen(Choice& choice, std::size_t core, CoreTimes& times) {
-    for (bool is_deeper = true; is_deeper;) {
-        is_deeper = false;
-        for (Cut::Member const& member : times.explain(core, choice).members) {
-            FifoChoice& fifo = choice[index_of(member.fifo)];
-            if (member.capacity == 0 || fifo.depth == most_depth)
-                continue;
-            fifo.depth = std::min(most_depth, fifo.depth * growth);
-            is_deeper = true;
-        }
+/// What a path waits for room in; false: in nothing that could be deeper.
+bool deepen(Choice& choice, Cut const& path) {
+    bool is_deeper = false;
+    for (Cut::Member const& member : path.members) {
+        FifoChoice& fifo = choice[index_of(member.fifo)];
+        if (member.capacity == 0 || fifo.depth == most_depth)
+            continue;
+        fifo.depth = std::min(most_depth, fifo.depth * growth);
+        is_deeper = true;
     }
+    return is_deeper;
 }
 
 /// No room that no core ever needs.
@@ -53,14 +54,15 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     Unbounded result;
     for (std::size_t i = 0; i < fifo_count; ++i)
         result.choice[i] = choice_of(frame.kinds[i], first_depth);
-    for (std::size_t last = 0; last < times.cores();) {
-        deepen(result.choice, last, times);
+    bool is_deep = times.cores() == 0;
+    while (!is_deep && deepen(result.choice, times.first_suspects(0, result.choice, samples_at_first))) {
+    }
+    while (!is_deep) {
         result.total_cycles = times.total_cycles(result.choice, jobs);
-        if (times.cycles(last, result.choice) == result.total_cycles)
-            break;
-        last = 0;
-        while (times.cycles(last, result.choice) != result.total_cycles)
-            ++last;
+        result.last_core = 0;
+        while (times.cycles(result.last_core, result.choice) != result.total_cycles)
+            ++result.last_core;
+        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice));
     }
     result.choice = without_spare_room(result.choice, times);
     return result;
@@ -68,10 +70,14 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
 
 Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
                std::size_t most_retimings)
-    : frame_(frame), times_(times), unbounded_(unbounded), jobs_(std::max(1U, jobs)), most_retimings_(most_retimings) {
+    : frame_(frame),
+      times_(times),
+      unbounded_(unbounded),
+      jobs_(std::max(1U, jobs)),
+      most_retimings_(most_retimings),
+      strict_core_(unbounded.last_core) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
         std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
-        room_[i] = unbounded.choice[i].capacity();
         levels_[i] = levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights);
     }
 }
@@ -112,6 +118,10 @@ Found Search::cheapest(Cycles bound) {
     }
     if (!found.is_proven)
         found.choice = descend(bound);
+    return found;
+}
+
+Found Search::timed(Found found) {
     found.total_cycles = times_.total_cycles(found.choice, jobs_);
     return found;
 }
@@ -121,25 +131,47 @@ Found Search::cheapest(Cycles bound) {
 bool Search::learn(Choice const& choice, Cycles bound) {
     std::optional<Cut> cut;
     if (times_.cores() > 0 && times_.known_to_exceed(strict_core_, choice, bound).value_or(true))
-        cut = times_.suspects(strict_core_, choice, bound);
+        cut = suspects(choice, bound);
     std::size_t const core = broken_core(choice, bound);
     if (core == times_.cores())
         return false;
     if (!cut || cut->total_cycles <= bound)
         cut = times_.suspects(core, choice, bound);
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        room_[i] = std::max(room_[i], choice[i].capacity());  // so that the cut rules this choice out
-    if (!times_.exceeds(core, corner(*cut), bound))           // the suspects are not all who are to blame
+    if (!times_.exceeds(core, corner(*cut), bound))  // the suspects are not all who are to blame
         cut = times_.explain(core, choice);
     cuts_.push_back(widened(*cut, core, bound));
     return true;
+}
+
+/// Of the strict core: those of the last cut, if they are to blame again and that is found out sooner. Who they are
+/// makes no difference to what is found in the end.
+Cut Search::suspects(Choice const& choice, Cycles bound) {
+    Cut same = cuts_.empty() ? Cut() : cuts_.back();
+    for (Cut::Member& member : same.members) {
+        FifoChoice const& fifo = choice[index_of(member.fifo)];
+        member.capacity = fifo.capacity();
+        member.is_slow = member.is_slow && fifo.read_latency() > 1;
+    }
+    std::optional<Cut> cut;
+    std::atomic<bool> is_decided = false;
+    auto const is_obsolete = [&] { return is_decided.load(); };
+    on_threads(jobs_ > 1 && !same.members.empty() ? 2 : 1, jobs_, [&](std::size_t i) {
+        if (i == 0) {
+            cut = times_.suspects(strict_core_, choice, bound, is_obsolete);
+            is_decided = true;
+        } else if (times_.exceeds(strict_core_, corner(same), bound, is_obsolete).value_or(false)) {
+            same.total_cycles = times_.least_cycles(strict_core_, corner(same));
+            is_decided = true;
+        }
+    });
+    return cut ? *cut : same;
 }
 
 /// The slowest way to escape a cut: everything that it does not ask for is as quick as can be.
 Choice Search::corner(Cut const& cut) const {
     Choice choice;
     for (std::size_t i = 0; i < fifo_count; ++i) {
-        std::uint64_t capacity = room_[i];
+        std::uint64_t capacity = timing::FifoShape::unlimited;
         bool is_memory = !may_be_shift_register(frame_.kinds[i]);
         for (Cut::Member const& member : cut.members)
             if (index_of(member.fifo) == i) {
@@ -158,28 +190,9 @@ Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
     for (std::size_t i = 0; i < cut.members.size(); ++i)
         if (cut.members[i].capacity > 0)
             deepen_member(cut, i, core, bound);
-    std::vector<FifoId> members;
-    for (Cut::Member const& member : cut.members)
-        if (member.capacity > 0)
-            members.push_back(member.fifo);
-    cut.total_cycles = times_.least_cycles(core, corner(cut));
-    bool const is_sure = times_.has_room_but_for(core, corner(cut), members);
-    explain_ahead(cut, core, is_sure, bound);
-    return is_sure ? cut : times_.explain(core, corner(cut));
-}
-
-/// Finds out why a cut's corner takes as long as it does, which may depend on more than the members, and at the same
-/// time why the choice does that will be next if it does not, as mostly.
-void Search::explain_ahead(Cut const& cut, std::size_t core, bool is_sure, Cycles bound) {
-    std::vector<Cut> cuts = cuts_against(bound);
-    cuts.push_back(cut);
-    std::optional<Choice> const next = jobs_ > 1 && !is_sure ? cheapest_choice(levels_, cuts) : std::nullopt;
-    on_threads(next ? 2 : 1, jobs_, [&](std::size_t i) {
-        if (i == 1)
-            times_.suspects(strict_core_, *next, bound);
-        else if (!is_sure)
-            times_.explain(core, corner(cut));
-    });
+    // That it breaks the bound may be known from a choice that is no slower, and nothing more.
+    cut.total_cycles = std::max(bound + 1, times_.least_cycles(core, corner(cut)));
+    return cut;
 }
 
 /// To one member that suffices, or until none can be spared.
@@ -211,17 +224,19 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
     std::size_t const fifo = index_of(cut.members[member].fifo);
     std::vector<std::uint64_t> capacities{cut.members[member].capacity};
     for (Level const& level : levels_[fifo])
-        if (level.choice.capacity() > capacities.front() && level.choice.capacity() < room_[fifo])
+        if (level.choice.capacity() > capacities.front() &&
+            level.choice.capacity() < unbounded_.choice[fifo].capacity())
             capacities.push_back(level.choice.capacity());
-    capacities.push_back(room_[fifo]);
+    capacities.push_back(timing::FifoShape::unlimited);
     std::sort(capacities.begin(), capacities.end());
     auto const corner_at = [&](std::size_t i) {
         Cut deeper = cut;
         deeper.members[member].capacity = capacities[i];
         return corner(deeper);
     };
-    Monotone const breaks{[&](std::size_t i) { return times_.exceeds(core, corner_at(i), bound); },
-                          [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
+    Monotone const breaks{
+        [&](std::size_t i, auto const& is_obsolete) { return times_.exceeds(core, corner_at(i), bound, is_obsolete); },
+        [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
     std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
     cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
 }
@@ -251,7 +266,8 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
         };
         if (levels.empty() || !is_within_at(0))
             continue;
-        Monotone const fits{is_within_at, [](std::size_t) { return std::nullopt; }};
+        Monotone const fits{[&](std::size_t i, auto const& /*is_obsolete*/) { return is_within_at(i); },
+                            [](std::size_t) { return std::nullopt; }};
         choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
         return true;
     }
@@ -265,12 +281,11 @@ Found Search::shallowest(Found found, Cycles bound) {
         std::size_t const broken = broken_core(choice, bound);
         if (broken == times_.cores()) {
             found.choice = choice;
-            found.total_cycles = times_.total_cycles(choice, jobs_);
-            return found;
+            break;
         }
         cores.push_back(broken);
     }
-    return found;
+    return timed(found);
 }
 
 std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
@@ -285,6 +300,29 @@ std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
     return is_known ? std::optional<bool>(true) : std::nullopt;
 }
 
+/// Nothing if it became obsolete.
+std::optional<bool> Search::fits_cores(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores,
+                                       Monotone::IsObsolete const& is_obsolete) {
+    for (std::size_t const core : cores) {
+        std::optional<bool> const exceeds = times_.exceeds(core, choice, bound, is_obsolete);
+        if (!exceeds || *exceeds)
+            return exceeds ? std::optional(false) : std::nullopt;
+    }
+    return true;
+}
+
+/// Where only one depth less is in question, asks at the same time what comes next if the FIFO can do with it.
+void Search::ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores) {
+    std::vector<Choice> questions;
+    for (; fifo < fifo_count && questions.size() < jobs_; ++fifo) {
+        if (choice[fifo].depth == 1)
+            continue;
+        --choice[fifo].depth;
+        questions.push_back(choice);
+    }
+    on_threads(questions.size(), jobs_, [&](std::size_t i) { fits_cores(questions[i], bound, cores, nullptr); });
+}
+
 /// Looks at some cores only.
 Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
     for (std::size_t i = 0; i < fifo_count; ++i) {
@@ -297,12 +335,12 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
             shallower[i].depth = deepest - less;
             return shallower;
         };
-        Monotone const fits{[&](std::size_t less) {
-                                return std::none_of(cores.begin(), cores.end(), [&](std::size_t core) {
-                                    return times_.exceeds(core, with_less(less), bound);
-                                });
+        Monotone const fits{[&](std::size_t less, auto const& is_obsolete) {
+                                return fits_cores(with_less(less), bound, cores, is_obsolete);
                             },
                             [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
+        if (deepest - shallowest == 1 && !known_to_fit(with_less(1), bound, cores))
+            ask_ahead(choice, i, bound, cores);
         choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;

@@ -4,6 +4,7 @@
 
 #include "sizing/cheapest_choice.hpp"
 #include "sizing/core_times.hpp"
+#include "sizing/last_that_holds.hpp"
 
 namespace faster::sizing {
 
@@ -20,6 +21,7 @@ struct FifoFrame {
 struct Unbounded {
     Choice choice{};
     Cycles total_cycles = 0;
+    std::size_t last_core = 0;  ///< which takes as long
 };
 
 /// Deepens FIFOs of the configured kinds, `auto` ones as memories, until the critical path of the core that ends last
@@ -29,9 +31,9 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 /// The cheapest choice within a bound, and how sure that is.
 struct Found {
     Choice choice{};
-    Cycles total_cycles = 0;
-    bool is_proven = false;  ///< no choice within the bound is cheaper; else only nothing shallower is within
-    double least_cost = 0;   ///< LUTs of a core; no choice within the bound costs less, proven or not
+    Cycles total_cycles = 0;  ///< once timed
+    bool is_proven = false;   ///< no choice within the bound is cheaper; else only nothing shallower is within
+    double least_cost = 0;    ///< LUTs of a core; no choice within the bound costs less, proven or not
 };
 
 /// Searches for the cheapest FIFOs. Keeps the cuts of earlier searches.
@@ -48,15 +50,16 @@ class Search {
 
     /// At most `bound` cycles, which must be no less than unbounded FIFOs take; Cut::deadlock - 1: any that end.
     Found cheapest(Cycles bound);
-    /// The same price, no token more than needed.
+    Found timed(Found found);
+    /// The same price, no token more than needed; timed.
     Found shallowest(Found found, Cycles bound);
 
   private:
     bool is_within(Choice const& choice, Cycles bound);
     std::size_t broken_core(Choice const& choice, Cycles bound);
     bool learn(Choice const& choice, Cycles bound);
+    Cut suspects(Choice const& choice, Cycles bound);
     Cut widened(Cut cut, std::size_t core, Cycles bound);
-    void explain_ahead(Cut const& cut, std::size_t core, bool is_sure, Cycles bound);
     void drop_members(Cut& cut, std::size_t core, Cycles bound);
     void deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound);
     Choice corner(Cut const& cut) const;
@@ -64,6 +67,9 @@ class Search {
     Choice descend(Cycles bound);
     bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
     std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;
+    std::optional<bool> fits_cores(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores,
+                                   Monotone::IsObsolete const& is_obsolete);
+    void ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores);
     Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
     double cost_of_choice(Choice const& choice) const;
 
@@ -73,9 +79,8 @@ class Search {
     unsigned jobs_;
     std::size_t most_retimings_;
     Levels levels_;
-    std::array<std::uint64_t, fifo_count> room_{};  ///< capacity of FIFOs that a cut does not ask for
     std::vector<Cut> cuts_;
-    std::size_t strict_core_ = 0;  ///< the one that broke the last bound; it will probably break the next
+    std::size_t strict_core_;  ///< the one that broke the last bound; it will probably break the next
 };
 
 }  // namespace faster::sizing

@@ -102,12 +102,25 @@ void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
     }
 }
 
+/// Of unlimited FIFOs; false: none has to.
+bool CoreTiming::keep_more() {
+    bool keeps_more = false;
+    for (FifoTiming& fifo : fifos_)
+        if (fifo.is_unlimited() && fifo.known_writes() == 0) {
+            fifo.keep_more();
+            keeps_more = true;
+        }
+    return keeps_more;
+}
+
 void CoreTiming::resolve(bool to_the_end) {
     if (ends_.empty())
         connect();
     std::uint32_t const all = all_processes();
     if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
-        settle(all, 0);
+        do
+            settle(all, 0);
+        while (keep_more());
     } else if (group_has_started(all)) {
         for (;;) {
             settle(all, 1U << lead_.driver);

@@ -93,6 +93,7 @@ class CoreTiming {
     /// All but the processes `held`, a bit each.
     void find_patient();
     void settle(std::uint32_t runnable, std::uint32_t held);
+    bool keep_more();
     bool group_has_started(std::uint32_t all);
     bool let_driver_go();
     std::uint32_t all_processes() const { return (1U << processes_.size()) - 1; }

@@ -11,7 +11,9 @@ namespace faster::timing {
 /// What a FIFO is, as far as time is concerned.
 struct FifoShape {
     std::string name;
-    std::uint64_t capacity = 2;  ///< C: tokens that fit
+    static constexpr std::uint64_t unlimited = std::uint64_t{1} << 48;
+
+    std::uint64_t capacity = 2;  ///< C: tokens that fit; `unlimited` or more: never full
     Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
     Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
     Cycles issue_latency = 0;    ///< stages of a flushing pipeline in front of the FIFO, which hold tokens of their own
@@ -35,6 +37,11 @@ class FifoTiming {
     Cycles full_stall_cycles() const { return full_stall_cycles_; }
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
 
+    bool is_unlimited() const { return shape_.capacity >= FifoShape::unlimited; }
+    /// Of an unlimited FIFO, whose writer has got ahead of its reader as far as cycles can be kept: makes room for
+    /// more.
+    void keep_more();
+
     /// Number of further writes (reads) whose earliest legal cycle is known by now.
     std::uint64_t known_writes() const { return room_ - (writes_ - reads_); }
     std::uint64_t known_reads() const { return writes_ - reads_; }
@@ -49,7 +56,7 @@ class FifoTiming {
         note_write(cycle + shape_.issue_latency);
     }
     void read(Cycles cycle) {
-        free_from_[reads_ & index_mask_] = cycle + 1;
+        free_from_[freed_at_ + (reads_ & index_mask_)] = cycle + 1;
         note_read(cycle);
     }
 
@@ -60,13 +67,18 @@ class FifoTiming {
         Run() = default;
         explicit Run(FifoTiming& fifo)
             : earliest_(Writes ? fifo.free_from_.data() : fifo.readable_from_.data()),
-              entered_(Writes ? fifo.readable_from_.data() : fifo.free_from_.data()),
+              entered_(Writes ? fifo.readable_from_.data() : fifo.free_from_.data() + fifo.freed_at_),
               at_(Writes ? fifo.writes_ : fifo.reads_),
               behind_(Writes ? fifo.room_ : 0),
               mask_(fifo.index_mask_),
               later_(Writes ? fifo.later_than_write() : 1) {}
         Cycles earliest(std::uint64_t i) const { return earliest_[(at_ - behind_ + i) & mask_]; }
         void enter(std::uint64_t i, Cycles cycle) { entered_[(at_ + i) & mask_] = cycle + later_; }
+        /// `count` accesses from the i-th on, one every `stride` cycles.
+        void enter_every(Cycles stride, std::uint64_t i, std::uint64_t count, Cycles cycle) {
+            for (std::uint64_t const end = i + count; i != end; ++i, cycle += stride)
+                enter(i, cycle);
+        }
         /// So many cycles later than the one that is `before` accesses before it.
         void repeat(std::uint64_t i, std::uint64_t before, Cycles later) {
             entered_[(at_ + i) & mask_] = entered_[(at_ + i - before) & mask_] + later;
@@ -114,16 +126,18 @@ class FifoTiming {
     static constexpr std::uint64_t first_token = std::uint64_t{1} << 32;
 
     FifoShape shape_;
-    std::uint64_t room_;        // capacity and pipeline stages
-    std::uint64_t index_mask_;  // rings of the last accesses; a power of two above room_
+    std::uint64_t room_;          // capacity and pipeline stages; unlimited: tokens of which cycles are kept
+    std::uint64_t index_mask_;    // rings of the last accesses; a power of two above room_
+    std::uint64_t freed_at_ = 0;  // in free_from_: where reads are entered
     std::uint64_t writes_ = first_token;
     std::uint64_t reads_ = first_token;
-    std::uint64_t passed_ = 0;  // tokens counted elsewhere, written and read
-    std::uint64_t max_occupancy_ = 0;
+    std::uint64_t passed_ = 0;     // tokens counted elsewhere, written and read
+    std::uint64_t max_occupancy_;  // unlimited: not looked for
     Cycles full_stall_cycles_ = 0;
     Cycles empty_stall_cycles_ = 0;
     std::vector<Cycles> readable_from_;  // of write n: s_n + Lf
-    std::vector<Cycles> free_from_;      // of read n: r_n + 1; zero before the first read
+    std::vector<Cycles> free_from_;      // of read n: r_n + 1; zero before the first read. Unlimited: zeros, as nobody
+                                         // ever waits for room, and behind them what reads enter
 };
 
 /// Both times that decide a new largest occupancy never fall from one token to the next: most runs have none, as the

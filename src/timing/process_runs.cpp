@@ -62,6 +62,19 @@ template <unsigned N, bool Writes> class ProcessTiming::Burst {
     std::uint64_t whole_ = 0;  ///< of them, not tails
 };
 
+/// Whether none of the accesses to come, `whole` of each port and `all` of the last, waits: no later access of a FIFO
+/// is legal earlier than the one before it.
+template <unsigned N, bool Writes>
+bool ProcessTiming::has_nothing_to_wait_for(PortSet const& set, std::uint64_t whole, std::uint64_t all) const {
+    for (unsigned i = 0; i < N; ++i) {
+        std::uint64_t const count = i + 1 < N ? whole : all;
+        FifoTiming const& fifo = *set.fifos[i];
+        if (count > 0 && (Writes ? fifo.earliest_write(count - 1) : fifo.earliest_read(count - 1)) > time_)
+            return false;
+    }
+    return true;
+}
+
 /// Up to `count` iterations that access all ports, as long as their earliest cycles are known.
 template <unsigned N, bool Writes, class Stride>
 std::uint32_t ProcessTiming::run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride) {
@@ -70,11 +83,30 @@ std::uint32_t ProcessTiming::run_accesses(PortSet const& set, std::uint64_t coun
         known = std::min(known, Burst<N, Writes>::known(set, i));
     if (known == 0)
         return 0;
-    Burst<N, Writes> burst(*this, set);
-    for (std::uint64_t k = 0; k < known; ++k)
-        burst.iterate(false, stride(k));
-    burst.end();
+    if (has_nothing_to_wait_for<N, Writes>(set, known, known)) {
+        free_accesses<N, Writes>(set, known, stride);
+    } else {
+        Burst<N, Writes> burst(*this, set);
+        for (std::uint64_t k = 0; k < known; ++k)
+            burst.iterate(false, stride(k));
+        burst.end();
+    }
     return static_cast<std::uint32_t>(known);
+}
+
+template <unsigned N, bool Writes, class Stride>
+void ProcessTiming::free_accesses(PortSet const& set, std::uint64_t count, Stride const& stride) {
+    Cycles time = time_;
+    for (unsigned i = 0; i < N; ++i) {
+        time = time_;
+        FifoTiming::Run<Writes> run(*set.fifos[i]);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            run.enter(k, time);
+            time += stride(k);
+        }
+        set.fifos[i]->done(run, count);
+    }
+    time_ = time;
 }
 
 template <unsigned N, bool Writes>
@@ -98,6 +130,39 @@ std::uint32_t ProcessTiming::accesses_with_tails(PortSet const& set, Operation c
     std::uint32_t const end = reachable_with_tails(operation, known, Burst<N, Writes>::known(set, N - 1));
     if (end == 0)
         return 0;
+    bool const is_flanked = operation.kind() == Operation::Kind::flanked;
+    std::uint32_t const tails = (end == length_with_tails(operation) ? 1U : 0U) + (is_flanked && end > 1 ? 1U : 0U);
+    bool const is_even = !is_flanked || operation.gap() == 0;
+    if (is_even && has_nothing_to_wait_for<N, Writes>(set, end - tails, end))
+        free_accesses_with_tails<N, Writes>(set, operation, end, end - tails);
+    else
+        waiting_accesses_with_tails<N, Writes>(set, operation, end);
+    return end;
+}
+
+/// Of evenly spaced iterations, up to the `end`-th, of which `whole` are not tails.
+template <unsigned N, bool Writes>
+void ProcessTiming::free_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end,
+                                             std::uint32_t whole) {
+    bool const is_flanked = operation.kind() == Operation::Kind::flanked;
+    Cycles const interval = plan().ii;
+    Cycles const stride = interval * (1U + operation.gap());
+    for (unsigned i = 0; i < N; ++i) {
+        bool const has_tails = i + 1 == N;
+        std::uint32_t const count = has_tails ? end : whole;
+        std::uint32_t const before_tail = is_flanked && !has_tails ? std::min(count, 1U) : count;
+        FifoTiming::Run<Writes> run(*set.fifos[i]);
+        run.enter_every(stride, 0, before_tail, time_);
+        run.enter_every(stride, before_tail, count - before_tail, time_ + 2 * stride);
+        if (count > 0)
+            set.fifos[i]->done(run, count);
+    }
+    bool const is_over = end == length_with_tails(operation);
+    time_ += is_over ? (end - 1) * stride + interval * (1U + operation.tail_gap()) : end * stride;
+}
+
+template <unsigned N, bool Writes>
+void ProcessTiming::waiting_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end) {
     std::uint32_t const last = length_with_tails(operation) - 1;
     std::uint32_t const other_tail = operation.kind() == Operation::Kind::flanked ? 1 : last;
     Cycles const interval = plan().ii;
@@ -107,7 +172,6 @@ std::uint32_t ProcessTiming::accesses_with_tails(PortSet const& set, Operation c
         burst.iterate(is_tail, interval * (1U + (k == last ? operation.tail_gap() : is_tail ? 0U : operation.gap())));
     }
     burst.end();
-    return end;
 }
 
 /// How many iterations can be done if the ports of whole ones let `known` be done, and the tails' port so many of all.

@@ -263,12 +263,21 @@ class ProcessTiming {
                                               std::uint64_t known_of_tails);
     template <unsigned N, bool Writes> class Burst;
     template <unsigned N, bool Writes>
+    bool has_nothing_to_wait_for(PortSet const& set, std::uint64_t whole, std::uint64_t all) const;
+    template <unsigned N, bool Writes>
     std::uint32_t accesses_with_tails(PortSet const& set, Operation const& operation);
+    template <unsigned N, bool Writes>
+    void free_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end,
+                                  std::uint32_t whole);
+    template <unsigned N, bool Writes>
+    void waiting_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end);
     template <unsigned N, bool Writes> std::uint32_t accesses(PortSet const& set, std::uint32_t count, Cycles stride);
     template <unsigned N, bool Writes>
     std::uint32_t mixed_accesses(PortSet const& set, unsigned length, std::uint32_t gaps);
     template <unsigned N, bool Writes, class Stride>
     std::uint32_t run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride);
+    template <unsigned N, bool Writes, class Stride>
+    void free_accesses(PortSet const& set, std::uint64_t count, Stride const& stride);
 
     std::string name_;
     unsigned index_;

@@ -96,7 +96,7 @@ bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& pro
         ends_.push_back(end);
         if (end.open())
             continue;
-        if (port.neighbour == 0)
+        if (port.neighbour == 0 || (end.writes && end.fifo->is_unlimited()))
             return false;
         ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))];
         if (!other.is_running(2) || !accesses(other, *port.fifo))
@@ -110,6 +110,8 @@ bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& pro
 /// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept with the port,
 /// so that each is looked at once.
 std::uint64_t SteadyState::free_accesses(End const& end) {
+    if (end.writes && end.fifo->is_unlimited())
+        return end.known();
     ProcessTiming const& process = *end.process;
     ProcessTiming::Port& port = end.process->ports_[end.port];
     std::uint64_t const next = end.accesses();

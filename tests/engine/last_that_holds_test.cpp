@@ -1,11 +1,14 @@
 #include "sizing/last_that_holds.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <mutex>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 namespace faster::sizing {
 namespace {
@@ -18,7 +21,7 @@ struct Margins {
 
     Monotone monotone() {
         Monotone monotone;
-        monotone.holds = [this](std::size_t i) {
+        monotone.holds = [this](std::size_t i, Monotone::IsObsolete const& /*is_obsolete*/) -> std::optional<bool> {
             std::lock_guard<std::mutex> const lock(mutex);
             asked.insert(i);
             return margins[i] >= 0;
@@ -66,15 +69,45 @@ TEST_CASE("The last that holds is found whatever the margins are, with any numbe
         }
 }
 
-TEST_CASE("Two at once need a logarithm to base three of the numbers, and a look near the first", "[sizing]") {
+TEST_CASE("Two at once ask no more than twice what one alone does, and twice near the first", "[sizing]") {
     for (std::size_t const bend : {0U, 700U, 9000U}) {
         CAPTURE(bend);
         Margins margins;
         for (std::size_t i = 0; i < 16384; ++i)
             margins.margins.push_back(20'000 - 37.5 * static_cast<double>(i < bend ? 0 : i - bend));
         REQUIRE(last_that_holds(margins.margins.size(), 2, margins.monotone()) == margins.last());
-        CHECK(margins.asked.size() <= 20);  // 2 near the first, and 2 log3(16384) = 17.7
+        CHECK(margins.asked.size() <= 2 + 2 * 14);
     }
+}
+
+TEST_CASE("What others have told meanwhile is obsolete, and may be given up", "[sizing]") {
+    constexpr std::size_t last = 1000;
+    std::atomic<std::size_t> calls = 0;
+    std::atomic<std::size_t> given_up = 0;
+    Monotone monotone;
+    monotone.holds = [&](std::size_t i, Monotone::IsObsolete const& is_obsolete) -> std::optional<bool> {
+        if (calls++ > 0)
+            return i <= last;
+        while (!is_obsolete())  // the first never gets done
+            std::this_thread::yield();
+        ++given_up;
+        return std::nullopt;
+    };
+    monotone.is_known_to_hold = [](std::size_t) { return std::nullopt; };
+    CHECK(last_that_holds(16384, 2, monotone) == last);
+    CHECK(given_up == 1);
+}
+
+TEST_CASE("What is thrown where it is worked out ends the search of all", "[sizing]") {
+    Monotone monotone;
+    monotone.holds = [](std::size_t i, Monotone::IsObsolete const& /*is_obsolete*/) -> std::optional<bool> {
+        if (i > 100)
+            throw std::runtime_error("broken");
+        return true;
+    };
+    monotone.is_known_to_hold = [](std::size_t) { return std::nullopt; };
+    for (unsigned const jobs : {1U, 2U, 5U})
+        CHECK_THROWS_WITH(last_that_holds(4096, jobs, monotone), "broken");
 }
 
 }  // namespace faster::sizing

@@ -203,6 +203,50 @@ TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]"
     CHECK(tried == 2000);
 }
 
+TEST_CASE("Unlimited FIFOs beside others take as long as those with room for everything", "[sizing]") {
+    std::size_t deadlocks = 0;
+    for (std::uint64_t seed = 70; seed < 80; ++seed) {
+        Case const one = random_case(seed);
+        CoreTimes times(one.file.run, one.config);
+        Random random(seed);
+        for (int i = 0; i < 30; ++i) {
+            CAPTURE(seed, i);
+            Choice deep = random_choice(random);
+            Choice unlimited = deep;
+            for (std::size_t fifo = 0; fifo < fifo_count; ++fifo)
+                if (random() % 2 == 0) {
+                    deep[fifo].depth = 5000;
+                    unlimited[fifo].depth = timing::FifoShape::unlimited;
+                }
+            Cycles const cycles = one.cycles(deep);
+            CHECK(times.total_cycles(unlimited, 1) == cycles);
+            CHECK(times.exceeds(0, unlimited, cycles) == false);
+            deadlocks += cycles == Cut::deadlock ? 1U : 0U;
+        }
+    }
+    CHECK(deadlocks < 200);
+}
+
+TEST_CASE("What is found does not depend on how many jobs look for it", "[sizing]") {
+    for (std::uint64_t seed = 240; seed < 248; ++seed) {
+        CAPTURE(seed);
+        Case const one = random_case(seed);
+        SizingOptions options = within(static_cast<double>(seed % 3) * 4);
+        options.front_points = 3;
+        options.jobs = 1;
+        Sizing const alone = size_fifos(one.file.run, one.config, options);
+        for (unsigned const jobs : {2U, 5U}) {
+            options.jobs = jobs;
+            Sizing const together = size_fifos(one.file.run, one.config, options);
+            CHECK(together.answer.choice == alone.answer.choice);
+            CHECK(together.unbounded.choice == alone.unbounded.choice);
+            REQUIRE(together.front.size() == alone.front.size());
+            for (std::size_t i = 0; i < alone.front.size(); ++i)
+                CHECK(together.front[i].found.choice == alone.front[i].found.choice);
+        }
+    }
+}
+
 TEST_CASE("Unbounded FIFOs are as fast as those with room for everything", "[sizing]") {
     for (std::uint64_t seed = 80; seed < 90; ++seed) {
         CAPTURE(seed);

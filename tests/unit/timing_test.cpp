@@ -123,6 +123,51 @@ TEST_CASE("The stages of a flushing pipeline are room in front of its FIFO", "[t
     CHECK(fifo.max_occupancy() == 1);  // what is still in the pipeline does not count
 }
 
+TEST_CASE("An unlimited FIFO is as one with room for everything, however far its writer gets ahead", "[timing]") {
+    for (unsigned const count : {3U, 700U, 1500U, 9000U})
+        for (bool const in_loops : {false, true}) {
+            CAPTURE(count, in_loops);
+            std::vector<std::vector<Cycles>> stamps;
+            std::vector<Cycles> stalls;
+            for (std::uint64_t const capacity : {std::uint64_t{20'000}, FifoShape::unlimited}) {
+                CoreTiming core;
+                FifoTiming& tokens = core.add_fifo(shape("tokens", capacity));
+                FifoTiming& go = core.add_fifo(shape("go", 1));
+                ProcessTiming& writer = core.add_process("writer");
+                ProcessTiming& reader = core.add_process("reader");
+                unsigned const written = writer.add_writes(tokens);
+                unsigned const said = writer.add_writes(go);
+                unsigned const heard = reader.add_reads(go);
+                unsigned const read = reader.add_reads(tokens);
+                unsigned const writes = writer.add_loop(loop(1, 3, {{written, 0}}));
+                unsigned const reads = reader.add_loop(loop(2, 2, {}));
+                for (int round = 0; round < 3; ++round) {
+                    reader.log().step(bit(heard), 1);  // the reader begins when all has been written
+                    if (in_loops) {
+                        log_loop(writer, writes, bit(written), count);
+                        log_loop(reader, reads, bit(read), count);
+                    } else {
+                        for (unsigned i = 0; i < count; ++i)
+                            writer.log().step(bit(written), i % 3);
+                        log_reads(reader, read, 0, count, 2);
+                    }
+                    reader.log().stamp();
+                    writer.log().step(bit(said), 5);
+                }
+                core.resolve();
+                REQUIRE(core.waits().empty());
+                CHECK(tokens.writes() == 3 * count);
+                CHECK(tokens.reads() == 3 * count);
+                stamps.push_back(reader.stamps());
+                stalls.push_back(reader.empty_stall_cycles() + writer.full_stall_cycles());
+            }
+            CHECK(stamps[0] == stamps[1]);
+            CHECK(stalls[0] == stalls[1]);
+        }
+    FifoTiming limited(shape("limited", 2));
+    CHECK_THROWS(limited.keep_more());
+}
+
 TEST_CASE("The initiation interval is the hardest demand", "[timing]") {
     InitiationInterval const sweep = schedule(1, 1, {{"depth_buffer", 5, 2}});
     CHECK(sweep.ports == 3);

@@ -322,7 +322,7 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
         if (auto const known = explained_.find(place); known != explained_.end())
             return known->second;
     }
-    std::optional<Cut> const cut = work_out_why(core, choice, bound, is_obsolete);
+    std::optional<Cut> cut = work_out_why(core, choice, bound, is_obsolete);
     std::lock_guard<std::mutex> const lock(mutex_);
     if (cut)
         explained_.emplace(place, *cut);

@@ -314,21 +314,6 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
 
-std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
-                                       IsObsolete const& is_obsolete) {
-    std::pair<Place, Cycles> const place{{core, choice}, bound};
-    {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        if (auto const known = explained_.find(place); known != explained_.end())
-            return known->second;
-    }
-    std::optional<Cut> cut = work_out_why(core, choice, bound, is_obsolete);
-    std::lock_guard<std::mutex> const lock(mutex_);
-    if (cut)
-        explained_.emplace(place, *cut);
-    return cut;
-}
-
 std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
                                                           Leaves const& leaves) const {
     retiming::CoreOptions options;
@@ -344,8 +329,8 @@ Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_
                                        : Cut{members_of(members_of_path(*timing)), results_of(*timing).back() + 1};
 }
 
-std::optional<Cut> CoreTimes::work_out_why(std::size_t core, Choice const& choice, Cycles bound,
-                                           IsObsolete const& is_obsolete) {
+std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
+                                       IsObsolete const& is_obsolete) {
     GivenUp given_up{is_obsolete};
     auto const timing = with_trail(core, choice, given_up.or_if(as_soon_as_exceeds(core, bound)));
     if (given_up)

@@ -72,8 +72,6 @@ class CoreTimes {
     using Leaves = std::function<bool(timing::CoreTiming const&)>;
     Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
     std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice, Leaves const& leaves) const;
-    std::optional<Cut> work_out_why(std::size_t core, Choice const& choice, Cycles bound,
-                                    IsObsolete const& is_obsolete);
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     /// Retimes a core as far as needed to know whether it takes more than `bound`, unless that is obsolete.
@@ -88,8 +86,7 @@ class CoreTimes {
     AcceleratorConfig const config_;
     std::size_t cores_;
     std::array<std::uint64_t, fifo_count> tokens_{};
-    std::map<Place, Known> known_;                       ///< by core first
-    std::map<std::pair<Place, Cycles>, Cut> explained_;  ///< by the bound that was to be broken, too
+    std::map<Place, Known> known_;  ///< by core first
     /// What a core does whatever its FIFOs are, all of it one after the other: the process that writes the results.
     std::vector<std::optional<Cycles>> work_;
     std::size_t retimed_ = 0;

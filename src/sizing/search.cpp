@@ -16,6 +16,14 @@ constexpr std::uint64_t first_depth = 64;
 constexpr std::uint64_t growth = 512;
 constexpr std::size_t samples_at_first = 4;  // most of what holds a core up shows in them
 
+/// All FIFOs are to blame, which is always true of a choice that breaks a bound.
+Cut everybody(Choice const& choice) {
+    Cut cut;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        cut.members.push_back({static_cast<FifoId>(i), choice[i].capacity(), choice[i].read_latency() > 1});
+    return cut;
+}
+
 bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
 
 }  // namespace
@@ -138,7 +146,7 @@ bool Search::learn(Choice const& choice, Cycles bound) {
     if (!cut || cut->total_cycles <= bound)
         cut = times_.suspects(core, choice, bound);
     if (!times_.exceeds(core, corner(*cut), bound))  // the suspects are not all who are to blame
-        cut = times_.explain(core, choice);
+        cut = everybody(choice);
     cuts_.push_back(widened(*cut, core, bound));
     return true;
 }
@@ -160,7 +168,7 @@ Cut Search::suspects(Choice const& choice, Cycles bound) {
             cut = times_.suspects(strict_core_, choice, bound, is_obsolete);
             is_decided = true;
         } else if (times_.exceeds(strict_core_, corner(same), bound, is_obsolete).value_or(false)) {
-            same.total_cycles = times_.least_cycles(strict_core_, corner(same));
+            same.total_cycles = bound + 1;
             is_decided = true;
         }
     });

@@ -40,7 +40,7 @@ struct Found {
 ///
 /// The cheapest levels that escape all known cuts are timed. If they are within the bound they are the answer, as
 /// nothing cheaper escapes. If not, the critical path says why, which is a new cut. It is deepened as far as it still
-/// breaks the bound with all other FIFOs unbounded, so that it rules out as much as it can; that is retimed too.
+/// breaks the bound with all other FIFOs unlimited, so that it rules out as much as it can; that is retimed too.
 /// This takes for granted that more room or less latency never makes a run longer: docs/architecture.md says why.
 class Search {
   public:

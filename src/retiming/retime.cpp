@@ -1,7 +1,6 @@
 #include "retiming/retime.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -17,8 +16,6 @@ namespace {
 /// Lets one core do the operations of its samples, one sample after the other.
 class Replay {
   public:
-    using Leaves = std::function<bool(timing::CoreTiming const&)>;
-
     Replay(OperationTape const& tape, ScriptedRun const* scripts, CoreShare share, timing::CoreTiming& core,
            Leaves leaves)
         : tape_(tape),

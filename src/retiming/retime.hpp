@@ -19,10 +19,12 @@ RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
 
 using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
 
+/// Asked after each sample of a core: whether to leave the others.
+using Leaves = std::function<bool(timing::CoreTiming const& timing)>;
+
 struct CoreOptions {
     bool leave_trails = false;
-    /// Asked after each sample of each core: whether to leave the others.
-    std::function<bool(timing::CoreTiming const& timing)> leaves = nullptr;
+    Leaves leaves = nullptr;
 };
 
 /// Some of its cores, each with its share of the samples done as far as that goes. Of cores that deadlock, since when

@@ -5,7 +5,6 @@
 #include "common/input_error.hpp"
 #include "common/on_threads.hpp"
 #include "config/core_share.hpp"
-#include "retiming/retime.hpp"
 #include "timing/path_sweep.hpp"
 
 namespace faster::sizing {
@@ -51,10 +50,8 @@ std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timi
 /// Leaves a core once nobody needs it any more, and knows that it did.
 class GivenUp {
   public:
-    using Leaves = std::function<bool(timing::CoreTiming const&)>;
-
     explicit GivenUp(CoreTimes::IsObsolete is_obsolete) : is_obsolete_(std::move(is_obsolete)) {}
-    Leaves or_if(Leaves const& leaves) {
+    retiming::Leaves or_if(retiming::Leaves const& leaves) {
         return [this, leaves](timing::CoreTiming const& core) {
             is_given_up_ = is_obsolete_ && is_obsolete_();
             return is_given_up_ || (leaves && leaves(core));
@@ -213,7 +210,7 @@ std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
 }
 
 /// It has waited too long for its work still to be done in time.
-CoreTimes::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
+retiming::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
     std::optional<Cycles> const work = work_of(core);
     if (!work)
         return nullptr;
@@ -234,7 +231,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
 
 /// False if it has not been left before its end.
 bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
-    Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
+    retiming::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
     std::size_t const done = results_of(core).size();
     std::size_t const samples = share_of(place.first, config_.raster_cores, run_.run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
@@ -315,7 +312,7 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
 
 std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
-                                                          Leaves const& leaves) const {
+                                                          retiming::Leaves const& leaves) const {
     retiming::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;

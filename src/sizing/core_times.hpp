@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "retiming/retime.hpp"
 #include "retiming/scripted_run.hpp"
 #include "sizing/cut.hpp"
 
@@ -69,9 +70,9 @@ class CoreTimes {
 
     static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
-    using Leaves = std::function<bool(timing::CoreTiming const&)>;
-    Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
-    std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice, Leaves const& leaves) const;
+    retiming::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
+    std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice,
+                                                   retiming::Leaves const& leaves) const;
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     /// Retimes a core as far as needed to know whether it takes more than `bound`, unless that is obsolete.

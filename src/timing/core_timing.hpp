@@ -90,8 +90,8 @@ class CoreTiming {
 
   private:
     void connect();
-    /// All but the processes `held`, a bit each.
     void find_patient();
+    /// All but the processes `held`, a bit each.
     void settle(std::uint32_t runnable, std::uint32_t held);
     bool keep_more();
     bool group_has_started(std::uint32_t all);

@@ -1,6 +1,7 @@
 #include "retiming/scripted_run.hpp"
 
 #include "modules/core_shapes.hpp"
+#include "timing/phrase_cutter.hpp"
 
 namespace faster::retiming {
 
@@ -17,7 +18,11 @@ constexpr std::size_t most_phrases = std::size_t{1} << 26;
 class SampleCutter {
   public:
     SampleCutter(RecordedRun const& run, Parts const& parts, timing::PhraseBook& book)
-        : run_(run), core_(run.blueprint->blank_copy()), group_(*core_, rasterizer_and_followers(parts)), book_(book) {}
+        : run_(run),
+          core_(run.blueprint->blank_copy()),
+          group_(*core_, rasterizer_and_followers(parts)),
+          phrase_cutter_(*core_, rasterizer_and_followers(parts)),
+          book_(book) {}
 
     ScriptedSample cut(std::size_t sample) {
         ScriptedSample cut;
@@ -28,7 +33,7 @@ class SampleCutter {
                 open(m, cut);
         open_driver(cut);
         while (phrase_.read(group_, 1U << group_.supplier()) == Phrase::Reading::complete) {
-            cut.phrases.push_back(book_.number_of(phrase_, group_));
+            cut.phrases.push_back(number_of_phrase());
             cut.script.due += book_[cut.phrases.back()].due;
             phrase_.consume();
         }
@@ -39,6 +44,14 @@ class SampleCutter {
     }
 
   private:
+    timing::PhraseBook::Number number_of_phrase() {
+        std::size_t const known = book_.size();
+        timing::PhraseBook::Number const number = book_.number_of(phrase_, group_);
+        if (number >= known)
+            phrase_cutter_.cut(book_, number);
+        return number;
+    }
+
     OperationLog& log(unsigned member) { return group_.members()[member].process->log(); }
     unsigned index(unsigned member) const { return group_.members()[member].process->index(); }
 
@@ -77,6 +90,7 @@ class SampleCutter {
     RecordedRun const& run_;
     std::unique_ptr<timing::CoreTiming> core_;
     Group group_;
+    timing::PhraseCutter phrase_cutter_;
     timing::PhraseBook& book_;
     Phrase phrase_;
 };

@@ -119,26 +119,35 @@ void Automaton::apply(Slot const& slot) {
         Transition const& loose = session.loose[slot.number - first_loose];
         session.time += loose.cycles;
         session.entered |= loose.entered;
-        note(session, loose.froze, loose.rooms);
+        note(session, loose.froze, loose.rooms, session.time);
         return;
     }
+    if (slot.notable)
+        note(session, slot.number, session.time);
     session.time += slot.cycles;
     session.entered |= slot.entered;
     if (slot.number >= session.uses.size())
         session.uses.resize(store_.size());
     ++session.uses[slot.number];
-    if (slot.notable)
-        note(session, store_.notes(slot.number).froze, store_.notes(slot.number).rooms);
 }
 
-void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms) {
+/// Of a transition that is remembered, and notable.
+void Automaton::note(Session& session, Number number, Cycles begin) const {
+    for (Number const piece : store_.pieces(number)) {
+        begin += store_.brief(piece).cycles;
+        if (store_.brief(piece).notable)
+            note(session, store_.notes(piece).froze, store_.notes(piece).rooms, begin);
+    }
+}
+
+void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end) {
     session.frozen |= froze;
     for (Room const& room : rooms) {
         std::vector<Cycles>& times = session.rooms[room.fifo];
         if (room.all)
             times.clear();
         for (std::int64_t from : room.from)
-            times.push_back(session.time + static_cast<Cycles>(from));
+            times.push_back(end + static_cast<Cycles>(from));
     }
 }
 
@@ -189,9 +198,16 @@ bool Automaton::work_out(Slot& slot) {
         return true;
     }
     slot.number = store_.add(worked_on_);
-    slot.cycles = store_.brief(slot.number).cycles;
-    slot.entered = store_.brief(slot.number).entered;
+    describe(slot);
     return true;
+}
+
+/// Of a transition that is remembered.
+void Automaton::describe(Slot& slot) const {
+    TransitionStore::Brief const brief = store_.brief(slot.number);
+    slot.cycles = brief.cycles;
+    slot.entered = brief.entered;
+    slot.notable = brief.notable;
 }
 
 /// The state at which the bench is is likely to come again: times further apart hardly ever do.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "timing/cut_trial.hpp"
 #include "timing/numbered_transitions.hpp"
 #include "timing/phrase.hpp"
 #include "timing/phrase_book.hpp"
@@ -101,9 +102,14 @@ class Automaton {
     bool find_outlooks(Group const& group, Script const* script, RelativeState& real);
     void end(Group const& group, Script* script = nullptr);
     void apply(Slot const& slot);
-    static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms);
+    void note(Session& session, Number number, Cycles begin) const;
+    static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
     bool work_out(Slot& slot);
+    void describe(Slot& slot) const;
+    bool put_together(Walk const& walk, Slot& slot);
+    NumberedTransitions::Slot const* work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece);
+    bool take_up(Walk const& walk, PhraseBook::Number number);
     /// Where a walk is, while it goes on.
     struct Place {
         PhraseBook::Number const* next;
@@ -118,6 +124,8 @@ class Automaton {
     void charge_parking(Group const& group, RelativeState const& real);
     Cycles cycles(Session const& session, Number number) const;
     TransitionStore::Range<Stand> stands(Session const& session, Number number) const;
+    /// Visits transitions that are no sequences, from the last to the first, with the cycle at their end.
+    template <class Visit> void go_back(Session const& session, Visit visit) const;
     void restore_stands(RelativeState& real);
     void extend(Trail& trail) const;
     void add_iterations(Group const& group, Session& session) const;
@@ -141,6 +149,8 @@ class Automaton {
     TransitionTable table_;
     NumberedTransitions numbered_;  ///< by number of the phrase in a book
     std::vector<Place> places_;
+    std::vector<Number> sequence_;
+    CutTrial cut_trial_;
     Slot once_;  ///< the last that was not worth remembering
     Words words_;
     std::uint64_t phrases_ = 0;

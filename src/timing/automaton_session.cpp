@@ -32,11 +32,16 @@ TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& sessi
 void Automaton::settle(Group const& group, Session& session) const {
     RelativeState real(group);
     std::vector<std::uint64_t*> const counters = real.counters();
-    for (std::size_t i = 0; i < session.uses.size(); ++i) {
-        if (session.uses[i] == 0)
+    for (std::size_t i = session.uses.size(); i > 0; --i) {  // sequences come after their pieces
+        auto const number = static_cast<Number>(i - 1);
+        if (session.uses[number] == 0)
             continue;
-        auto const number = static_cast<Number>(i);
-        enter(store_.growth(number), store_.peaks(number), session.uses[i], counters, real);
+        if (store_.is_sequence(number)) {
+            for (Number const piece : store_.pieces(number))
+                session.uses[piece] += session.uses[number];
+            continue;
+        }
+        enter(store_.growth(number), store_.peaks(number), session.uses[number], counters, real);
     }
     session.uses.clear();
     add_iterations(group, session);
@@ -64,10 +69,13 @@ std::uint64_t Automaton::iterations_since_entry(Session const& session, unsigned
     };
     for (std::size_t i = session.kept_history.size(); i > session.open_loops[member].from && !entered; --i) {
         Number const number = session.kept_history[i - 1];
-        if (number < first_loose)
-            add(store_.tally(number));
-        else
+        if (number >= first_loose) {
             add(session.loose[number - first_loose]);
+            continue;
+        }
+        auto const pieces = store_.pieces(number);
+        for (Number const* piece = pieces.end(); piece != pieces.begin() && !entered; --piece)
+            add(store_.tally(piece[-1]));
     }
     return sum;
 }
@@ -201,14 +209,27 @@ void Automaton::extend(Trail& trail) const {
     }
 }
 
+/// Until a visit says that it is enough.
+template <class Visit> void Automaton::go_back(Session const& session, Visit visit) const {
+    Cycles time = session.time;
+    bool goes_on = true;
+    for (std::size_t i = session.history.size(); i > 0 && goes_on; --i) {
+        Number const number = session.history[i - 1];
+        auto const pieces = number < first_loose ? store_.pieces(number) : TransitionStore::only(session.history[i - 1]);
+        for (Number const* piece = pieces.end(); piece != pieces.begin() && goes_on; --piece) {
+            goes_on = visit(piece[-1], time);
+            time -= cycles(session, piece[-1]);
+        }
+    }
+}
+
 /// A follower's own time is that of the last transition that moved it; it only waited since.
 void Automaton::restore_stands(RelativeState& real) {
     std::vector<Stand> found = session_->entry;
     std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
     std::uint32_t missing_arrival = missing_since;
-    Cycles time = session_->time;
-    for (std::size_t i = session_->history.size(); i > 0 && missing_arrival != 0; --i) {
-        for (Stand const& stand : stands(*session_, session_->history[i - 1])) {
+    go_back(*session_, [&](Number number, Cycles time) {
+        for (Stand const& stand : stands(*session_, number)) {
             std::uint32_t const bit = 1U << stand.member;
             if ((missing_since & bit) != 0) {
                 found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
@@ -220,8 +241,8 @@ void Automaton::restore_stands(RelativeState& real) {
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
-        time -= cycles(*session_, session_->history[i - 1]);
-    }
+        return missing_arrival != 0;
+    });
     for (Stand const& stand : found)
         real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
 }

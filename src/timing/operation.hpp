@@ -183,6 +183,19 @@ class OperationLog {
             clear();
     }
 
+    /// Splits the front operation, so that the front one is a single iteration that accesses something, or iterations
+    /// that access nothing, or no iteration at all.
+    void split_iteration() {
+        Operation const operation = front();
+        if (operation.kind() != Kind::iterate || operation.ports() == 0)
+            return;
+        bool const is_last = operation.count() == 1 && operation.tail_ports() == 0;
+        consume(is_last ? 1 : 0, is_last ? 0 : 1);
+        if (operation.gap() > 0)
+            put_back(Operation(Kind::iterate, 0, 0, operation.gap()));
+        put_back(Operation(Kind::iterate, operation.ports(), 0, 1));
+    }
+
     /// Puts an operation in front of all others.
     void put_back(Operation const& operation) {
         if (next_ > 1)

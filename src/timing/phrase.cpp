@@ -30,10 +30,38 @@ std::uint64_t gaps_of(Operation const& operation) {
 }  // namespace
 
 Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
+    start();
+    Reading const reading = read_driver(group);
+    return reading == Reading::complete ? read_answers(group, frozen) : reading;
+}
+
+Phrase::Reading Phrase::read_piece(Group const& group) {
+    start();
+    OperationLog& log = group.members().front().process->log();
+    if (log.exhausted())
+        return Reading::logs_end;
+    log.split_iteration();
+    Operation const operation = log.front();
+    codes_[size_++] = operation.code();
+    take_driver(log, 1, group.followers_at(operation.ports()));
+    return read_answers(group, 0);
+}
+
+void Phrase::start() {
     size_ = 0;
     active_ = 0;
     part_count_ = 0;
-    Reading reading = read_driver(group);
+}
+
+void Phrase::take_driver(OperationLog& log, std::size_t operations, Group::Lanes due) {
+    due_ = due;
+    parts_[part_count_++] = {&log, operations, 0};
+    active_ |= 1U;
+}
+
+/// Of all followers to what the driver does.
+Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
+    Reading reading = Reading::complete;
     Group::Lanes due = due_;
     for (unsigned m = 1; due != 0 && reading == Reading::complete; ++m, due >>= Group::lane_bits) {
         auto const accesses = static_cast<std::uint32_t>(due & Group::lane_mask);
@@ -81,9 +109,7 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
-    due_ = due;
-    parts_[part_count_++] = {&log, i, 0};
-    active_ |= 1U;
+    take_driver(log, i, due);
     return Reading::complete;
 }
 

@@ -19,6 +19,9 @@ class Phrase {
     /// Reads the next phrase from the logs. logs_end: some process has not said yet what it does; foreign: the driver
     /// or a follower goes on with something outside the group. `frozen`: bit per member that is out of the game.
     Reading read(Group const& group, std::uint32_t frozen);
+    /// Reads the next piece of a phrase that is all there: a single operation of the driver, and of iterations that
+    /// access something a single one, with the answers to it.
+    Reading read_piece(Group const& group);
 
     /// Takes the phrase's operations out of the logs.
     void consume();
@@ -81,7 +84,10 @@ class Phrase {
         codes_[size_++] = operation.code();
         return true;
     }
+    void start();
     Reading read_driver(Group const& group);
+    void take_driver(OperationLog& log, std::size_t operations, Group::Lanes due);
+    Reading read_answers(Group const& group, std::uint32_t frozen);
     static Next next_in(Operation const& operation, std::uint32_t taken) {
         bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
         return {goes_on ? operation.ports() : operation.tail_ports(), true};

@@ -15,7 +15,7 @@ PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& grou
         if (entries_[known->second].size == phrase.size() &&
             std::equal(phrase.codes(), phrase.codes() + phrase.size(), codes(known->second)))
             return known->second;
-    Entry entry{static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), 0};
+    Entry entry{static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), 0, 0, 0};
     if (group.has_supplier())
         entry.due = static_cast<std::uint32_t>((phrase.due() >> (Group::lane_bits * (group.supplier() - 1))) &
                                                Group::lane_mask);
@@ -24,6 +24,12 @@ PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& grou
     auto const number = static_cast<Number>(entries_.size() - 1);
     by_hash_.emplace(hash, number);
     return number;
+}
+
+void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {
+    entries_[number].first_piece = static_cast<std::uint32_t>(pieces_.size());
+    entries_[number].pieces = static_cast<std::uint32_t>(pieces.size());
+    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 
 }  // namespace faster::timing

@@ -20,6 +20,8 @@ class PhraseBook {
         std::uint32_t size;
         std::uint32_t active;  ///< members that do something, a bit each
         std::uint32_t due;     ///< accesses by the driver of what the supplier writes
+        std::uint32_t first_piece = 0;
+        std::uint32_t pieces = 0;  ///< 0: it was not cut
     };
 
     /// Of a phrase that was read with the supplier left out.
@@ -27,10 +29,14 @@ class PhraseBook {
     std::size_t size() const { return entries_.size(); }
     Entry const& operator[](Number number) const { return entries_[number]; }
     Phrase::Code const* codes(Number number) const { return codes_.data() + entries_[number].begin; }
+    /// Phrases that do the same one after the other.
+    Number const* pieces(Number number) const { return pieces_.data() + entries_[number].first_piece; }
+    void set_pieces(Number number, std::vector<Number> const& pieces);
 
   private:
     std::vector<Phrase::Code> codes_;
     std::vector<Entry> entries_;
+    std::vector<Number> pieces_;
     std::unordered_multimap<std::uint64_t, Number> by_hash_;
 };
 

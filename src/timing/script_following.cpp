@@ -128,10 +128,10 @@ void Automaton::count_up(Walk& walk) {
     for (Number const* number = from; number != to; ++number) {
         TransitionStore::Brief const brief = store_.brief(*number);
         ++session.uses[*number];
+        if (brief.notable)
+            note(session, *number, session.time);
         session.time += brief.cycles;
         session.entered |= brief.entered;
-        if (brief.notable)
-            note(session, store_.notes(*number).froze, store_.notes(*number).rooms);
     }
     phrases_ += static_cast<std::uint64_t>(to - from);
     walk.counted = walk.script->next;
@@ -139,30 +139,75 @@ void Automaton::count_up(Walk& walk) {
 
 bool Automaton::find_out(Walk& walk) {
     Script& script = *walk.script;
-    Group const& group = *walk.group;
     if (script.next == walk.end)
         return false;
     session_ = walk.session;
     count_up(walk);
-    PhraseBook::Number const number = *script.next;
-    PhraseBook::Entry const& entry = (*script.book)[number];
-    phrase_.assign(script.book->codes(number), entry.size, entry.active);
+    Number const from = session_->state;
+    Slot slot;
+    if (!put_together(walk, slot) && !(take_up(walk, *script.next) && work_out(slot)))
+        return false;
+    if (slot.number < first_loose)
+        numbered_.add(from, *script.next, slot.next, slot.number);
+    session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
+    apply(slot);
+    walk.counted = script.next;
+    return true;
+}
+
+/// The phrase with that number is the one to be worked out; false: it cannot be.
+bool Automaton::take_up(Walk const& walk, PhraseBook::Number number) {
+    PhraseBook const& book = *walk.script->book;
+    Group const& group = *walk.group;
+    PhraseBook::Entry const& entry = book[number];
+    phrase_.assign(book.codes(number), entry.size, entry.active);
     if (entry.due > 0 && !is_frozen(group.supplier())) {
         if (entry.due > Operation::longest_mix)
             return false;
         Group::Member const& supplier = group.members()[group.supplier()];
         phrase_.add_part(static_cast<std::uint8_t>(1U << supplier.anchor_port), entry.due, group.supplier());
     }
-    Number const from = session_->state;
-    Slot slot;
-    if (!work_out(slot))
-        return false;
-    if (slot.number < first_loose)
-        numbered_.add(from, number, slot.next, slot.number);
-    session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
-    apply(slot);
-    walk.counted = script.next;
     return true;
+}
+
+/// The transition by the next phrase, from those by its pieces. False if that cannot be done, or what decides their
+/// times is asked for, of which transitions tell as a whole.
+bool Automaton::put_together(Walk const& walk, Slot& slot) {
+    PhraseBook const& book = *walk.script->book;
+    PhraseBook::Number const number = *walk.script->next;
+    std::uint32_t const count = book[number].pieces;
+    if (count == 0 || session_->state == none || leaves_trails_ || !cut_trial_.decide())
+        return false;
+    sequence_.clear();
+    slot.next = session_->state;
+    for (PhraseBook::Number const* piece = book.pieces(number); piece != book.pieces(number) + count; ++piece) {
+        NumberedTransitions::Slot const* known = NumberedTransitions::Reader(numbered_).find(slot.next, *piece);
+        if (known == nullptr)
+            known = work_out_piece(walk, slot.next, *piece);
+        if (known == nullptr)
+            return false;
+        auto const pieces = store_.pieces(known->number);
+        sequence_.insert(sequence_.end(), pieces.begin(), pieces.end());
+        slot.next = known->next;
+    }
+    if (!store_.accepts_sequence(sequence_))
+        return false;
+    slot.number = store_.add_sequence(sequence_);
+    describe(slot);
+    return true;
+}
+
+/// Null if it cannot be done, or is not worth remembering.
+NumberedTransitions::Slot const* Automaton::work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece) {
+    worked_on_.clear();
+    if (!take_up(walk, piece))
+        return nullptr;
+    ++worked_out_;
+    cut_trial_.worked_out_piece();
+    if (!bench_->work_out(*states_[state], phrase_, worked_on_) || !is_recurring() || !store_.accepts(worked_on_))
+        return nullptr;
+    numbered_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
+    return NumberedTransitions::Reader(numbered_).find(state, piece);
 }
 
 bool Automaton::arrive(Walk& walk) {

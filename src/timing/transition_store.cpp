@@ -25,16 +25,45 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     briefs_.push_back({static_cast<std::uint32_t>(transition.cycles), static_cast<std::uint8_t>(transition.entered),
                        is_notable(transition)});
     tallies_.push_back(tally);
+    pieces_.push_back(number);
     growth_.insert(growth_.end(), transition.growth.begin(), transition.growth.end());
-    growth_ends_.push_back(static_cast<std::uint32_t>(growth_.size()));
     peaks_.insert(peaks_.end(), transition.peaks.begin(), transition.peaks.end());
-    peaks_ends_.push_back(static_cast<std::uint32_t>(peaks_.size()));
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
-    stands_ends_.push_back(static_cast<std::uint32_t>(stands_.size()));
+    end();
     if (is_notable(transition))
         notes_[number] = {transition.froze, transition.rooms};
     trails_.push_back(transition.trail);
     return number;
+}
+
+bool TransitionStore::accepts_sequence(std::vector<Number> const& transitions) const {
+    Cycles cycles = 0;
+    for (Number const transition : transitions)
+        cycles += briefs_[transition].cycles;
+    return size() < most_transitions && cycles <= longest_cycles;
+}
+
+TransitionStore::Number TransitionStore::add_sequence(std::vector<Number> const& transitions) {
+    auto const number = static_cast<Number>(size());
+    Brief all{};
+    for (Number const transition : transitions) {
+        Brief const& brief = briefs_[transition];
+        all.cycles += brief.cycles;
+        all.entered = static_cast<std::uint8_t>(all.entered | brief.entered);
+        all.notable = all.notable || brief.notable;
+    }
+    briefs_.push_back(all);
+    tallies_.emplace_back();
+    trails_.emplace_back();
+    pieces_.insert(pieces_.end(), transitions.begin(), transitions.end());
+    end();
+    return number;
+}
+
+/// Of the transition at hand.
+void TransitionStore::end() {
+    auto const size_of = [](auto const& all) { return static_cast<std::uint32_t>(all.size()); };
+    ends_.push_back({size_of(pieces_), size_of(growth_), size_of(peaks_), size_of(stands_)});
 }
 
 }  // namespace faster::timing

@@ -37,33 +37,48 @@ class TransitionStore {
     /// Whether there is room for it, and for its figures.
     bool accepts(Transition const& transition) const;
     Number add(Transition const& transition);
+    /// Of transitions one after the other: one that does the same. Only what pieces() are it knows itself, and its
+    /// brief().
+    bool accepts_sequence(std::vector<Number> const& transitions) const;
+    Number add_sequence(std::vector<Number> const& transitions);
     std::size_t size() const { return briefs_.size(); }
 
     Brief brief(Number number) const { return briefs_[number]; }
+    /// The transition itself, or those of which it is a sequence.
+    Range<Number> pieces(Number number) const { return part(pieces_, &Ends::pieces, number); }
+    static Range<Number> only(Number const& number) { return {&number, &number + 1}; }
+    bool is_sequence(Number number) const { return *pieces(number).first != number; }
     Tally const& tally(Number number) const { return tallies_[number]; }
-    Range<Transition::Growth> growth(Number number) const { return part(growth_, growth_ends_, number); }
-    Range<Transition::Peak> peaks(Number number) const { return part(peaks_, peaks_ends_, number); }
-    Range<Transition::Stand> stands(Number number) const { return part(stands_, stands_ends_, number); }
+    Range<Transition::Growth> growth(Number number) const { return part(growth_, &Ends::growth, number); }
+    Range<Transition::Peak> peaks(Number number) const { return part(peaks_, &Ends::peaks, number); }
+    Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
     std::vector<TrailEvent> const& trail(Number number) const { return trails_[number]; }
 
     static bool is_notable(Transition const& transition) { return transition.froze != 0 || !transition.rooms.empty(); }
 
   private:
+    /// Where a transition's share of what all have ends.
+    struct Ends {
+        std::uint32_t pieces;
+        std::uint32_t growth;
+        std::uint32_t peaks;
+        std::uint32_t stands;
+    };
     template <class Element>
-    static Range<Element> part(std::vector<Element> const& all, std::vector<std::uint32_t> const& ends, Number number) {
-        std::uint32_t const begin = number == 0 ? 0 : ends[number - 1];
-        return {all.data() + begin, all.data() + ends[number]};
+    Range<Element> part(std::vector<Element> const& all, std::uint32_t Ends::*end, Number number) const {
+        std::uint32_t const begin = number == 0 ? 0 : ends_[number - 1].*end;
+        return {all.data() + begin, all.data() + ends_[number].*end};
     }
+    void end();
 
     std::vector<Brief> briefs_;
     std::vector<Tally> tallies_;
+    std::vector<Ends> ends_;
+    std::vector<Number> pieces_;
     std::vector<Transition::Growth> growth_;
-    std::vector<std::uint32_t> growth_ends_;
     std::vector<Transition::Peak> peaks_;
-    std::vector<std::uint32_t> peaks_ends_;
     std::vector<Transition::Stand> stands_;
-    std::vector<std::uint32_t> stands_ends_;
     std::unordered_map<Number, Notes> notes_;
     std::vector<std::vector<TrailEvent>> trails_;
 };

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "timing/group.hpp"
+#include "timing/phrase_book.hpp"
+
+namespace faster::timing {
+
+/// Cuts phrases of a book into pieces. Lines of pixels differ in length and in the silence behind them, so that there
+/// are many; of the single pixels and silences in them there are few.
+class PhraseCutter {
+  public:
+    /// For the groups of cores of that shape.
+    PhraseCutter(CoreTiming const& core, Lead const& lead);
+    ~PhraseCutter();
+
+    /// Enters the pieces in the book. A phrase that cannot be cut has none.
+    void cut(PhraseBook& book, PhraseBook::Number number);
+
+  private:
+    using Log = OperationLog;
+
+    Log& log(unsigned member) const { return group_.members()[member].process->log(); }
+    bool write(PhraseBook const& book, PhraseBook::Number number);
+    void write_end(unsigned member, std::uint8_t next_ports);
+    bool is_all_read() const;
+
+    std::unique_ptr<CoreTiming> core_;  // the logs are what is needed of it
+    Group group_;
+    Phrase phrase_;
+    std::vector<std::size_t> ends_;  ///< by member: operations in the log that are no part of the phrase
+    std::vector<std::uint8_t> log_ends_;
+};
+
+}  // namespace faster::timing

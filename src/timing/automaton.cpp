@@ -80,9 +80,15 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
 bool Automaton::is_far_apart(Group const& group) const {
     Cycles const end = group.driver().local_time() + longest_reach;
     auto const is_ahead = [end](Group::Member const& member) {
-        return member.process->local_time() > end && Phrase::next_of(member, 0).ports != 0;
+        return member.process->local_time() > end && !goes_on_elsewhere(member);
     };
     return driver_is_regular_ && std::any_of(group.members().begin() + 1, group.members().end(), is_ahead);
+}
+
+/// With something outside the group.
+bool Automaton::goes_on_elsewhere(Group::Member const& member) {
+    Phrase::Next const next = Phrase::next_of(member, 0);
+    return next.known && next.ports == 0;
 }
 
 Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {

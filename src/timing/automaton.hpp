@@ -96,6 +96,7 @@ class Automaton {
     };
 
     bool is_far_apart(Group const& group) const;
+    static bool goes_on_elsewhere(Group::Member const& member);
     bool is_worthwhile() const;
     bool is_recurring() const;
     bool begin(Group const& group, Script const* script = nullptr);
@@ -119,7 +120,7 @@ class Automaton {
     };
     static bool step(NumberedTransitions::Reader const& known, Place& place);
     void count_up(Walk& walk);
-    void find_regular_part(Walk& walk) const;
+    static void find_regular_part(Walk& walk);
     bool is_frozen(unsigned member) const;
     void charge_parking(Group const& group, RelativeState const& real);
     Cycles cycles(Session const& session, Number number) const;
@@ -130,6 +131,7 @@ class Automaton {
     void extend(Trail& trail) const;
     void add_iterations(Group const& group, Session& session) const;
     void keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before);
+    static void forget_history(Session& session);
     std::uint64_t iterations_since_entry(Session const& session, unsigned member) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
@@ -148,6 +150,7 @@ class Automaton {
     Transition worked_on_;
     TransitionTable table_;
     NumberedTransitions numbered_;  ///< by number of the phrase in a book
+    NumberedTransitions pieces_;    ///< the same of pieces of phrases
     std::vector<Place> places_;
     std::vector<Number> sequence_;
     CutTrial cut_trial_;

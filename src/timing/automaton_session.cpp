@@ -83,7 +83,6 @@ std::uint64_t Automaton::iterations_since_entry(Session const& session, unsigned
 /// After a session, of which `iterations_before` are from its begin.
 void Automaton::keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before) {
     Session& session = *session_;
-    bool any_open = false;
     for (unsigned m = 0; m < iterations_before.size(); ++m) {
         Session::OpenLoop& loop = session.open_loops[m];
         bool const entered = ((session.entered >> m) & 1U) != 0;
@@ -97,24 +96,36 @@ void Automaton::keep_history(RelativeState const& real, std::vector<std::uint64_
         loop.is_open = real.is_in_loop(m);
         loop.told = real.iterations(m);
         loop.entries = real.entries(m);
-        any_open = any_open || loop.is_open;
     }
-    if (any_open)
-        session.kept_history.insert(session.kept_history.end(), session.history.begin(), session.history.end());
+    forget_history(session);
+    if (session.kept_history.empty())
+        session.kept_history.swap(session.history);
     else
-        session.kept_history.clear();
+        session.kept_history.insert(session.kept_history.end(), session.history.begin(), session.history.end());
+}
+
+/// From before all loops that are open were entered.
+void Automaton::forget_history(Session& session) {
+    std::size_t first = session.kept_history.size();
+    for (Session::OpenLoop const& loop : session.open_loops)
+        first = loop.is_open ? std::min(first, loop.from) : first;
+    if (first == 0)
+        return;
+    session.kept_history.erase(session.kept_history.begin(),
+                               session.kept_history.begin() + static_cast<std::ptrdiff_t>(first));
+    for (Session::OpenLoop& loop : session.open_loops)
+        loop.from -= loop.is_open ? first : 0;
 }
 
 /// Where each follower goes on. False if one goes on with what no phrase can say.
 bool Automaton::find_outlooks(Group const& group, Script const* script, RelativeState& real) {
     for (unsigned m = 1; m < group.members().size(); ++m) {
         Group::Member const& member = group.members()[m];
-        Phrase::Next const next = Phrase::next_of(member, 0);
-        bool const frozen = next.known && next.ports == 0;
+        bool const frozen = goes_on_elsewhere(member);
         if (frozen && !member.writes_anchor)
             return false;
         bool const as_scripted = script != nullptr && !member.writes_anchor;
-        real.outlooks()[m] = {as_scripted ? script->next_ports[m] : next.ports, frozen};
+        real.outlooks()[m] = {as_scripted ? script->next_ports[m] : Phrase::next_of(member, 0).ports, frozen};
         session_->frozen |= frozen ? 1U << m : 0U;
     }
     return true;

@@ -52,12 +52,11 @@ void Automaton::write_next(Group const& group, Script& script) {
 
 bool Automaton::set_out(Walk& walk) {
     session_ = walk.session;
-    if (is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
-        return false;
     walk.begin = walk.counted = walk.script->next;
-    if (is_worthwhile()) {
-        find_regular_part(walk);
-    } else {
+    find_regular_part(walk);
+    if (walk.begin == walk.end || is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
+        return false;
+    if (!is_worthwhile()) {
         walk.end = walk.begin;
         walk.due_behind = walk.script->due;
     }
@@ -66,13 +65,14 @@ bool Automaton::set_out(Walk& walk) {
 }
 
 /// The phrases for which the supplier goes on as it does, and has more to do.
-void Automaton::find_regular_part(Walk& walk) const {
+void Automaton::find_regular_part(Walk& walk) {
     Script const& script = *walk.script;
     walk.end = script.end;
     walk.due_behind = 0;
-    if (!walk.group->has_supplier() || is_frozen(walk.group->supplier()))
+    Group::Member const& supplier = walk.group->members()[walk.group->supplier()];
+    if (!walk.group->has_supplier() || goes_on_elsewhere(supplier))
         return;
-    std::uint64_t const left = regular_supplies(walk.group->members()[walk.group->supplier()]);
+    std::uint64_t const left = regular_supplies(supplier);
     while (walk.end != script.next && walk.due_behind + left <= script.due)
         walk.due_behind += (*script.book)[*--walk.end].due;
 }
@@ -181,7 +181,7 @@ bool Automaton::put_together(Walk const& walk, Slot& slot) {
     sequence_.clear();
     slot.next = session_->state;
     for (PhraseBook::Number const* piece = book.pieces(number); piece != book.pieces(number) + count; ++piece) {
-        NumberedTransitions::Slot const* known = NumberedTransitions::Reader(numbered_).find(slot.next, *piece);
+        NumberedTransitions::Slot const* known = NumberedTransitions::Reader(pieces_).find(slot.next, *piece);
         if (known == nullptr)
             known = work_out_piece(walk, slot.next, *piece);
         if (known == nullptr)
@@ -206,8 +206,8 @@ NumberedTransitions::Slot const* Automaton::work_out_piece(Walk const& walk, Num
     cut_trial_.worked_out_piece();
     if (!bench_->work_out(*states_[state], phrase_, worked_on_) || !is_recurring() || !store_.accepts(worked_on_))
         return nullptr;
-    numbered_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
-    return NumberedTransitions::Reader(numbered_).find(state, piece);
+    pieces_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
+    return NumberedTransitions::Reader(pieces_).find(state, piece);
 }
 
 bool Automaton::arrive(Walk& walk) {

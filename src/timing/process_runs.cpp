@@ -231,13 +231,18 @@ void ProcessTiming::start_run(Operation const& operation) {
     run_.stride = plan().ii * (1U + operation.gap());
 }
 
+/// Iterations and tails that are done in one piece.
+bool ProcessTiming::is_line(Operation const& operation) {
+    bool const is_long = operation.kind() == Operation::Kind::iterate && operation.count() >= long_count;
+    return operation.has_last_port_as_tail() && !is_long;
+}
+
 /// As far as earliest cycles are known; true: to its end.
 bool ProcessTiming::continue_run() {
     Operation const& operation = log_.whole_front();
     if (operation.kind() == Operation::Kind::mixed)
         return continue_mix();
-    bool const is_long = operation.kind() == Operation::Kind::iterate && operation.count() >= long_count;
-    return operation.has_last_port_as_tail() && !is_long ? continue_with_tails() : continue_plain_run();
+    return is_line(operation) ? continue_with_tails() : continue_plain_run();
 }
 
 bool ProcessTiming::continue_plain_run() {
@@ -255,35 +260,57 @@ bool ProcessTiming::continue_plain_run() {
     return true;
 }
 
+/// With all mixes behind it that access the same ports.
 bool ProcessTiming::continue_mix() {
-    Operation const mix = log_.whole_front();
-    std::uint32_t const done = (this->*run_.ports->mixed_accesses)(*run_.ports, mix.length(), mix.gaps());
-    if (done == 0)
-        return false;
-    charged_until_ = never;
-    std::uint32_t const gaps = mix.gaps() & Operation::gap_bits(1, done);
-    count_iterations(done + static_cast<std::uint64_t>(__builtin_popcount(gaps)));
-    if (done < mix.length()) {
-        log_.consume(0, done);
-        return false;
-    }
-    log_.consume();
+    Operation mix = log_.whole_front();
+    do {
+        std::uint32_t const done = (this->*run_.ports->mixed_accesses)(*run_.ports, mix.length(), mix.gaps());
+        if (done == 0)
+            return false;
+        charged_until_ = never;
+        std::uint32_t const gaps = mix.gaps() & Operation::gap_bits(1, done);
+        count_iterations(done + static_cast<std::uint64_t>(__builtin_popcount(gaps)));
+        if (done < mix.length()) {
+            log_.consume(0, done);
+            return false;
+        }
+    } while (goes_on_with_mix(mix));
     run_.active = false;
     front_ports_ = 0;
     return true;
 }
 
-bool ProcessTiming::continue_with_tails() {
-    Operation const operation = log_.whole_front();
-    std::uint32_t const length = length_with_tails(operation);
-    std::uint32_t const done = (this->*run_.ports->accesses_with_tails)(*run_.ports, operation);
-    if (done == 0)
+/// Takes the mix out. Whether another one of the same ports comes next, and it.
+bool ProcessTiming::goes_on_with_mix(Operation& mix) {
+    log_.consume();
+    if (log_.exhausted())
         return false;
-    charged_until_ = never;
-    run_.active = false;  // what is left accesses other ports
-    front_ports_ = 0;
-    end_iterations_with_tails(operation, done);
-    return done == length;
+    Operation const next = log_.whole_front();
+    bool const goes_on = next.kind() == Operation::Kind::mixed && next.ports() == mix.ports();
+    mix = next;
+    return goes_on;
+}
+
+/// With all lines behind it that access the same ports.
+bool ProcessTiming::continue_with_tails() {
+    for (Operation operation = log_.whole_front();;) {
+        std::uint32_t const length = length_with_tails(operation);
+        std::uint32_t const done = (this->*run_.ports->accesses_with_tails)(*run_.ports, operation);
+        if (done == 0)
+            return false;
+        charged_until_ = never;
+        end_iterations_with_tails(operation, done);
+        bool const is_over = done == length;
+        Operation const before = operation;
+        if (is_over && !log_.exhausted()) {
+            operation = log_.whole_front();
+            if (operation.ports() == before.ports() && is_line(operation))
+                continue;
+        }
+        run_.active = false;  // what is left accesses other ports
+        front_ports_ = 0;
+        return is_over;
+    }
 }
 
 /// Iterations that access something.

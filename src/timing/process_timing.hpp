@@ -256,6 +256,8 @@ class ProcessTiming {
     bool continue_run();
     bool continue_plain_run();
     bool continue_mix();
+    bool goes_on_with_mix(Operation& mix);
+    static bool is_line(Operation const& operation);
     bool continue_with_tails();
     void end_iterations_with_tails(Operation const& operation, std::uint32_t done);
     static std::uint32_t length_with_tails(Operation const& operation);

@@ -132,7 +132,9 @@ class Automaton {
     void add_iterations(Group const& group, Session& session) const;
     void keep_history(RelativeState const& real, std::vector<std::uint64_t> const& iterations_before);
     static void forget_history(Session& session);
-    std::uint64_t iterations_since_entry(Session const& session, unsigned member) const;
+    static void keep_loose(Session& session);
+    using Iterations = std::array<std::uint64_t, Transition::most_members>;  ///< by member
+    Iterations iterations_since_entry(Session const& session, std::uint32_t members) const;
     Print print_of_phrase() const;
     Number number_of(Words const& words);
 
@@ -186,6 +188,11 @@ struct Automaton::Session {
     };
     std::array<OpenLoop, Transition::most_members> open_loops{};
     std::vector<Number> kept_history;  ///< of sessions since the first open loop was entered, about
+    struct Loose {
+        std::array<std::uint64_t, Transition::most_members> iterations;
+        std::uint32_t entered;
+    };
+    std::vector<Loose> kept_loose;     ///< in kept_history, as far as loops are concerned
     std::vector<std::uint32_t> uses;   ///< of each transition, in all sessions
 };
 

@@ -1,3 +1,4 @@
+#include "common/each_bit.hpp"
 #include "timing/automaton.hpp"
 
 // Sessions of an automaton: where they begin, where they end, and what they leave in the counters of a core.
@@ -50,34 +51,41 @@ void Automaton::settle(Group const& group, Session& session) const {
 /// Tells the processes how often the loops they are in have been iterated in all sessions.
 void Automaton::add_iterations(Group const& group, Session& session) const {
     RelativeState real(group);
+    std::uint32_t open = 0;
     for (unsigned m = 0; m < group.members().size(); ++m) {
         Session::OpenLoop& loop = session.open_loops[m];
-        if (loop.is_open && real.is_in_loop(m) && real.entries(m) == loop.entries)
-            real.set_iterations(m, real.iterations(m) - loop.told + loop.besides + iterations_since_entry(session, m));
+        bool const goes_on = loop.is_open && real.is_in_loop(m) && real.entries(m) == loop.entries;
+        open |= goes_on ? 1U << m : 0U;
         loop.is_open = false;
     }
+    Iterations const since_entry = iterations_since_entry(session, open);
+    for_each_bit(open, [&](unsigned m) {
+        Session::OpenLoop const& loop = session.open_loops[m];
+        real.set_iterations(m, real.iterations(m) - loop.told + loop.besides + since_entry[m]);
+    });
     session.kept_history.clear();
 }
 
-/// Back to where the member entered its loop, if it did so in a session.
-std::uint64_t Automaton::iterations_since_entry(Session const& session, unsigned member) const {
-    std::uint64_t sum = 0;
-    bool entered = false;
-    auto const add = [&](auto const& tally) {
-        sum += tally.iterations[member];
-        entered = ((tally.entered >> member) & 1U) != 0;
-    };
-    for (std::size_t i = session.kept_history.size(); i > session.open_loops[member].from && !entered; --i) {
+/// Of a mask of members, each back to where it entered its loop, if it did so in a session.
+Automaton::Iterations Automaton::iterations_since_entry(Session const& session, std::uint32_t members) const {
+    Iterations sums{};
+    for (std::size_t i = session.kept_history.size(); i > 0 && members != 0; --i) {
         Number const number = session.kept_history[i - 1];
-        if (number >= first_loose) {
-            add(session.loose[number - first_loose]);
-            continue;
-        }
-        auto const pieces = store_.pieces(number);
-        for (Number const* piece = pieces.end(); piece != pieces.begin() && !entered; --piece)
-            add(store_.tally(piece[-1]));
+        auto const add = [&](auto const& tally) {
+            for_each_bit(members, [&](unsigned m) {
+                if (i <= session.open_loops[m].from)
+                    members &= ~(1U << m);
+                else
+                    sums[m] += tally.iterations[m];
+            });
+            members &= ~std::uint32_t{tally.entered};
+        };
+        if (number < first_loose)
+            add(store_.tally(number));
+        else
+            add(session.kept_loose[number - first_loose]);
     }
-    return sum;
+    return sums;
 }
 
 /// After a session, of which `iterations_before` are from its begin.
@@ -98,10 +106,23 @@ void Automaton::keep_history(RelativeState const& real, std::vector<std::uint64_
         loop.entries = real.entries(m);
     }
     forget_history(session);
+    keep_loose(session);
     if (session.kept_history.empty())
         session.kept_history.swap(session.history);
     else
         session.kept_history.insert(session.kept_history.end(), session.history.begin(), session.history.end());
+}
+
+/// What is needed of the loose transitions of a session, which get other numbers.
+void Automaton::keep_loose(Session& session) {
+    if (session.kept_history.empty())
+        session.kept_loose.clear();
+    auto const before = static_cast<Number>(session.kept_loose.size());
+    for (Transition const& loose : session.loose)
+        session.kept_loose.push_back({loose.iterations, loose.entered});
+    if (before > 0 && !session.loose.empty())
+        for (Number& number : session.history)
+            number += number < first_loose ? 0 : before;
 }
 
 /// From before all loops that are open were entered.
@@ -193,7 +214,7 @@ void Automaton::end(Group const& group, Script* script) {
     if (group.driver().trail() != nullptr)
         extend(*group.driver().trail());
     keep_history(real, iterations_before);
-    if (!session_->loose.empty() || session_->kept_history.size() > longest_history)
+    if (session_->kept_history.size() > longest_history)
         add_iterations(group, *session_);
     for (unsigned f = 0; f < group.fifos().size(); ++f) {
         std::vector<Cycles> const& times = session_->rooms[f];

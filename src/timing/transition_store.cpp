@@ -1,6 +1,7 @@
 #include "timing/transition_store.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace faster::timing {
 
@@ -38,26 +39,42 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
 
 bool TransitionStore::accepts_sequence(std::vector<Number> const& transitions) const {
     Cycles cycles = 0;
-    for (Number const transition : transitions)
+    std::array<std::uint64_t, Transition::most_members> iterations{};
+    for (Number const transition : transitions) {
         cycles += briefs_[transition].cycles;
-    return size() < most_transitions && cycles <= longest_cycles;
+        for (std::size_t m = 0; m < iterations.size(); ++m)
+            iterations[m] += tallies_[transition].iterations[m];
+    }
+    return size() < most_transitions && cycles <= longest_cycles &&
+           *std::max_element(iterations.begin(), iterations.end()) <= most_iterations;
 }
 
 TransitionStore::Number TransitionStore::add_sequence(std::vector<Number> const& transitions) {
     auto const number = static_cast<Number>(size());
     Brief all{};
+    Tally sum{};
     for (Number const transition : transitions) {
         Brief const& brief = briefs_[transition];
         all.cycles += brief.cycles;
         all.entered = static_cast<std::uint8_t>(all.entered | brief.entered);
         all.notable = all.notable || brief.notable;
+        add(tallies_[transition], sum);
     }
     briefs_.push_back(all);
-    tallies_.emplace_back();
+    tallies_.push_back(sum);
     trails_.emplace_back();
     pieces_.insert(pieces_.end(), transitions.begin(), transitions.end());
     end();
     return number;
+}
+
+/// Of a transition behind others.
+void TransitionStore::add(Tally const& next, Tally& sum) {
+    for (std::size_t m = 0; m < sum.iterations.size(); ++m) {
+        bool const entered = ((next.entered >> m) & 1U) != 0;
+        sum.iterations[m] = static_cast<std::uint16_t>(next.iterations[m] + (entered ? 0 : sum.iterations[m]));
+    }
+    sum.entered = static_cast<std::uint16_t>(sum.entered | next.entered);
 }
 
 /// Of the transition at hand.

@@ -37,8 +37,8 @@ class TransitionStore {
     /// Whether there is room for it, and for its figures.
     bool accepts(Transition const& transition) const;
     Number add(Transition const& transition);
-    /// Of transitions one after the other: one that does the same. Only what pieces() are it knows itself, and its
-    /// brief().
+    /// Of transitions one after the other: one that does the same. Of its own it has a brief() and a tally(); all else
+    /// is that of its pieces().
     bool accepts_sequence(std::vector<Number> const& transitions) const;
     Number add_sequence(std::vector<Number> const& transitions);
     std::size_t size() const { return briefs_.size(); }
@@ -70,6 +70,7 @@ class TransitionStore {
         std::uint32_t const begin = number == 0 ? 0 : ends_[number - 1].*end;
         return {all.data() + begin, all.data() + ends_[number].*end};
     }
+    static void add(Tally const& next, Tally& sum);
     void end();
 
     std::vector<Brief> briefs_;

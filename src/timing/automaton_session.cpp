@@ -12,7 +12,7 @@ constexpr std::size_t longest_history = std::size_t{1} << 16;
 template <class Growths, class Peaks>
 void enter(Growths const& growths, Peaks const& peaks, std::uint64_t uses, std::vector<std::uint64_t*> const& counters,
            RelativeState& figures) {
-    for (Transition::Growth const& growth : growths)
+    for (auto const& growth : growths)
         *counters[growth.counter] += uses * growth.amount;
     for (Transition::Peak const& peak : peaks)
         figures.raise_peak(peak.fifo, peak.occupancy);

@@ -93,6 +93,8 @@ void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
         runnable &= ~(1U << index);
         later &= ~(1U << index);
         ProcessTiming& process = processes_[index];
+        if (process.finished())
+            continue;
         std::uint32_t woken = 0;
         if (process.is_running(SteadyState::worthwhile_count))
             woken = steady_state_.observe(process, processes_);

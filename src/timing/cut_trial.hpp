@@ -15,7 +15,7 @@ class CutTrial {
             return false;
         }
         if (new_pieces_ > most_new_pieces)
-            end(std::min(2 * patience_, most_patience));
+            end(std::min(4 * patience_, most_patience));
         else if (phrases_ == length)
             end(0);
         ++phrases_;
@@ -26,7 +26,7 @@ class CutTrial {
   private:
     static constexpr std::uint32_t length = 64;  // phrases
     static constexpr std::uint32_t most_new_pieces = length + length / 2;
-    static constexpr std::uint32_t most_patience = 16;
+    static constexpr std::uint32_t most_patience = 64;
 
     void end(std::uint32_t patience) {
         patience_ = std::max(patience, 1U);

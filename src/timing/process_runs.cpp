@@ -204,6 +204,7 @@ ProcessTiming::PortSet ProcessTiming::make_port_set(std::uint8_t ports) const {
         {nullptr, &ProcessTiming::accesses_with_tails<2, true>, &ProcessTiming::accesses_with_tails<3, true>,
          &ProcessTiming::accesses_with_tails<4, true>}};
     PortSet set;
+    set.mask = ports;
     for_each_bit(ports, [&](unsigned number) {
         if (set.size == 4)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
@@ -219,15 +220,18 @@ ProcessTiming::PortSet ProcessTiming::make_port_set(std::uint8_t ports) const {
     return set;
 }
 
+/// Of a few that a process has.
+ProcessTiming::PortSet const& ProcessTiming::port_set(std::uint8_t ports) {
+    for (PortSet const& set : port_sets_)
+        if (set.mask == ports)
+            return set;
+    return port_sets_.emplace_back(make_port_set(ports));
+}
+
 void ProcessTiming::start_run(Operation const& operation) {
-    if (port_sets_.empty())
-        port_sets_.resize(std::size_t{1} << max_ports);
-    PortSet& set = port_sets_[operation.ports()];
-    if (set.size == 0)
-        set = make_port_set(operation.ports());
     ++run_.number;
     run_.active = true;
-    run_.ports = &set;
+    run_.ports = &port_set(operation.ports());
     run_.stride = plan().ii * (1U + operation.gap());
 }
 

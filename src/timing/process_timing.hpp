@@ -190,6 +190,7 @@ class ProcessTiming {
 
     /// The ports that an iteration of an aligned loop accesses, all in one direction.
     struct PortSet {
+        std::uint8_t mask = 0;
         unsigned size = 0;
         FifoTiming* fifos[4] = {};
         unsigned ports[4] = {};
@@ -251,6 +252,7 @@ class ProcessTiming {
         return in_loop_ && !by_steps_ && !plans_[current_loop_].aligned && !log_.exhausted() &&
                log_.front().kind() == Operation::Kind::iterate && log_.front().ports() != 0;
     }
+    PortSet const& port_set(std::uint8_t ports);
     PortSet make_port_set(std::uint8_t ports) const;
     void start_run(Operation const& operation);
     bool continue_run();
@@ -316,7 +318,7 @@ class ProcessTiming {
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
     std::uint64_t loops_entered_ = 0;
     Run run_;
-    std::vector<PortSet> port_sets_;  ///< by port mask, made when first needed
+    std::vector<PortSet> port_sets_;  ///< made when first needed
     PipelinePosition pipeline_;
     std::uint64_t pipeline_run_ = 0;  ///< number of the operation at hand in an unaligned loop
     friend class SteadyState;

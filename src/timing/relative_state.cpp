@@ -1,6 +1,7 @@
 #include "timing/relative_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace faster::timing {
@@ -111,30 +112,50 @@ void RelativeState::make_legal(unsigned member, unsigned port, Cycles from) {
     earliest = std::min(earliest, from);
 }
 
-std::int64_t RelativeState::since(Cycles cycle, Cycles base) const {
-    auto const distance = static_cast<std::int64_t>(cycle - base);
-    reach_ = std::max(reach_, std::abs(distance));
-    return distance;
-}
+/// Where words are put down; times relative to a base.
+class RelativeState::Pen {
+  public:
+    Pen(std::int64_t* words, Cycles base) : words_(words), base_(base) {}
+
+    void put(std::int64_t word) { *words_++ = word; }
+    void put_time(Cycles cycle) { put(look_at(cycle)); }
+    std::int64_t look_at(Cycles cycle) {
+        auto const distance = static_cast<std::int64_t>(cycle - base_);
+        reach_ = std::max(reach_, std::abs(distance));
+        return distance;
+    }
+    std::int64_t* end() const { return words_; }
+    std::int64_t reach() const { return reach_; }
+
+  private:
+    std::int64_t* words_;
+    Cycles base_;
+    std::int64_t reach_ = 0;
+};
 
 bool RelativeState::save(Words& words, std::uint32_t with_logs) const {
     ProcessTiming const& driver = process(0);
     if (driver.in_loop_ && !driver.plans_[driver.current_loop_].aligned &&
         (driver.pipeline_.open || driver.pipeline_.gap_left > 0))
         return false;
-    words.resize(most_words(with_logs));
-    std::int64_t* end = words.data();
-    reach_ = 0;
-    for (unsigned m = 0; m < group_->members().size(); ++m)
-        end = save_process(m, driver.time_, m > 0 && ((with_logs >> m) & 1U) != 0, end);
-    for (unsigned f = 0; f < group_->fifos().size(); ++f)
-        end = save_fifo(f, driver.time_, end);
-    words.resize(static_cast<std::size_t>(end - words.data()));
+    auto const members = static_cast<unsigned>(group_->members().size());
+    if (std::size_t const most = most_words(with_logs); page_.size() < most)
+        page_.resize(2 * most);
+    Pen pen(page_.data(), driver.time_);
+    std::array<Cycles, Transition::most_members> floors;
+    for (unsigned m = 0; m < members; ++m) {
+        save_process(m, m > 0 && ((with_logs >> m) & 1U) != 0, pen);
+        floors[m] = not_before(m);
+    }
+    for (Group::Inner const& inner : group_->fifos())
+        save_fifo(inner, floors[inner.reader], floors[inner.writer], pen);
+    words.assign(page_.data(), pen.end());
+    reach_ = pen.reach();
     return true;
 }
 
 std::size_t RelativeState::most_words(std::uint32_t with_logs) const {
-    constexpr std::size_t own = 3, of_fifo = 3;
+    constexpr std::size_t own = 2, of_fifo = 1;
     std::size_t words = 0;
     for (unsigned m = 0; m < group_->members().size(); ++m) {
         ProcessTiming const& p = process(m);
@@ -152,55 +173,49 @@ void RelativeState::clear_logs(std::uint32_t members) {
             process(m).log_.clear();
 }
 
-std::int64_t* RelativeState::save_process(unsigned member, Cycles base, bool with_log, std::int64_t* words) const {
+void RelativeState::save_process(unsigned member, bool with_log, Pen& pen) const {
     ProcessTiming const& p = process(member);
     Outlook const& outlook = outlooks_[member];
-    *words++ = outlook.frozen ? 0 : since(p.time_, base);
+    outlook.frozen ? pen.put(0) : pen.put_time(p.time_);
     std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
     auto const begun =
         static_cast<std::int64_t>(p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0);
     std::uint32_t const waited_for = parked_at_[member] + 1;  // 0: none
-    *words++ = loop | (begun << 8) | (std::int64_t{outlook.next_ports} << 16) | (outlook.frozen ? 1 << 24 : 0) |
-               (std::int64_t{waited_for} << 32);
+    std::size_t const left = with_log ? p.log_.pending() : 0;
+    pen.put(loop | (begun << begun_at) | (std::int64_t{outlook.next_ports} << next_ports_at) |
+            (std::int64_t{outlook.frozen} << frozen_at) | (std::int64_t{waited_for} << waited_for_at) |
+            (static_cast<std::int64_t>(left) << left_at));
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
         std::uint64_t const iteration = p.pipeline_.iteration;
         for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
-            *words++ = iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()];
+            pen.put(iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()]);
     }
-    std::size_t const left = with_log ? p.log_.pending() : 0;
-    *words++ = static_cast<std::int64_t>(left);
     for (std::size_t i = 0; i < left; ++i)
-        *words++ = static_cast<std::int64_t>(p.log_.begin()[i].code());
-    return words;
+        pen.put(static_cast<std::int64_t>(p.log_.begin()[i].code()));
 }
 
-std::int64_t* RelativeState::save_fifo(unsigned number, Cycles base, std::int64_t* words) const {
-    Group::Inner const& inner = group_->fifos()[number];
+/// Of its times only those that are not over, when neither end does anything before its floor: a time before that
+/// decides nothing, it could as well be that time. Times never fall.
+void RelativeState::save_fifo(Group::Inner const& inner, Cycles reader_floor, Cycles writer_floor, Pen& pen) const {
     FifoTiming const& fifo = *inner.fifo;
-    *words++ = static_cast<std::int64_t>(fifo.known_reads());
-    Times const readable{fifo.readable_from_.data(), fifo.index_mask_, fifo.reads_, fifo.known_reads()};
-    words = save_times(readable, not_before(inner.reader), base, words);
-    if (outlooks_[inner.writer].frozen) {
-        *words++ = static_cast<std::int64_t>(fifo.known_writes());
-        return words;
-    }
-    Times const free{fifo.free_from_.data(), fifo.index_mask_, fifo.writes_ - fifo.room_, fifo.known_writes()};
-    return save_times(free, not_before(inner.writer), base, words);
-}
-
-/// How many of the times, which never fall, are not after `floor`, and the others. A time before the local time of who
-/// waits for it decides nothing: it could as well be that time.
-std::int64_t* RelativeState::save_times(Times const& times, Cycles floor, Cycles base, std::int64_t* words) const {
-    std::uint64_t past = times.count;
-    while (past > 0 && times[past - 1] > floor)
-        --past;
-    *words++ = static_cast<std::int64_t>(past);
-    if (past > 0)
-        since(floor, base);
-    for (std::uint64_t i = past; i < times.count; ++i)
-        *words++ = since(times[i], base);
-    return words;
+    std::uint64_t const tokens = fifo.known_reads();
+    std::uint64_t const room = fifo.known_writes();
+    std::uint64_t read_over = tokens;
+    while (read_over > 0 && fifo.earliest_read(read_over - 1) > reader_floor)
+        --read_over;
+    std::uint64_t room_over = room;
+    while (!outlooks_[inner.writer].frozen && room_over > 0 && fifo.earliest_write(room_over - 1) > writer_floor)
+        --room_over;
+    pen.put(static_cast<std::int64_t>(tokens | (read_over << over_at) | (room_over << room_over_at)));
+    if (read_over > 0)
+        pen.look_at(reader_floor);
+    for (std::uint64_t i = read_over; i < tokens; ++i)
+        pen.put_time(fifo.earliest_read(i));
+    if (room_over > 0 && !outlooks_[inner.writer].frozen)
+        pen.look_at(writer_floor);
+    for (std::uint64_t i = room_over; i < room; ++i)
+        pen.put_time(fifo.earliest_write(i));
 }
 
 void RelativeState::load(Words const& words, Cycles driver_time) {
@@ -224,55 +239,61 @@ void RelativeState::forget_times() {
 void RelativeState::restore(Words const& words, Cycles driver_time) { restore(words, driver_time, Past::is_written); }
 
 void RelativeState::restore(Words const& words, Cycles driver_time, Past past) {
-    std::size_t at = 0;
-    auto const cycle = [&] { return driver_time + static_cast<Cycles>(words[at++]); };
-    for (unsigned m = 0; m < group_->members().size(); ++m) {
-        ProcessTiming& p = process(m);
-        p.time_ = cycle();
-        std::int64_t const flags = words[at++];
-        p.in_loop_ = (flags & 0xFF) != 0;
-        if (p.in_loop_)
-            p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
-        p.iterations_ = static_cast<std::uint64_t>(flags >> 8) & most_iterations;
-        outlooks_[m].next_ports = static_cast<std::uint8_t>(flags >> 16);
-        outlooks_[m].frozen = ((flags >> 24) & 1) != 0;
-        parked_at_[m] = static_cast<unsigned>(flags >> 32) - 1;
-        p.front_ports_ = 0;
-        p.run_.active = false;
-        if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
-            ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
-            p.pipeline_ = ProcessTiming::PipelinePosition{};
-            ++p.pipeline_run_;
-            p.pipeline_.iteration = plan.longest_lag;
-            p.pipeline_.drain_left = plan.longest_lag;
-            for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
-                plan.delay_line[(plan.longest_lag - lag) % plan.delay_line.size()] =
-                    static_cast<std::uint8_t>(words[at++]);
-        }
-        auto const left = static_cast<std::size_t>(words[at++]);
-        for (std::size_t i = left; i > 0; --i)
-            p.log_.put_back(Operation(static_cast<Operation::Code>(words[at + i - 1])));
-        at += left;
-    }
-    std::int64_t const* next = words.data() + at;
+    std::int64_t const* next = words.data();
+    for (unsigned m = 0; m < group_->members().size(); ++m)
+        next = restore_process(m, driver_time, next);
     for (Group::Inner const& inner : group_->fifos())
         next = restore_fifo(inner, driver_time, next, past);
 }
 
+std::int64_t const* RelativeState::restore_process(unsigned member, Cycles base, std::int64_t const* words) {
+    ProcessTiming& p = process(member);
+    p.time_ = base + static_cast<Cycles>(*words++);
+    std::int64_t const flags = *words++;
+    p.in_loop_ = (flags & 0xFF) != 0;
+    if (p.in_loop_)
+        p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
+    p.iterations_ = static_cast<std::uint64_t>(flags >> begun_at) & most_iterations;
+    outlooks_[member] = {static_cast<std::uint8_t>(flags >> next_ports_at), ((flags >> frozen_at) & 1) != 0};
+    parked_at_[member] = (static_cast<unsigned>(flags >> waited_for_at) & 0xFFU) - 1;
+    p.front_ports_ = 0;
+    p.run_.active = false;
+    if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
+        ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
+        p.pipeline_ = ProcessTiming::PipelinePosition{};
+        ++p.pipeline_run_;
+        p.pipeline_.iteration = plan.longest_lag;
+        p.pipeline_.drain_left = plan.longest_lag;
+        for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
+            plan.delay_line[(plan.longest_lag - lag) % plan.delay_line.size()] = static_cast<std::uint8_t>(*words++);
+    }
+    auto const left = static_cast<std::size_t>(flags >> left_at);
+    for (std::size_t i = left; i > 0; --i)
+        p.log_.put_back(Operation(static_cast<Operation::Code>(words[i - 1])));
+    return words + left;
+}
+
 std::int64_t const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words,
-                                                Past what) {
+                                                Past past) {
     FifoTiming& fifo = *inner.fifo;
-    auto const tokens = static_cast<std::uint64_t>(*words++);
+    auto const counts = static_cast<std::uint64_t>(*words++);
+    std::uint64_t const tokens = counts & most_tokens;
+    std::uint64_t const read_over = (counts >> over_at) & most_tokens;
+    std::uint64_t const room_over = (counts >> room_over_at) & most_tokens;
     fifo.writes_ = fifo.reads_ + tokens;
-    auto const restore_times = [&](std::vector<Cycles>& ring, std::uint64_t first, std::uint64_t count, Cycles floor) {
-        auto const past = static_cast<std::uint64_t>(*words++);
-        for (std::uint64_t i = 0; i < past && what == Past::is_written; ++i)
-            ring[(first + i) & fifo.index_mask_] = floor;
-        for (std::uint64_t i = past; i < count; ++i)
-            ring[(first + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
-    };
-    restore_times(fifo.readable_from_, fifo.reads_, tokens, not_before(inner.reader));
-    restore_times(fifo.free_from_, fifo.writes_ - fifo.room_, fifo.known_writes(), not_before(inner.writer));
+    std::uint64_t const room = fifo.known_writes();
+    std::uint64_t const first_room = fifo.writes_ - fifo.room_;
+    if (past == Past::is_written) {
+        Cycles const reader_floor = not_before(inner.reader), writer_floor = not_before(inner.writer);
+        for (std::uint64_t i = 0; i < read_over; ++i)
+            fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = reader_floor;
+        for (std::uint64_t i = 0; i < room_over; ++i)
+            fifo.free_from_[(first_room + i) & fifo.index_mask_] = writer_floor;
+    }
+    for (std::uint64_t i = read_over; i < tokens; ++i)
+        fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
+    for (std::uint64_t i = room_over; i < room; ++i)
+        fifo.free_from_[(first_room + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
     return words;
 }
 

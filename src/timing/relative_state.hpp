@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "timing/group.hpp"
+#include "timing/transition.hpp"
 
 namespace faster::timing {
 
@@ -93,25 +94,24 @@ class RelativeState {
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
     std::size_t most_words(std::uint32_t with_logs) const;
-    std::int64_t* save_process(unsigned member, Cycles base, bool with_log, std::int64_t* words) const;
-    std::int64_t* save_fifo(unsigned fifo, Cycles base, std::int64_t* words) const;
-    /// Some of those in a FIFO's ring.
-    struct Times {
-        Cycles const* ring;
-        std::uint64_t mask;
-        std::uint64_t first;
-        std::uint64_t count;
-        Cycles operator[](std::uint64_t i) const { return ring[(first + i) & mask]; }
-    };
-    std::int64_t* save_times(Times const& times, Cycles floor, Cycles base, std::int64_t* words) const;
+    class Pen;
+    void save_process(unsigned member, bool with_log, Pen& pen) const;
+    void save_fifo(Group::Inner const& inner, Cycles reader_floor, Cycles writer_floor, Pen& pen) const;
     void restore(Words const& words, Cycles driver_time, Past past);
+    std::int64_t const* restore_process(unsigned member, Cycles base, std::int64_t const* words);
     std::int64_t const* restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words, Past past);
-    std::int64_t since(Cycles cycle, Cycles base) const;
+
+    // The words of a process are its time, one with bit fields (the loop's number in the lowest), its delay line and
+    // its log; those of a FIFO one with counts (tokens in the lowest), and times.
+    static constexpr unsigned begun_at = 8, next_ports_at = 16, frozen_at = 24, waited_for_at = 32, left_at = 40;
+    static constexpr unsigned over_at = 20, room_over_at = 40;
+    static constexpr std::uint64_t most_tokens = (1U << 20) - 1;
 
     Group const* group_;
     std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};
     std::vector<unsigned> parked_at_{std::vector<unsigned>(group_->members().size(), no_port)};
     mutable std::int64_t reach_ = 0;
+    mutable Words page_;  ///< to write on
 };
 
 }  // namespace faster::timing

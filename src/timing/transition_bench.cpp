@@ -20,6 +20,7 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
       group_(*core_, lead),
       state_(group_),
       counters_(state_.counters()),
+      growth_(counters_.size() + 1),
       leaves_trails_(leaves_trails) {}
 
 TransitionBench::~TransitionBench() = default;
@@ -40,11 +41,15 @@ void TransitionBench::forget_growth() {
 
 /// The counters count on from zero.
 void TransitionBench::take_growth(std::vector<Transition::Growth>& growth) {
-    for (std::uint32_t i = 0; i < counters_.size(); ++i)
-        if (*counters_[i] != 0) {
-            growth.push_back({i, *counters_[i]});
-            *counters_[i] = 0;
-        }
+    Transition::Growth* end = growth_.data();
+    std::uint32_t number = 0;
+    for (std::uint64_t* const counter : counters_) {
+        std::uint64_t const amount = *counter;
+        *counter = 0;
+        *end = {number++, amount};
+        end += amount != 0 ? 1 : 0;
+    }
+    growth.assign(growth_.data(), end);
 }
 
 void TransitionBench::describe_peaks(std::vector<Transition::Peak>& peaks) const {
@@ -58,7 +63,6 @@ std::vector<RelativeState::Waiting> TransitionBench::park(Words const& from) {
     std::vector<RelativeState::Waiting> waitings;
     for (unsigned m = 1; m < group_.members().size(); ++m)
         waitings.push_back(state_.park(m));
-    parking_growth_.clear();
     take_growth(parking_growth_);
     state_.save(words_, RelativeState::all_logs);
     return waitings;
@@ -72,13 +76,10 @@ std::vector<TrailEvent> TransitionBench::take_trail() {
 bool TransitionBench::work_out(Words const& from, Phrase const& phrase, Transition& transition) {
     start_from(from);
     std::size_t const members = group_.members().size();
-    times_before_.clear();
-    entries_before_.clear();
-    ports_before_.clear();
     for (unsigned m = 0; m < members; ++m) {
-        times_before_.push_back(group_.members()[m].process->local_time());
-        entries_before_.push_back(state_.entries(m));
-        ports_before_.push_back(state_.parked_at(m));
+        times_before_[m] = group_.members()[m].process->local_time();
+        entries_before_[m] = state_.entries(m);
+        ports_before_[m] = state_.parked_at(m);
         transition.iterations[m] = state_.iterations(m);
     }
     Phrase::write(phrase.codes(), phrase.size(), group_, [&](unsigned member, std::uint8_t next_ports, bool frozen) {
@@ -123,7 +124,7 @@ void TransitionBench::describe(Phrase const& phrase, Transition& transition) {
 void TransitionBench::describe_stands(Phrase const& phrase, Transition& transition) {
     Cycles const end = group_.driver().local_time();
     auto const since_end = [end](Cycles cycle) { return static_cast<std::int64_t>(cycle - end); };
-    for (unsigned m = 1; m < times_before_.size(); ++m) {
+    for (unsigned m = 1; m < group_.members().size(); ++m) {
         bool const active = ((phrase.active() >> m) & 1U) != 0;
         if (state_.outlooks()[m].frozen && !active)
             continue;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -54,14 +55,16 @@ class TransitionBench {
     Group group_;
     RelativeState state_;
     std::vector<std::uint64_t*> counters_;
+    std::vector<Transition::Growth> growth_;  ///< to write on: one entry more than there can be
     Cycles time_ = first_time;
     bool leaves_trails_;
     std::vector<Transition::Growth> parking_growth_;
     Words words_;
     // Where the members stood before a transition.
-    std::vector<Cycles> times_before_;
-    std::vector<std::uint64_t> entries_before_;  ///< of loops
-    std::vector<unsigned> ports_before_;         ///< waited for
+    template <class Value> using ByMember = std::array<Value, Transition::most_members>;
+    ByMember<Cycles> times_before_{};
+    ByMember<std::uint64_t> entries_before_{};  ///< of loops
+    ByMember<unsigned> ports_before_{};         ///< waited for
 };
 
 }  // namespace faster::timing

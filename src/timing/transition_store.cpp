@@ -13,8 +13,10 @@ constexpr std::uint64_t most_iterations = 0xFFFF;
 
 bool TransitionStore::accepts(Transition const& transition) const {
     auto const fits = [](std::uint64_t iterations) { return iterations <= most_iterations; };
+    auto const is_short = [](Transition::Growth const& growth) { return growth.amount <= longest_cycles; };
     return size() < most_transitions && transition.cycles <= longest_cycles &&
-           std::all_of(transition.iterations.begin(), transition.iterations.end(), fits);
+           std::all_of(transition.iterations.begin(), transition.iterations.end(), fits) &&
+           std::all_of(transition.growth.begin(), transition.growth.end(), is_short);
 }
 
 TransitionStore::Number TransitionStore::add(Transition const& transition) {
@@ -27,7 +29,8 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
                        is_notable(transition)});
     tallies_.push_back(tally);
     pieces_.push_back(number);
-    growth_.insert(growth_.end(), transition.growth.begin(), transition.growth.end());
+    for (Transition::Growth const& growth : transition.growth)
+        growth_.push_back({growth.counter, static_cast<std::uint32_t>(growth.amount)});
     peaks_.insert(peaks_.end(), transition.peaks.begin(), transition.peaks.end());
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     end();

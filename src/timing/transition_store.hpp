@@ -49,7 +49,11 @@ class TransitionStore {
     static Range<Number> only(Number const& number) { return {&number, &number + 1}; }
     bool is_sequence(Number number) const { return *pieces(number).first != number; }
     Tally const& tally(Number number) const { return tallies_[number]; }
-    Range<Transition::Growth> growth(Number number) const { return part(growth_, &Ends::growth, number); }
+    struct Growth {
+        std::uint32_t counter;
+        std::uint32_t amount;
+    };
+    Range<Growth> growth(Number number) const { return part(growth_, &Ends::growth, number); }
     Range<Transition::Peak> peaks(Number number) const { return part(peaks_, &Ends::peaks, number); }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
@@ -77,7 +81,7 @@ class TransitionStore {
     std::vector<Tally> tallies_;
     std::vector<Ends> ends_;
     std::vector<Number> pieces_;
-    std::vector<Transition::Growth> growth_;
+    std::vector<Growth> growth_;
     std::vector<Transition::Peak> peaks_;
     std::vector<Transition::Stand> stands_;
     std::unordered_map<Number, Notes> notes_;

@@ -10,24 +10,25 @@ class CutTrial {
   public:
     /// Whether the next phrase is to be cut.
     bool decide() {
-        if (left_whole_ > 0) {
-            --left_whole_;
-            return false;
-        }
         if (new_pieces_ > most_new_pieces)
             end(std::min(4 * patience_, most_patience));
         else if (phrases_ == length)
             end(0);
+        if (left_whole_ > 0) {
+            --left_whole_;
+            return false;
+        }
         ++phrases_;
-        return left_whole_ == 0;
+        return true;
     }
     void worked_out_piece() { ++new_pieces_; }
 
-  private:
-    static constexpr std::uint32_t length = 64;  // phrases
+    static constexpr std::uint32_t length = 64;  // phrases of a trial
     static constexpr std::uint32_t most_new_pieces = length + length / 2;
     static constexpr std::uint32_t most_patience = 64;
 
+  private:
+    /// The next trial begins after that many times the length of one.
     void end(std::uint32_t patience) {
         patience_ = std::max(patience, 1U);
         left_whole_ = patience * length;

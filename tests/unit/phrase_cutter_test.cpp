@@ -1,0 +1,171 @@
+#include "timing/phrase_cutter.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "timing/core_timing.hpp"
+#include "timing/cut_trial.hpp"
+#include "timing/transition_store.hpp"
+
+namespace faster::timing {
+namespace {
+
+/// A driver that writes fragments and edge tokens, and a reader of each.
+enum Process : unsigned { driver, drawer, builder };
+constexpr std::uint8_t fragment = 1, edge = 2;  // ports of the driver
+constexpr std::uint8_t read = 1;                // of a reader
+
+std::unique_ptr<CoreTiming> scanner() {
+    auto core = std::make_unique<CoreTiming>();
+    FifoTiming& fragments = core->add_fifo({"fragment"});
+    FifoTiming& edges = core->add_fifo({"edge"});
+    for (char const* name : {"driver", "drawer", "builder"})
+        core->add_process(name);
+    core->process(driver).add_writes(fragments);
+    core->process(driver).add_writes(edges);
+    core->process(drawer).add_reads(fragments);
+    core->process(builder).add_reads(edges);
+    for (Process const process : {driver, drawer, builder})
+        core->process(process).add_loop({});
+    return core;
+}
+
+Lead lead() { return {driver, {{drawer, 0}, {builder, 1}}}; }
+
+/// Triangles of a few lines, each with two edge tokens, and what the readers answer to them.
+void log_triangles(CoreTiming& core, std::mt19937& random) {
+    auto const below = [&random](unsigned limit) { return static_cast<unsigned>(random() % limit); };
+    OperationLog& scan = core.process(driver).log();
+    for (int triangle = 0; triangle < 20; ++triangle) {
+        scan.wait(3);
+        scan.step(fragment, 1 + below(3));
+        core.process(drawer).log().step(read, below(2));
+        core.process(drawer).log().wait(1);
+        scan.enter(0);
+        core.process(drawer).log().enter(0);
+        for (unsigned line = 1 + below(3); line > 0; --line) {
+            unsigned const inside = 2 + below(6);
+            unsigned const silent = below(9);
+            scan.iterate(0, 0, below(3));
+            if (below(2) == 0) {
+                scan.iterate_flanked(fragment | edge, inside, edge, silent);
+                core.process(builder).log().iterate(read, 0, inside + 2);
+            } else {
+                scan.iterate_with_tail(fragment | edge, inside, edge, silent);
+                core.process(builder).log().iterate(read, 0, inside + 1);
+            }
+            core.process(drawer).log().iterate(read, below(2), inside);
+        }
+        scan.leave();
+        core.process(drawer).log().leave();
+    }
+}
+
+/// What a log says, an iteration an entry; iterations that access nothing are as good as gaps.
+std::vector<Operation::Code> spelled_out(OperationLog log) {
+    std::vector<Operation::Code> codes;
+    while (!log.exhausted()) {
+        log.split_iteration();
+        Operation const operation = log.front();
+        bool const is_silent = operation.kind() == Operation::Kind::iterate && operation.ports() == 0;
+        codes.insert(codes.end(), is_silent ? operation.count() : 1,
+                     is_silent ? Operation(Operation::Kind::iterate, 0, 0, 1).code() : operation.code());
+        log.consume();
+    }
+    return codes;
+}
+
+/// By process, and at the end what each goes on with.
+std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::vector<PhraseBook::Number> numbers) {
+    auto const core = scanner();
+    Group const group(*core, lead());
+    std::vector<Operation::Code> next_ports(3);
+    for (PhraseBook::Number const number : numbers)
+        Phrase::write(book.codes(number), book[number].size, group,
+                      [&](unsigned member, std::uint8_t ports, bool) { next_ports[member] = ports; });
+    std::vector<std::vector<Operation::Code>> said;
+    for (Process const process : {driver, drawer, builder})
+        said.push_back(spelled_out(core->process(process).log()));
+    said.push_back(next_ports);
+    return said;
+}
+
+Transition transition_of(Cycles cycles, std::uint32_t entered, std::uint64_t iterations) {
+    Transition transition;
+    transition.cycles = cycles;
+    transition.entered = entered;
+    transition.iterations[1] = iterations;
+    return transition;
+}
+
+}  // namespace
+
+TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
+    std::size_t cut = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        auto const core = scanner();
+        log_triangles(*core, random);
+        Group const group(*core, lead());
+        PhraseCutter cutter(*core, lead());
+        PhraseBook book;
+        std::set<PhraseBook::Number> phrases, pieces;
+        for (Phrase phrase; phrase.read(group, 0) == Phrase::Reading::complete; phrase.consume()) {
+            PhraseBook::Number const number = book.number_of(phrase, group);
+            if (!phrases.insert(number).second)
+                continue;
+            cutter.cut(book, number);
+            std::vector<PhraseBook::Number> const own(book.pieces(number), book.pieces(number) + book[number].pieces);
+            if (own.empty())
+                continue;
+            CHECK(said_by(book, own) == said_by(book, {number}));
+            pieces.insert(own.begin(), own.end());
+            ++cut;
+        }
+        CHECK(pieces.size() < phrases.size());  // that is what they are good for
+    }
+    CHECK(cut > 1000);
+}
+
+TEST_CASE("Phrases are cut as long as their pieces are known", "[phrases]") {
+    CutTrial trial;
+    auto const cut = [&trial](unsigned phrases, unsigned new_pieces_each) {
+        unsigned done = 0;
+        for (unsigned i = 0; i < phrases; ++i)
+            if (trial.decide()) {
+                ++done;
+                for (unsigned k = 0; k < new_pieces_each; ++k)
+                    trial.worked_out_piece();
+            }
+        return done;
+    };
+    CHECK(cut(1000, 1) == 1000);
+    CHECK(cut(300, 3) < 120);  // given up within a trial, for four of them
+    CHECK(cut(CutTrial::most_patience * CutTrial::length, 0) > 0);
+    CHECK(cut(1000, 0) == 1000);
+}
+
+TEST_CASE("A sequence of transitions is the sum of its pieces", "[phrases]") {
+    TransitionStore store;
+    std::vector<TransitionStore::Number> const pieces{store.add(transition_of(10, 0, 4)),
+                                                      store.add(transition_of(5, 0b10, 3)),
+                                                      store.add(transition_of(7, 0, 2))};
+    REQUIRE(store.accepts_sequence(pieces));
+    TransitionStore::Number const sequence = store.add_sequence(pieces);
+    CHECK(store.brief(sequence).cycles == 22);
+    CHECK(store.brief(sequence).entered == 0b10);
+    CHECK(store.tally(sequence).iterations[1] == 5);  // of the loop that the second entered
+    CHECK(store.is_sequence(sequence));
+    CHECK_FALSE(store.is_sequence(pieces.front()));
+    CHECK(std::vector<TransitionStore::Number>(store.pieces(sequence).begin(), store.pieces(sequence).end()) == pieces);
+
+    TransitionStore::Number const long_one = store.add(transition_of(0xFFFFFFFF, 0, 0));
+    CHECK_FALSE(store.accepts_sequence({long_one, pieces.front()}));
+    TransitionStore::Number const busy_one = store.add(transition_of(1, 0, 0xFFFF));
+    CHECK_FALSE(store.accepts_sequence({busy_one, pieces.front()}));
+}
+
+}  // namespace faster::timing

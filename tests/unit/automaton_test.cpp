@@ -79,80 +79,92 @@ struct Machine {
     static Lead lead() { return {driver, {{source, vertex}, {divider, area}, {builder, edge}, {drawer, command}}}; }
 };
 
-/// What all processes of a machine do in some samples, with few shapes of lines, as in a real scan.
-void log_samples(CoreTiming& core, unsigned seed, unsigned samples, bool varied) {
-    Dice dice(seed);
+void begin_sample(CoreTiming& core, Dice& dice) {
+    core.process(driver).log().stamp();
+    core.process(driver).log().wait(1);
+    core.process(builder).log().wait(dice.between(1, 400));
+    core.process(builder).log().step(1, 1);  // the first token
+    core.process(builder).log().enter(0);
+    core.process(drawer).log().wait(dice.between(1, 400));
+    core.process(drawer).log().step(0b100, 1);  // the first command
+}
+
+/// With few shapes of lines, as in a real scan.
+void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied) {
     auto const log = [&core](Process process) -> OperationLog& { return core.process(process).log(); };
     constexpr std::uint8_t fragment_ports = 0b11100;
     constexpr std::uint8_t edge_port = 0b10000;
-    for (unsigned sample = 0; sample < samples; ++sample) {
-        unsigned const triangles = dice.between(1, 100);
-        log(source).enter(0);
-        log(source).iterate(1, 0, 3 * triangles);
-        log(source).leave();
-        log(driver).stamp();
-        log(driver).wait(1);
-        log(builder).wait(dice.between(1, 400));
-        log(builder).step(1, 1);  // the first token
-        log(builder).enter(0);
-        log(drawer).wait(dice.between(1, 400));
-        log(drawer).step(0b100, 1);  // the first command
-        std::vector<unsigned> gaps;  // of the builder, by token
-        for (unsigned triangle = 0; triangle < triangles; ++triangle) {
-            for (int corner = 0; corner < 3; ++corner)
-                log(driver).step(1, 1);
-            log(driver).wait(5);
-            bool const drawn = dice.chance(60);
-            log(driver).step(drawn ? 0b110 : 0b10, 1);
-            log(divider).step(1, 0);
-            if (drawn)
-                log(divider).step(2, 0);
-            log(divider).wait(1);
-            if (!drawn)
-                continue;
-            unsigned fragments = 0;
-            log(driver).enter(0);
-            for (unsigned line = dice.between(1, 3); line > 0; --line) {
-                log(driver).iterate(0, 0, dice.below(2));
-                unsigned const inside = varied || dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
-                bool const leaves = inside > 0 && dice.chance(80);
-                bool const flanked = leaves && inside > 1 && dice.chance(50);
-                unsigned const silent = dice.below(varied ? 60 : 2);
-                if (flanked) {
-                    log(driver).iterate_flanked(fragment_ports, inside, edge_port, silent);
-                } else {
-                    log(driver).iterate(fragment_ports, 0, inside);
-                    log(driver).iterate(edge_port, 0, leaves ? 1 : 0);
-                    log(driver).iterate(0, 0, silent);
-                }
-                gaps.insert(gaps.end(), inside, dice.chance(95) ? 1 : 0);
-                if (flanked)
-                    gaps.insert(gaps.end() - inside + 1, 0);
-                if (leaves)
-                    gaps.push_back(0);
-                fragments += inside;
+    log(source).enter(0);
+    log(source).iterate(1, 0, 3 * triangles);
+    log(source).leave();
+    std::vector<unsigned> gaps;  // of the builder, by token
+    for (unsigned triangle = 0; triangle < triangles; ++triangle) {
+        for (int corner = 0; corner < 3; ++corner)
+            log(driver).step(1, 1);
+        log(driver).wait(5);
+        bool const drawn = dice.chance(60);
+        log(driver).step(drawn ? 0b110 : 0b10, 1);
+        log(divider).step(1, 0);
+        if (drawn)
+            log(divider).step(2, 0);
+        log(divider).wait(1);
+        if (!drawn)
+            continue;
+        unsigned fragments = 0;
+        log(driver).enter(0);
+        for (unsigned line = dice.between(1, 3); line > 0; --line) {
+            log(driver).iterate(0, 0, dice.below(2));
+            unsigned const inside = varied || dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
+            bool const leaves = inside > 0 && dice.chance(80);
+            bool const flanked = leaves && inside > 1 && dice.chance(50);
+            unsigned const silent = dice.below(varied ? 60 : 2);
+            if (flanked) {
+                log(driver).iterate_flanked(fragment_ports, inside, edge_port, silent);
+            } else {
+                log(driver).iterate(fragment_ports, 0, inside);
+                log(driver).iterate(edge_port, 0, leaves ? 1 : 0);
+                log(driver).iterate(0, 0, silent);
             }
-            log(driver).leave();
-            log(drawer).step(0b101, 1);
-            if (fragments == 0) {
-                log(drawer).wait(1);
-                continue;
-            }
-            log(drawer).enter(0);
-            log(drawer).iterate(0b110, 0, fragments);
-            log(drawer).leave();
+            gaps.insert(gaps.end(), inside, dice.chance(95) ? 1 : 0);
+            if (flanked)
+                gaps.insert(gaps.end() - inside + 1, 0);
+            if (leaves)
+                gaps.push_back(0);
+            fragments += inside;
         }
-        log(driver).wait(1);
-        log(driver).step(0b10100, 1);  // the end, for drawer and builder
-        for (unsigned const gap : gaps)
-            log(builder).iterate(1, gap, 1);
-        log(builder).leave();
-        log(builder).wait(dice.between(1, 300));
-        log(drawer).wait(dice.between(1, 500));
-        log(drawer).step(0b1000, 1);
-        log(collector).step(1, 0);
-        log(collector).stamp();
-        log(collector).wait(1);
+        log(driver).leave();
+        log(drawer).step(0b101, 1);
+        if (fragments == 0) {
+            log(drawer).wait(1);
+            continue;
+        }
+        log(drawer).enter(0);
+        log(drawer).iterate(0b110, 0, fragments);
+        log(drawer).leave();
+    }
+    for (unsigned const gap : gaps)
+        log(builder).iterate(1, gap, 1);
+}
+
+void end_sample(CoreTiming& core, Dice& dice) {
+    core.process(driver).log().wait(1);
+    core.process(driver).log().step(0b10100, 1);  // the end, for drawer and builder
+    core.process(builder).log().leave();
+    core.process(builder).log().wait(dice.between(1, 300));
+    core.process(drawer).log().wait(dice.between(1, 500));
+    core.process(drawer).log().step(0b1000, 1);
+    core.process(collector).log().step(1, 0);
+    core.process(collector).log().stamp();
+    core.process(collector).log().wait(1);
+}
+
+/// What all processes of a machine do in some samples.
+void log_samples(CoreTiming& core, unsigned seed, unsigned samples, bool varied) {
+    Dice dice(seed);
+    for (unsigned sample = 0; sample < samples; ++sample) {
+        begin_sample(core, dice);
+        log_triangles(core, dice, dice.between(1, 100), varied);
+        end_sample(core, dice);
     }
 }
 
@@ -211,6 +223,33 @@ TEST_CASE("The automaton follows loops whose tokens leave in different stages", 
     for (unsigned seed = 500; seed <= 600; ++seed) {
         CAPTURE(seed);
         compare(seed, true, 2);
+    }
+}
+
+TEST_CASE("How often the loops were iterated that a core is in is known whenever it is asked", "[automaton]") {
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        auto automaton = std::make_shared<Automaton>();
+        bool const irregular = seed % 2 == 1;
+        Machine followed(seed, irregular);
+        Machine plain(seed, irregular);
+        followed.core.let_follow(Machine::lead(), automaton);
+        for (Machine* const machine : {&followed, &plain}) {
+            Dice dice(seed);
+            log_samples(machine->core, seed, 2, false);
+            begin_sample(machine->core, dice);
+            for (unsigned part = 0; part < 6; ++part) {
+                // So far ahead that its states are not worth remembering; regular drivers are not followed then.
+                machine->core.process(builder).log().iterate(0, 0, irregular ? 5000 : 0);
+                log_triangles(machine->core, dice, 20, part % 2 == 1);
+                machine->core.resolve(false);
+            }
+            machine->core.process(builder).log().iterate(1, 0, 1);  // a token that never comes
+            machine->core.resolve();
+        }
+        CHECK(figures_of(followed.core) == figures_of(plain.core));
+        CHECK(followed.core.process(builder).iterations() == plain.core.process(builder).iterations());
+        CHECK(followed.core.process(builder).iterations() > 100);
     }
 }
 

@@ -113,12 +113,14 @@ class Automaton {
     bool take_up(Walk const& walk, PhraseBook::Number number);
     /// Where a walk is, while it goes on.
     struct Place {
-        PhraseBook::Number const* next;
-        PhraseBook::Number const* end;
+        PhraseBook::Number const* phrases;
         Number* history;
+        std::size_t next;  ///< of both
+        std::size_t end;
         Number state;
     };
     static bool step(NumberedTransitions::Reader const& known, Place& place);
+    std::size_t walk_on(NumberedTransitions::Reader const& known);
     void count_up(Walk& walk);
     static void find_regular_part(Walk& walk);
     bool is_frozen(unsigned member) const;

@@ -77,46 +77,53 @@ void Automaton::find_regular_part(Walk& walk) {
         walk.due_behind += (*script.book)[*--walk.end].due;
 }
 
-/// By one transition that is known. False if there is none.
+/// By one transition that is known, before the end. False if there is none.
 inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place) {
-    if (place.next == place.end || place.state == none)
-        return false;
-    NumberedTransitions::Slot const* const known = transitions.find(place.state, *place.next);
+    NumberedTransitions::Slot const* const known = transitions.find(place.state, place.phrases[place.next]);
     if (known == nullptr)
         return false;
-    *place.history++ = known->number;
+    place.history[place.next++] = known->number;
     place.state = known->next;
-    ++place.next;
     return true;
 }
 
 std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
-    std::size_t stopped = 0;
     places_.clear();
-    for (Walk const* const walk : walks) {
-        PhraseBook::Number const* const next = walk->script->next;
-        places_.push_back(
-            {next, walk->end, walk->session->history.data() + (next - walk->begin), walk->session->state});
-    }
-    NumberedTransitions::Reader const transitions(numbered_);
-    if (places_.size() == 1) {
-        Place place = places_.front();  // in registers
-        while (step(transitions, place)) {
-        }
-        places_.front() = place;
-    } else {
-        Place* const first = places_.data();
-        Place* const end = first + places_.size();
-        Place* place = first;
-        while (step(transitions, *place))
-            place = place + 1 == end ? first : place + 1;
-        stopped = static_cast<std::size_t>(place - first);
-    }
+    for (Walk const* const walk : walks)
+        places_.push_back({walk->begin, walk->session->history.data(),
+                           static_cast<std::size_t>(walk->script->next - walk->begin),
+                           static_cast<std::size_t>(walk->end - walk->begin), walk->session->state});
+    std::size_t const stopped = walk_on(NumberedTransitions::Reader(numbered_));
     for (std::size_t i = 0; i < walks.size(); ++i) {
-        walks[i]->script->next = places_[i].next;
+        walks[i]->script->next = walks[i]->begin + places_[i].next;
         walks[i]->session->state = places_[i].state;
     }
     return stopped;
+}
+
+/// All places in turns, as many rounds at a time as none of them comes to its end. Where one had to stop.
+std::size_t Automaton::walk_on(NumberedTransitions::Reader const& transitions) {
+    for (;;) {
+        auto const shortest = std::min_element(
+            places_.begin(), places_.end(),
+            [](Place const& one, Place const& other) { return one.end - one.next < other.end - other.next; });
+        std::size_t const rounds = shortest->end - shortest->next;
+        if (rounds == 0)
+            return static_cast<std::size_t>(shortest - places_.begin());
+        if (places_.size() == 1) {
+            Place place = places_.front();  // in registers
+            while (place.next != place.end && step(transitions, place)) {
+            }
+            places_.front() = place;
+            return 0;
+        }
+        Place* const first = places_.data();
+        Place* const end = first + places_.size();
+        for (std::size_t round = 0; round < rounds; ++round)
+            for (Place* place = first; place != end; ++place)
+                if (!step(transitions, *place))
+                    return static_cast<std::size_t>(place - first);
+    }
 }
 
 /// All known transitions that a walk has taken since the last time.

@@ -194,8 +194,8 @@ struct Automaton::Session {
         std::array<std::uint64_t, Transition::most_members> iterations;
         std::uint32_t entered;
     };
-    std::vector<Loose> kept_loose;     ///< in kept_history, as far as loops are concerned
-    std::vector<std::uint32_t> uses;   ///< of each transition, in all sessions
+    std::vector<Loose> kept_loose;    ///< in kept_history, as far as loops are concerned
+    std::vector<std::uint32_t> uses;  ///< of each transition, in all sessions
 };
 
 /// States without a number hardly come again. The driver alone gets out of them, unless it would stop inside an

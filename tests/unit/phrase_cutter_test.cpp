@@ -150,9 +150,8 @@ TEST_CASE("Phrases are cut as long as their pieces are known", "[phrases]") {
 
 TEST_CASE("A sequence of transitions is the sum of its pieces", "[phrases]") {
     TransitionStore store;
-    std::vector<TransitionStore::Number> const pieces{store.add(transition_of(10, 0, 4)),
-                                                      store.add(transition_of(5, 0b10, 3)),
-                                                      store.add(transition_of(7, 0, 2))};
+    std::vector<TransitionStore::Number> const pieces{
+        store.add(transition_of(10, 0, 4)), store.add(transition_of(5, 0b10, 3)), store.add(transition_of(7, 0, 2))};
     REQUIRE(store.accepts_sequence(pieces));
     TransitionStore::Number const sequence = store.add_sequence(pieces);
     CHECK(store.brief(sequence).cycles == 22);

@@ -8,7 +8,7 @@ namespace faster::timing {
 
 namespace {
 constexpr Cycles longest_reach = 4096;     // of times in states with a number
-constexpr std::uint64_t most_room = 1024;  // tokens in FIFOs that a state may have to list
+constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may have to list
 // If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
 constexpr std::uint64_t trial = 1U << 17;
 constexpr std::uint64_t one_in = 4;

@@ -98,8 +98,8 @@ int main(int argc, char** argv) {
     fmt::print("as recorded, from the file: {:.2f} ms\n", measure(file.run, recorded).milliseconds);
     start = processor_seconds();
     retiming::ScriptedRun const scripted(file.run, Parts(recorded));
-    fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n", 1e3 * (processor_seconds() - start),
-               scripted.book().size());
+    fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n",
+               1e3 * (processor_seconds() - start), scripted.book().size());
     fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);
     fmt::print("made ready, {} random configurations, seeds from {}, processor time\n", count, seed);
     for (auto const& [name, spread] :

@@ -186,18 +186,21 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
 }
 
 /// Performs the phrase on the bench. False if the driver cannot finish it.
-bool Automaton::work_out(Slot& slot) {
+bool Automaton::perform(Words const& from) {
     ++worked_out_;
     worked_on_.clear();
-    Words const& from = session_->state == none ? session_->words : *states_[session_->state];
-    if (!bench_->work_out(from, phrase_, worked_on_))
+    return bench_->work_out(from, phrase_, worked_on_);
+}
+
+/// From where the session is.
+bool Automaton::work_out(Slot& slot) {
+    if (!perform(session_->state == none ? session_->words : *states_[session_->state]))
         return false;
     bool const recurring = is_recurring();
     bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
     slot.next = recurring ? number_of(bench_->words()) : none;
     if (slot.next == none)
         session_->words = bench_->words();
-    slot.notable = TransitionStore::is_notable(worked_on_);
     if (!remembered) {
         slot.number = first_loose + static_cast<Number>(session_->loose.size());
         session_->loose.push_back(worked_on_);

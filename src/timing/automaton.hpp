@@ -106,6 +106,7 @@ class Automaton {
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
+    bool perform(Words const& from);
     bool work_out(Slot& slot);
     void describe(Slot& slot) const;
     bool put_together(Walk const& walk, Slot& slot);

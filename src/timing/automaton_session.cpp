@@ -247,8 +247,7 @@ template <class Visit> void Automaton::go_back(Session const& session, Visit vis
     bool goes_on = true;
     for (std::size_t i = session.history.size(); i > 0 && goes_on; --i) {
         Number const number = session.history[i - 1];
-        auto const pieces =
-            number < first_loose ? store_.pieces(number) : TransitionStore::only(session.history[i - 1]);
+        auto const pieces = number < first_loose ? store_.pieces(number) : TransitionStore::only(number);
         for (Number const* piece = pieces.end(); piece != pieces.begin() && goes_on; --piece) {
             goes_on = visit(piece[-1], time);
             time -= cycles(session, piece[-1]);

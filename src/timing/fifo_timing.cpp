@@ -15,7 +15,7 @@ std::uint64_t power_of_two_above(std::uint64_t value) {
 
 std::uint64_t room_of(FifoShape const& shape) {
     constexpr std::uint64_t kept_at_first = (1U << 10) - 1;
-    return shape.capacity >= FifoShape::unlimited ? kept_at_first : shape.capacity + shape.issue_latency;
+    return shape.is_unlimited() ? kept_at_first : shape.capacity + shape.issue_latency;
 }
 }  // namespace
 

@@ -10,13 +10,15 @@ namespace faster::timing {
 
 /// What a FIFO is, as far as time is concerned.
 struct FifoShape {
-    std::string name;
     static constexpr std::uint64_t unlimited = std::uint64_t{1} << 48;
 
+    std::string name;
     std::uint64_t capacity = 2;  ///< C: tokens that fit; `unlimited` or more: never full
     Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
     Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
     Cycles issue_latency = 0;    ///< stages of a flushing pipeline in front of the FIFO, which hold tokens of their own
+
+    bool is_unlimited() const { return capacity >= unlimited; }
 };
 
 /// The cycle of every access to one clocked FIFO (SPEC section 3): the n-th write happens at s_n >= r_(n-C) + 1, the
@@ -37,7 +39,7 @@ class FifoTiming {
     Cycles full_stall_cycles() const { return full_stall_cycles_; }
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
 
-    bool is_unlimited() const { return shape_.capacity >= FifoShape::unlimited; }
+    bool is_unlimited() const { return shape_.is_unlimited(); }
     /// Of an unlimited FIFO, whose writer has got ahead of its reader as far as cycles can be kept: makes room for
     /// more.
     void keep_more();

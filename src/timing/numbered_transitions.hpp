@@ -39,22 +39,23 @@ class NumberedTransitions {
         unsigned shift_;
     };
 
-    /// Adds what is not there yet.
-    void add(Number state, Number phrase, Number next, Number number) {
+    /// Adds what is not there yet. The slot stays where it is until the next call.
+    Slot const* add(Number state, Number phrase, Number next, Number number) {
         if (++size_ * 2 > slots_.size())
             grow();
-        put({key_of(state, phrase), next, number});
+        return put({key_of(state, phrase), next, number});
     }
 
   private:
     static constexpr std::uint64_t empty = ~std::uint64_t{0};
     static std::uint64_t key_of(Number state, Number phrase) { return (std::uint64_t{state} << 32) | phrase; }
     static std::size_t place_of(std::uint64_t key, unsigned shift) { return (key * 0x9E3779B97F4A7C15U) >> shift; }
-    void put(Slot const& slot) {
+    Slot const* put(Slot const& slot) {
         std::size_t i = place_of(slot.key, shift_);
         while (slots_[i].key != empty)
             i = (i + 1) & mask_;
         slots_[i] = slot;
+        return &slots_[i];
     }
     void grow() {
         std::vector<Slot> old(slots_.size() * 2);

@@ -5,10 +5,7 @@
 namespace faster::timing {
 
 PhraseCutter::PhraseCutter(CoreTiming const& core, Lead const& lead)
-    : core_(core.blank_copy()),
-      group_(*core_, lead),
-      ends_(group_.members().size()),
-      log_ends_(Transition::most_members) {}
+    : core_(core.blank_copy()), group_(*core_, lead), log_ends_(group_.members().size()) {}
 
 PhraseCutter::~PhraseCutter() = default;
 
@@ -25,7 +22,8 @@ void PhraseCutter::cut(PhraseBook& book, PhraseBook::Number number) {
         book.set_pieces(number, pieces);
 }
 
-/// False if it is one after which a member is out of the game.
+/// With what followers go on with behind it, where that answers the driver, so that what is read up to there looks as
+/// in the middle of a phrase. False if a member is out of the game after it.
 bool PhraseCutter::write(PhraseBook const& book, PhraseBook::Number number) {
     PhraseBook::Entry const& entry = book[number];
     for (unsigned m = 0; m < group_.members().size(); ++m) {
@@ -39,22 +37,18 @@ bool PhraseCutter::write(PhraseBook const& book, PhraseBook::Number number) {
                       freezes = freezes || frozen;
                   });
     for (unsigned m = 1; m < group_.members().size(); ++m)
-        write_end(m, log_ends_[m]);
+        if (goes_on_answering(m))
+            log(m).append(Operation(Operation::Kind::iterate, log_ends_[m], 0, 1));
     return !freezes;
 }
 
-/// What a follower goes on with, if that answers the driver: what is read up to there then looks as it would in the
-/// middle of a phrase.
-void PhraseCutter::write_end(unsigned member, std::uint8_t next_ports) {
-    bool const answers = (next_ports & (1U << group_.members()[member].anchor_port)) != 0;
-    ends_[member] = answers ? 1 : 0;
-    if (answers)
-        log(member).append(Operation(Operation::Kind::iterate, next_ports, 0, 1));
+bool PhraseCutter::goes_on_answering(unsigned member) const {
+    return member != 0 && (log_ends_[member] & (1U << group_.members()[member].anchor_port)) != 0;
 }
 
 bool PhraseCutter::is_all_read() const {
     for (unsigned m = 0; m < group_.members().size(); ++m)
-        if (log(m).pending() != ends_[m])
+        if (log(m).pending() != (goes_on_answering(m) ? 1U : 0U))
             return false;
     return true;
 }

@@ -19,18 +19,15 @@ class PhraseCutter {
     void cut(PhraseBook& book, PhraseBook::Number number);
 
   private:
-    using Log = OperationLog;
-
-    Log& log(unsigned member) const { return group_.members()[member].process->log(); }
+    OperationLog& log(unsigned member) const { return group_.members()[member].process->log(); }
     bool write(PhraseBook const& book, PhraseBook::Number number);
-    void write_end(unsigned member, std::uint8_t next_ports);
+    bool goes_on_answering(unsigned member) const;
     bool is_all_read() const;
 
     std::unique_ptr<CoreTiming> core_;  // the logs are what is needed of it
     Group group_;
     Phrase phrase_;
-    std::vector<std::size_t> ends_;  ///< by member: operations in the log that are no part of the phrase
-    std::vector<std::uint8_t> log_ends_;
+    std::vector<std::uint8_t> log_ends_;  ///< by member: ports of the step that it goes on with
 };
 
 }  // namespace faster::timing

@@ -206,15 +206,12 @@ bool Automaton::put_together(Walk const& walk, Slot& slot) {
 
 /// Null if it cannot be done, or is not worth remembering.
 NumberedTransitions::Slot const* Automaton::work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece) {
-    worked_on_.clear();
     if (!take_up(walk, piece))
         return nullptr;
-    ++worked_out_;
     cut_trial_.worked_out_piece();
-    if (!bench_->work_out(*states_[state], phrase_, worked_on_) || !is_recurring() || !store_.accepts(worked_on_))
+    if (!perform(*states_[state]) || !is_recurring() || !store_.accepts(worked_on_))
         return nullptr;
-    pieces_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
-    return NumberedTransitions::Reader(pieces_).find(state, piece);
+    return pieces_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
 }
 
 bool Automaton::arrive(Walk& walk) {

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <random>
 #include <string>
 
+#include "io/colour_png.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
@@ -32,7 +34,108 @@ std::filesystem::path write_with_opencv(TempFolder const& folder, int type) {
     return path;
 }
 
+/// gradient16(), interlaced, with a gamma of 0.45, as libpng wrote it.
+constexpr char const* interlaced_file =
+    "89504E470D0A1A0A0000000D494844520000000500000003100000000159CA76F10000000467414D410000B18F0BFC610500"
+    "0000264944415408D725C2410D00201003B06E4108525080C213CB83B460D1CC518DE89AA3B95BBE0729D802417630564800"
+    "00000049454E44AE426082";
+
+std::string bytes_of(std::string const& hex) {
+    std::string bytes;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        bytes.push_back(static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+    return bytes;
+}
+
+/// CRC-32 of a PNG chunk, most significant byte first.
+std::string checksum_of(std::string const& chunk) {
+    std::uint32_t rest = ~0U;
+    for (char const byte : chunk) {
+        rest ^= static_cast<unsigned char>(byte);
+        for (int bit = 0; bit < 8; ++bit)
+            rest = (rest >> 1) ^ ((rest & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    std::string bytes;
+    for (unsigned at = 32; at > 0; at -= 8)
+        bytes.push_back(static_cast<char>(~rest >> (at - 8)));
+    return bytes;
+}
+
+template <class Pixel> Image<Pixel> noise(int height, int width) {
+    std::mt19937 random(static_cast<unsigned>(1000 * height + width));
+    Image<Pixel> image(height, width);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            image.at(row, column) = static_cast<Pixel>(random());
+    return image;
+}
+
+template <class Pixel> cv::Mat as_opencv(Image<Pixel> const& image) {
+    cv::Mat pixels(image.height(), image.width(), cv::traits::Type<Pixel>::value);
+    for (int row = 0; row < image.height(); ++row)
+        for (int column = 0; column < image.width(); ++column)
+            pixels.at<Pixel>(row, column) = image.at(row, column);
+    return pixels;
+}
+
+bool are_equal(cv::Mat const& one, cv::Mat const& other) {
+    return one.size() == other.size() && one.type() == other.type() && cv::norm(one, other, cv::NORM_INF) == 0;
+}
+
 }  // namespace
+
+TEST_CASE("Another library reads the images that we write, and we read its", "[png_image]") {
+    TempFolder const folder;
+    for (int const height : {1, 2, 7, 48})
+        for (int const width : {1, 3, 64, 333}) {
+            CAPTURE(height, width);
+            auto const grey = noise<std::uint8_t>(height, width);
+            auto const depth = noise<std::uint16_t>(height, width);
+            write_png(folder / "grey.png", grey);
+            write_png(folder / "depth.png", depth);
+            CHECK(are_equal(cv::imread(folder / "grey.png", cv::IMREAD_UNCHANGED), as_opencv(grey)));
+            CHECK(are_equal(cv::imread(folder / "depth.png", cv::IMREAD_UNCHANGED), as_opencv(depth)));
+            cv::imwrite(folder / "grey.png", as_opencv(grey));
+            cv::imwrite(folder / "depth.png", as_opencv(depth));
+            CHECK(read_png8(folder / "grey.png") == grey);
+            CHECK(read_png16(folder / "depth.png") == depth);
+        }
+}
+
+TEST_CASE("Another library reads the pictures that we write", "[png_image]") {
+    TempFolder const folder;
+    Image<faster::Colour> picture(5, 9);
+    cv::Mat expected(5, 9, CV_8UC3);
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 9; ++column) {
+            auto const red = static_cast<std::uint8_t>(7 * row), green = static_cast<std::uint8_t>(20 * column);
+            picture.at(row, column) = {red, green, 200};
+            expected.at<cv::Vec3b>(row, column) = {200, green, red};
+        }
+    write_colour_png(folder / "a.png", picture);
+    CHECK(are_equal(cv::imread(folder / "a.png", cv::IMREAD_UNCHANGED), expected));
+}
+
+TEST_CASE("An interlaced image with a gamma is read as it is", "[png_image]") {
+    TempFolder const folder;
+    CHECK(read_png16(folder.write("a.png", bytes_of(interlaced_file))) == gradient16());
+}
+
+TEST_CASE("Pixels that cannot be decoded are an input error", "[png_image]") {
+    TempFolder const folder;
+    write_png(folder / "a.png", gradient16());
+    std::string file = content_of(folder / "a.png");
+    std::size_t const data = file.find("IDAT");
+    std::size_t const end = file.find("IEND") - 8;
+    for (std::size_t at = data + 4; at < data + 6; ++at) {  // the header of what is compressed
+        CAPTURE(at);
+        std::string damaged = file;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x11);
+        damaged.replace(end, 4, checksum_of(damaged.substr(data, end - data)));
+        CHECK_THAT(input_error_text([&] { read_png16(folder.write("bad.png", damaged)); }),
+                   Catch::EndsWith("bad.png: cannot be decoded, expected a 16-bit greyscale PNG"));
+    }
+}
 
 TEST_CASE("A 16-bit image comes back from its PNG unchanged", "[png_image]") {
     TempFolder const folder;

@@ -9,9 +9,10 @@ namespace faster::timing {
 namespace {
 constexpr Cycles longest_reach = 4096;     // of times in states with a number
 constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may have to list
-// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered.
+// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered. In the
+// first trial much is new anyway.
 constexpr std::uint64_t trial = 1U << 17;
-constexpr std::uint64_t one_in = 4;
+constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
@@ -69,7 +70,8 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
     }
     if (phrases_ >= next_trial_) {
-        usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in <= trial;
+        std::uint64_t const one_in_these = next_trial_ == trial ? one_in_at_first : one_in;
+        usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in_these <= trial;
         worked_out_before_ = worked_out_;
         next_trial_ = phrases_ + trial;
     }

@@ -6,7 +6,7 @@
 namespace faster::timing {
 
 namespace {
-constexpr std::size_t most_transitions = 1U << 17;  // about 60 MB
+constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB with the states between them
 constexpr Cycles longest_cycles = 0xFFFFFFFF;
 constexpr std::uint64_t most_iterations = 0xFFFF;
 }  // namespace

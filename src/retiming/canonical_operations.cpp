@@ -37,9 +37,12 @@ class IterationJoiner {
             operations_.emplace_back(
                 Operation::Kind::iterate, ports_, gap_,
                 static_cast<std::uint32_t>(std::min<std::uint64_t>(count_, Operation::longest_count)));
-        for (; count_ > 0; --count_) {
-            gaps_ |= gap_ << length_;
-            if (++length_ == Operation::longest_mix)
+        while (count_ > 0) {
+            auto const fit = static_cast<unsigned>(std::min<std::uint64_t>(count_, Operation::longest_mix - length_));
+            gaps_ |= Operation::gap_bits(gap_, fit) << length_;
+            count_ -= fit;
+            length_ += fit;
+            if (length_ == Operation::longest_mix)
                 end_mix();
         }
     }
@@ -71,8 +74,14 @@ bool is_simple(Operation const& operation) {
 
 void add(Operation const& operation, IterationJoiner& joiner) {
     if (operation.kind() == Operation::Kind::mixed) {
-        for (unsigned i = 0; i < operation.length(); ++i)
-            joiner.add(operation.ports(), (operation.gaps() >> i) & 1U, 1);
+        std::uint32_t gaps = operation.gaps();
+        for (unsigned left = operation.length(); left > 0;) {
+            std::uint32_t const others = (gaps & 1U) != 0 ? ~gaps : gaps;
+            unsigned const equal = others == 0 ? left : std::min(left, static_cast<unsigned>(__builtin_ctz(others)));
+            joiner.add(operation.ports(), gaps & 1U, equal);
+            left -= equal;
+            gaps = equal == Operation::longest_mix ? 0 : gaps >> equal;
+        }
         return;
     }
     joiner.add(operation.ports(), operation.gap(), operation.count());
@@ -88,9 +97,11 @@ std::vector<Operation> canonical(Operation const* first, std::size_t count) {
     IterationJoiner joiner(operations);
     Operation const* const end = first + count;
     bool is_open = false;
+    bool next_is_simple = count > 0 && is_simple(*first);
     for (Operation const* operation = first; operation != end; ++operation) {
-        bool const joins = is_simple(*operation) && (is_open || operation->own_tail_ports() != 0 ||
-                                                     (operation + 1 != end && is_simple(operation[1])));
+        bool const simple = next_is_simple;
+        next_is_simple = operation + 1 != end && is_simple(operation[1]);
+        bool const joins = simple && (is_open || operation->own_tail_ports() != 0 || next_is_simple);
         if (joins) {
             add(*operation, joiner);
         } else {

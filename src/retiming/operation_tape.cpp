@@ -6,7 +6,7 @@
 
 #include "common/input_error.hpp"
 #include "io/zstd_frame.hpp"
-#include "retiming/operation_codec.hpp"
+#include "retiming/sample_codec.hpp"
 
 namespace faster::retiming {
 
@@ -21,8 +21,8 @@ void OperationTape::fail(char const* what) const {
                      ", expected room in the system's folder for temporary files");
 }
 
-void OperationTape::put(std::size_t sample, SampleOperations const& operations) {
-    std::string const content = encode(operations);
+void OperationTape::put(std::size_t sample, ScriptedSample const& scripted, timing::PhraseBook const& book) {
+    std::string const content = encode(scripted, book);
     std::string const frame = io::zstd_frame(content);
     if (file_ == nullptr)
         file_.reset(std::tmpfile());
@@ -54,13 +54,15 @@ std::string OperationTape::block(std::size_t sample) const {
     return bytes;
 }
 
-void OperationTape::read(std::size_t sample, timing::CoreTiming const& core, SampleOperations& operations) const {
+ScriptedSample OperationTape::read(std::size_t sample, LeadCore const& lead, KnownPhrases& known) const {
+    ScriptedSample scripted;
     std::string const frame = block(sample);
     auto const content = io::content_of_zstd_frame(frame, blocks_[sample].content_bytes);
     if (!content || content->size() != blocks_[sample].content_bytes ||
-        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, core, operations))
+        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, lead, known, scripted))
         throw InputError(name_ + ": the operations of sample " + std::to_string(sample) +
                          " are damaged, expected them as faster-sim run --events wrote them");
+    return scripted;
 }
 
 }  // namespace faster::retiming

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "retiming/sample_operations.hpp"
-#include "timing/core_timing.hpp"
+#include "retiming/known_phrases.hpp"
+#include "retiming/lead_core.hpp"
+#include "retiming/scripted_sample.hpp"
 
 namespace faster::retiming {
 
@@ -30,13 +31,13 @@ class OperationTape {
     OperationTape(std::filesystem::path const& file, std::vector<Block> blocks);
 
     /// Samples in any order, each once; nothing is read before finish().
-    void put(std::size_t sample, SampleOperations const& operations);
+    void put(std::size_t sample, ScriptedSample const& scripted, timing::PhraseBook const& book);
     void finish();
 
     std::size_t samples() const { return blocks_.size(); }
     std::vector<Block> const& blocks() const { return blocks_; }
-    /// The operations of a sample, as processes of `core` can do them. InputError if the block is damaged.
-    void read(std::size_t sample, timing::CoreTiming const& core, SampleOperations& operations) const;
+    /// A sample, as processes of `lead` can do it, with phrases of known.book(). InputError if the block is damaged.
+    ScriptedSample read(std::size_t sample, LeadCore const& lead, KnownPhrases& known) const;
     /// The compressed block of a sample.
     std::string block(std::size_t sample) const;
 

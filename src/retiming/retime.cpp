@@ -8,18 +8,38 @@
 #include "modules/core_shapes.hpp"
 #include "retiming/collect.hpp"
 #include "retiming/core_variant.hpp"
+#include "retiming/sample_cutter.hpp"
 
 namespace faster::retiming {
 
 namespace {
 
+enum class Following { scripts, logs };
+
+/// Reads samples from the tape as operations, no phrases.
+class PlainReader {
+  public:
+    explicit PlainReader(ScriptedRun const& run)
+        : tape_(run.run().tape),
+          lead_(*run.run().blueprint, run.parts()),
+          cutter_(*run.run().blueprint, run.parts()),
+          known_(lead_.group) {}
+
+    SampleOperations read(std::size_t sample) { return cutter_.join(tape_.read(sample, lead_, known_), known_.book()); }
+
+  private:
+    OperationTape const& tape_;
+    LeadCore lead_;
+    SampleCutter cutter_;
+    KnownPhrases known_;
+};
+
 /// Lets one core do the operations of its samples, one sample after the other.
 class Replay {
   public:
-    Replay(OperationTape const& tape, ScriptedRun const* scripts, CoreShare share, timing::CoreTiming& core,
-           Leaves leaves)
-        : tape_(tape),
-          scripts_(scripts),
+    Replay(ScriptedRun const& run, Following following, CoreShare share, timing::CoreTiming& core, Leaves leaves)
+        : run_(run),
+          following_(following),
           share_(share),
           core_(core),
           leaves_(std::move(leaves)),
@@ -50,24 +70,26 @@ class Replay {
     /// False if the sample has none that could be followed.
     bool begin_script(std::size_t sample) {
         bool const is_stuck = std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end();
-        is_scripted_ = scripts_ != nullptr && sample < scripts_->size() && !is_stuck;
+        is_scripted_ = following_ == Following::scripts && sample < run_.size() && !is_stuck;
         if (is_scripted_)
-            take_up((*scripts_)[sample], sample);
+            take_up(run_[sample], sample);
         return is_scripted_;
     }
 
     void end_sample(std::size_t sample) {
-        is_scripted_ ? feed_rest((*scripts_)[sample]) : feed_plain(sample);
+        is_scripted_ ? feed_rest(run_[sample]) : feed_plain(sample);
         core_.resolve(false);
         if (backlog() > usual_backlog)
             find_stuck();
     }
 
     void feed_plain(std::size_t sample) {
-        tape_.read(sample, core_, operations_);
-        for (std::size_t i = 0; i < operations_.size(); ++i)
+        if (!plain_)
+            plain_ = std::make_unique<PlainReader>(run_);
+        SampleOperations const operations = plain_->read(sample);
+        for (std::size_t i = 0; i < operations.size(); ++i)
             if (!is_stuck_[i] && !(i == supplier && sample < supplied_))
-                append(operations_[i], core_.process(i).log());
+                append(operations[i], core_.process(i).log());
     }
 
     void take_up(ScriptedSample const& scripted, std::size_t sample) {
@@ -76,7 +98,7 @@ class Replay {
                 append(scripted.before[i], core_.process(i).log());
         supply(sample + 2);
         script_ = scripted.script;
-        script_.book = &scripts_->book();
+        script_.book = &run_.book();
         script_.next = scripted.phrases.data();
         script_.end = script_.next + scripted.phrases.size();
         core_.take_up(script_);
@@ -90,9 +112,9 @@ class Replay {
 
     /// The supplier is a sample ahead, so that what it goes on with after the one at hand is known.
     void supply(std::size_t end) {
-        std::size_t const last = std::min({end, share_.first + share_.count, scripts_->size()});
+        std::size_t const last = std::min({end, share_.first + share_.count, run_.size()});
         for (supplied_ = std::max(supplied_, share_.first); supplied_ < last; ++supplied_)
-            append((*scripts_)[supplied_].before[supplier], core_.process(supplier).log());
+            append(run_[supplied_].before[supplier], core_.process(supplier).log());
     }
 
     /// The first may wait on from where the last sample ended: one wait then, as the process itself would have said it.
@@ -120,12 +142,12 @@ class Replay {
             is_stuck_[i] = i != supplier && !core_.processes()[i].finished();
     }
 
-    OperationTape const& tape_;
-    ScriptedRun const* scripts_;
+    ScriptedRun const& run_;
+    Following following_;
     CoreShare share_;
     timing::CoreTiming& core_;
     Leaves leaves_;
-    SampleOperations operations_;
+    std::unique_ptr<PlainReader> plain_;
     std::vector<bool> is_stuck_;
     std::size_t supplied_ = 0;  ///< samples whose vertices have been asked for
     std::size_t fed_ = 0;       ///< samples done
@@ -152,31 +174,31 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
     }
 }
 
-Cores retime_cores(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config,
+Cores retime_cores(ScriptedRun const& run, Following following, AcceleratorConfig const& config,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     auto const automaton = std::make_shared<timing::Automaton>();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
-        cores.push_back(core_variant(*run.blueprint, config));
+        cores.push_back(core_variant(*run.run().blueprint, config));
         cores.back()->let_follow(rasterizer_and_followers(Parts(config)), automaton);
         if (options.leave_trails)
             cores.back()->leave_trail();
-        CoreShare const share = share_of(number, config.raster_cores, run.tape.samples());
-        replays.push_back(std::make_unique<Replay>(run.tape, scripts, share, *cores.back(), options.leaves));
+        CoreShare const share = share_of(number, config.raster_cores, run.run().tape.samples());
+        replays.push_back(std::make_unique<Replay>(run, following, share, *cores.back(), options.leaves));
     }
     feed_all(replays, *automaton);
     return cores;
 }
 
-RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, AcceleratorConfig const& config) {
+RunStatistics retime(ScriptedRun const& run, Following following, AcceleratorConfig const& config) {
     std::vector<std::size_t> numbers(config.raster_cores);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    Cores const timings = retime_cores(run, scripts, config, numbers, {});
+    Cores const timings = retime_cores(run, following, config, numbers, {});
     std::vector<FinishedCore> cores;
     for (std::size_t const k : numbers) {
-        CoreShare const share = share_of(k, config.raster_cores, run.tape.samples());
-        cores.push_back({share, *timings[k], run.counters.data() + share.first});
+        CoreShare const share = share_of(k, config.raster_cores, run.run().tape.samples());
+        cores.push_back({share, *timings[k], run.run().counters.data() + share.first});
     }
     return collect(cores, config);
 }
@@ -185,16 +207,22 @@ RunStatistics retime(RecordedRun const& run, ScriptedRun const* scripts, Acceler
 
 Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
                    CoreOptions const& options) {
-    return retime_cores(run.run(), &run, config, cores, options);
+    return retime_cores(run, Following::scripts, config, cores, options);
 }
 
-RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) { return retime(run, nullptr, config); }
+RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) {
+    return retime(ScriptedRun(run, Parts(config)), config);
+}
 
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config) {
-    RunStatistics statistics = retime(run.run(), &run, config);
+    RunStatistics statistics = retime(run, Following::scripts, config);
     // Since when a process has waited is not always known where a script went on with operations of its left over. Only
     // reports of deadlocks tell.
-    return statistics.deadlocked() ? retime(run.run(), config) : statistics;
+    return statistics.deadlocked() ? retime_unscripted(run, config) : statistics;
+}
+
+RunStatistics retime_unscripted(ScriptedRun const& run, AcceleratorConfig const& config) {
+    return retime(run, Following::logs, config);
 }
 
 }  // namespace faster::retiming

@@ -14,8 +14,10 @@ namespace faster::retiming {
 /// The figures of a run with other retiming_keys(), equal to running it, without running it. A deadlock is a result, as
 /// it is of a run. `config` must not differ from the recorded run's in other keys.
 RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
-/// The same, several times as fast.
+/// The same, for many retimings of a run.
 RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
+/// The same, without following scripts. Several times as slow.
+RunStatistics retime_unscripted(ScriptedRun const& run, AcceleratorConfig const& config);
 
 using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
 

@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t most_waiting = 16;  // samples: some megabytes
 }  // namespace
 
-TapeWriter::TapeWriter(OperationTape& tape, std::size_t processes)
-    : tape_(tape), step_ports_(processes, 0), thread_([this] { work(); }) {}
+TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes)
+    : run_(run), parts_(parts), step_ports_(processes, 0), thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 
@@ -25,7 +25,7 @@ void TapeWriter::finish() {
     stop();
     if (error_)
         std::rethrow_exception(error_);
-    tape_.finish();
+    run_.tape.finish();
 }
 
 void TapeWriter::stop() {
@@ -63,7 +63,9 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
                 if (operation.kind() == timing::Operation::Kind::step)
                     step_ports_[i] |= operation.ports();
         }
-        tape_.put(sample, operations);
+        if (!cutter_)
+            cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, parts_);
+        run_.tape.put(sample, cutter_->cut(std::move(operations)), cutter_->book());
     } catch (...) {
         error_ = std::current_exception();
     }

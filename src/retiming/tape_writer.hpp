@@ -4,20 +4,22 @@
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "retiming/operation_tape.hpp"
+#include "retiming/recorded_run.hpp"
+#include "retiming/sample_cutter.hpp"
 
 namespace faster::retiming {
 
-/// Puts samples on a tape from a thread of its own, so that the run that is recorded need not wait for it.
+/// Puts samples on a run's tape from a thread of its own, so that what is recorded need not wait for it.
 class TapeWriter {
   public:
-    /// `processes` of a core.
-    TapeWriter(OperationTape& tape, std::size_t processes);
+    /// `processes` of a core. The run's blueprint must be there when the first sample is.
+    TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes);
     ~TapeWriter();
     TapeWriter(TapeWriter const&) = delete;
     TapeWriter& operator=(TapeWriter const&) = delete;
@@ -34,8 +36,10 @@ class TapeWriter {
     void write(std::size_t sample, SampleOperations operations);
     void stop();
 
-    OperationTape& tape_;
+    RecordedRun& run_;
+    Parts parts_;
     std::vector<std::uint32_t> step_ports_;
+    std::unique_ptr<SampleCutter> cutter_;
     std::deque<std::pair<std::size_t, SampleOperations>> waiting_;
     bool stops_ = false;
     std::exception_ptr error_;

@@ -10,7 +10,7 @@ Taping::Taping(Accelerator& accelerator, retiming::RecordedRun& run)
     : accelerator_(accelerator),
       run_(run),
       tapes_(accelerator.cores().size()),
-      writer_(run.tape, accelerator.cores().front()->timing().processes().size()) {
+      writer_(run, accelerator.cores().front()->parts(), accelerator.cores().front()->timing().processes().size()) {
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(

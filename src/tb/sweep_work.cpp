@@ -59,9 +59,10 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
     auto const start = std::chrono::steady_clock::now();
     try {
         events::EventFile const recorded = events::read_event_file(events);
+        retiming::ScriptedRun const run(recorded.run, Parts(recorded.loaded.config.accelerator));
         for (std::size_t const point : assignment.points) {
             AcceleratorConfig const config = with_timing_of(sweep.configuration(point), recorded.loaded.config);
-            reply.results.emplace_back(point, sweeps::result_of(config, retiming::retime(recorded.run, config)));
+            reply.results.emplace_back(point, sweeps::result_of(config, retiming::retime(run, config)));
             if (std::chrono::steady_clock::now() - start > long_enough)
                 return;
         }

@@ -82,6 +82,24 @@ class Operation {
     /// What a wait with a gap does: its gap.
     enum Setup : std::uint32_t { no_setup, whole_setup, setup_begin, setup_end };
     bool is_setup() const { return gap() != no_setup; }
+    /// Says nothing besides what its kind can mean.
+    bool is_well_formed() const {
+        switch (kind()) {
+            case Kind::wait:
+            case Kind::iterate:
+                return tail_ports() != 0 || tail_gap() == 0;
+            case Kind::step:
+            case Kind::enter:
+            case Kind::flanked:
+                return gap() == 0 && (tail_ports() != 0 || tail_gap() == 0);
+            case Kind::leave:
+            case Kind::stamp:
+                return gap() == 0 && tail_ports() == 0 && tail_gap() == 0 && count() == 0;
+            case Kind::mixed:
+                return code_ == mix(ports(), length(), gaps()).code_;
+        }
+        return false;
+    }
     Operation rest() const {
         Operation rest(Kind::iterate, ports(), 0, count() - 1);
         rest.add_tail(tail_ports(), tail_gap());

@@ -8,7 +8,7 @@ namespace {
 using Kind = Operation::Kind;
 constexpr unsigned most_driver_operations = 16;
 constexpr std::uint32_t longest_part = 8 * Operation::longest_mix;
-constexpr std::uint32_t most_iterations = Group::lane_mask / (2 * most_driver_operations);
+static_assert(Phrase::most_iterations <= Group::lane_mask / (2 * most_driver_operations), "for sums of accesses");
 
 /// Ends with iterations that access nothing: no mix.
 bool ends_silent(Operation const& operation) {
@@ -23,6 +23,16 @@ bool can_mix(Operation const& operation) {
 std::uint32_t mixable(Operation const& operation) {
     return operation.kind() == Kind::mixed ? operation.length() : operation.count();
 }
+/// How often an operation of the driver accesses each anchor.
+Group::Lanes accesses_of(Operation const& operation, Group const& group) {
+    Kind const kind = operation.kind();
+    Group::Lanes const at = group.followers_at(operation.ports());
+    if (kind != Kind::iterate && kind != Kind::flanked)
+        return at;
+    return at * operation.count() +
+           (group.followers_at(operation.own_tail_ports()) << (kind == Kind::flanked ? 1U : 0U));
+}
+
 /// At least as many bits as a mix has.
 std::uint64_t gaps_of(Operation const& operation) {
     return operation.kind() == Kind::mixed ? operation.gaps() : std::uint64_t{0} - operation.gap();
@@ -94,18 +104,12 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
         if (foreign || (iterated && !iterates))
             break;
         codes_[size_++] = operation.code();
-        Group::Lanes const at = group.followers_at(operation.ports());
-        if (iterates) {
-            if (operation.count() > most_iterations)
-                return Reading::foreign;
-            due += at * operation.count() +
-                   (group.followers_at(operation.own_tail_ports()) << (kind == Kind::flanked ? 1U : 0U));
-            iterated = true;
-            ended = ends_silent(operation);
-        } else {
-            due += at;
-            ended = (at & (at - 1)) != 0;
-        }
+        if (iterates && operation.count() > most_iterations)
+            return Reading::foreign;
+        Group::Lanes const at = accesses_of(operation, group);
+        due += at;
+        iterated = iterated || iterates;
+        ended = iterates ? ends_silent(operation) : (at & (at - 1)) != 0;
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
@@ -256,6 +260,31 @@ void Phrase::assign(Code const* codes, unsigned size, std::uint32_t active) {
     size_ = size;
     active_ = active;
     part_count_ = 0;
+}
+
+bool Phrase::is_well_formed(Code const* codes, std::size_t size, unsigned members) {
+    auto const is_good = [members](Code code) {
+        if (is_part(code)) {
+            unsigned const follower = static_cast<unsigned>(code >> part_at) & 0xFU;
+            return follower > 0 && follower < members && Operation(code & ~(Code{0x1F} << part_at)).is_well_formed();
+        }
+        if (!is_marker(code))
+            return Operation(code).is_well_formed();
+        constexpr Code known = marker | (Code{0xFF} << 16) | (Code{0xFF} << 8) | 1U;
+        return (code & ~known) == 0 && marked_member(code) > 0 && marked_member(code) < members;
+    };
+    return size > 0 && size <= most_codes + most_members && std::all_of(codes, codes + size, is_good);
+}
+
+void Phrase::recall(Code const* codes, unsigned size, Group const& group) {
+    std::uint32_t active = 1;
+    Group::Lanes due = 0;
+    each(
+        codes, size,
+        [&](unsigned member, Operation const& operation) { due += member == 0 ? accesses_of(operation, group) : 0; },
+        [&active](unsigned member, std::uint8_t /*next_ports*/, bool /*frozen*/) { active |= 1U << member; });
+    assign(codes, size, active);
+    due_ = due;
 }
 
 void Phrase::consume() {

@@ -12,7 +12,10 @@ namespace faster::timing {
 class Phrase {
   public:
     using Code = Operation::Code;
-    static constexpr unsigned most_codes = 48;
+    static constexpr unsigned most_codes = 48;  ///< and up to 8 more, which mark members
+    static constexpr unsigned most_members = 8;
+    /// Of iterations that access something, in one operation of the driver.
+    static constexpr std::uint32_t most_iterations = Group::lane_mask / 32;
 
     enum class Reading { complete, logs_end, foreign };
 
@@ -30,6 +33,8 @@ class Phrase {
 
     /// Becomes a phrase that was read before, with `active` members.
     void assign(Code const* codes, unsigned size, std::uint32_t active);
+    /// Becomes a phrase that a group wrote before; all the rest follows from the codes.
+    void recall(Code const* codes, unsigned size, Group const& group);
     /// A follower answers with `length` iterations that access `ports`, and goes on in the same manner.
     void add_part(std::uint8_t ports, std::uint32_t length, unsigned member) {
         put_part(ports, length, 0, member);
@@ -43,25 +48,39 @@ class Phrase {
     /// Accesses of each anchor by the driver.
     Group::Lanes due() const { return due_; }
 
-    /// Appends the operations of coded phrases to the logs of a group's processes, and tells what each follower goes on
-    /// with, by visiting (member, ports of its next step; 0: unknown, frozen).
-    template <class Visit> static void write(Code const* codes, unsigned size, Group const& group, Visit visit) {
+    /// Whether codes, wherever they are from, can be read: no more than a phrase has, of operations that say nothing
+    /// more than they can mean, and of members below `members`.
+    static bool is_well_formed(Code const* codes, std::size_t size, unsigned members);
+
+    /// Visits (member, operation) what coded phrases say, in order, and tells what each follower goes on with, by
+    /// visiting (member, ports of its next step; 0: unknown, frozen).
+    template <class Do, class GoOn> static void each(Code const* codes, unsigned size, Do visit, GoOn visit_next) {
         unsigned member = 0;  // the driver comes first, unmarked
         for (unsigned i = 0; i < size; ++i) {
             if (is_part(codes[i])) {
                 unsigned const follower = static_cast<unsigned>(codes[i] >> part_at) & 0xFU;
                 Operation const operation(codes[i] & ~(Code{0x1F} << part_at));
-                group.members()[follower].process->log().append(operation);
-                visit(follower, operation.ports(), false);
+                visit(follower, operation);
+                visit_next(follower, operation.ports(), false);
                 continue;
             }
             if (is_marker(codes[i])) {
                 member = marked_member(codes[i]);
-                visit(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
+                visit_next(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
                 continue;
             }
-            group.members()[member].process->log().append(Operation(codes[i]));
+            visit(member, Operation(codes[i]));
         }
+    }
+
+    /// Appends the operations to the logs of a group's processes, and tells what each follower goes on with, as each().
+    template <class GoOn> static void write(Code const* codes, unsigned size, Group const& group, GoOn visit_next) {
+        each(
+            codes, size,
+            [&group](unsigned member, Operation const& operation) {
+                group.members()[member].process->log().append(operation);
+            },
+            visit_next);
     }
 
     /// What a process does next, when it goes on from where it is.
@@ -106,12 +125,12 @@ class Phrase {
     static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
-    std::array<Code, most_codes + 8> codes_{};  // with room for a mark of every member
+    std::array<Code, most_codes + most_members> codes_{};
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     Group::Lanes due_ = 0;
     std::uint8_t const* log_ends_ = nullptr;
-    std::array<Part, 8> parts_{};
+    std::array<Part, most_members> parts_{};
     unsigned part_count_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <unordered_map>
+#include <optional>
 #include <vector>
 
 #include "timing/phrase.hpp"
@@ -26,6 +26,8 @@ class PhraseBook {
 
     /// Of a phrase that was read with the supplier left out.
     Number number_of(Phrase const& phrase, Group const& group);
+    std::optional<Number> find(Phrase const& phrase) const;
+    void clear();
     std::size_t size() const { return entries_.size(); }
     Entry const& operator[](Number number) const { return entries_[number]; }
     Phrase::Code const* codes(Number number) const { return codes_.data() + entries_[number].begin; }
@@ -34,10 +36,19 @@ class PhraseBook {
     void set_pieces(Number number, std::vector<Number> const& pieces);
 
   private:
+    static constexpr Number none = ~Number{0};
+    struct Place {
+        std::uint64_t hash = 0;
+        Number number = none;
+    };
+    std::size_t place_of(Phrase const& phrase, std::uint64_t hash) const;
+    bool is(Number number, Phrase const& phrase) const;
+    void grow();
+
     std::vector<Phrase::Code> codes_;
     std::vector<Entry> entries_;
     std::vector<Number> pieces_;
-    std::unordered_multimap<std::uint64_t, Number> by_hash_;
+    std::vector<Place> places_ = std::vector<Place>(1024);  ///< by hash: open addressing, a power of two
 };
 
 /// What a group does next: phrases, by their numbers in a book. The supplier's operations are in its log.

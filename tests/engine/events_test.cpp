@@ -1,18 +1,22 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <random>
 
 #include "common/input_error.hpp"
 #include "config/keys.hpp"
 #include "events/event_file.hpp"
+#include "io/zstd_frame.hpp"
 #include "retiming/canonical_operations.hpp"
-#include "retiming/operation_codec.hpp"
 #include "retiming/retime.hpp"
+#include "retiming/sample_codec.hpp"
+#include "retiming/sample_cutter.hpp"
 #include "retiming/sensitivities.hpp"
 #include "retiming/slack.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
+#include "support/spelled_out.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::testing {
@@ -106,19 +110,62 @@ std::filesystem::path small_file(test::TempFolder const& folder) {
     return file;
 }
 
+/// The samples of a file.
+struct Samples {
+    explicit Samples(events::EventFile const& its_file)
+        : file(its_file),
+          parts(file.loaded.config.accelerator),
+          lead(*file.run.blueprint, parts),
+          cutter(*file.run.blueprint, parts),
+          known(lead.group) {}
+
+    std::size_t count() const { return file.run.tape.samples(); }
+    retiming::SampleOperations operations(std::size_t sample) {
+        return cutter.join(file.run.tape.read(sample, lead, known), known.book());
+    }
+    /// What the frame of a sample holds.
+    std::string content(std::size_t sample) const {
+        return *io::content_of_zstd_frame(file.run.tape.block(sample), file.run.tape.blocks()[sample].content_bytes);
+    }
+    bool can_do(retiming::SampleOperations const& operations) const {
+        for (std::size_t i = 0; i < operations.size(); ++i) {
+            retiming::OperationCheck check(lead.core->processes()[i]);
+            for (Operation const& operation : operations[i])
+                if (!check.accepts(operation))
+                    return false;
+            if (!check.is_done())
+                return false;
+        }
+        return true;
+    }
+
+    events::EventFile const& file;
+    Parts parts;
+    retiming::LeadCore lead;
+    retiming::SampleCutter cutter;
+    retiming::KnownPhrases known;
+};
+
 /// All operations of a file, read back; InputError if anything is wrong with it.
 std::string content_of_events(std::filesystem::path const& path) {
     events::EventFile const file = events::read_event_file(path);
+    Samples samples(file);
     std::string content = file.summary;
-    retiming::SampleOperations operations;
-    for (std::size_t i = 0; i < file.run.tape.samples(); ++i) {
-        file.run.tape.read(i, *file.run.blueprint, operations);
-        content += retiming::encode(operations);
-    }
+    for (std::size_t i = 0; i < samples.count(); ++i)
+        for (std::vector<Operation> const& process : samples.operations(i))
+            for (Operation const& operation : process)
+                content += std::to_string(operation.code()) + ' ';
     return content;
 }
 
 std::vector<Operation> canonical_of(OperationLog const& log) { return retiming::canonical(log.begin(), log.pending()); }
+
+std::vector<Operation::Code> said_by(std::vector<Operation> const& operations) {
+    OperationLog log;
+    for (Operation const& operation : operations)
+        log.append(operation);
+    return spelled_out(log);
+}
 
 std::vector<Operation::Code> codes_of(std::vector<Operation> const& operations) {
     std::vector<Operation::Code> codes;
@@ -145,8 +192,8 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
             AcceleratorConfig const config = configuration(seed, recorded);
             RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
             {
-                INFO("from the tape");
-                check_equal(retiming::retime(file.run, config), run);
+                INFO("without scripts");
+                check_equal(retiming::retime_unscripted(scripted, config), run);
             }
             {
                 INFO("from scripts");
@@ -222,6 +269,53 @@ TEST_CASE("An event file with a wrong byte is refused, or still says the same", 
         CHECK(is_same);
     }
     CHECK(refused > 390);
+}
+
+TEST_CASE("Operations that are cut into phrases and joined again say the same", "[events]") {
+    test::TempFolder const folder;
+    for (std::size_t number = 0; number < workload_kinds.size(); ++number) {
+        record(recorded_configuration(9400 + number, number), workload(number), Engine::decoupled, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        Samples samples(file);
+        for (std::size_t i = 0; i < samples.count(); ++i) {
+            retiming::SampleOperations const operations = samples.operations(i);
+            retiming::ScriptedSample const cut = samples.cutter.cut(operations);
+            retiming::SampleOperations const joined = samples.cutter.join(cut, samples.cutter.book());
+            for (std::size_t process = 0; process < operations.size(); ++process) {
+                CAPTURE(number, i, process);
+                CHECK(said_by(joined[process]) == said_by(operations[process]));
+            }
+        }
+    }
+}
+
+TEST_CASE("A sample that says what no process can do is refused", "[events]") {
+    test::TempFolder const folder;
+    std::mt19937_64 random(9500);
+    std::size_t refused = 0;
+    std::size_t accepted = 0;
+    for (std::size_t number = 0; number < workload_kinds.size(); ++number) {
+        record(recorded_configuration(9500 + number, number), workload(number), Engine::decoupled, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        Samples samples(file);
+        std::string const content = samples.content(0);
+        for (std::size_t i = 0; i < 1000; ++i) {
+            std::size_t const at = random() % content.size();
+            unsigned const flip = 1U << (random() % 8);
+            CAPTURE(number, at, flip);
+            std::string changed = content;
+            changed[at] = static_cast<char>(static_cast<unsigned char>(changed[at]) ^ flip);
+            retiming::ScriptedSample read;
+            if (!retiming::decode(changed, samples.lead, samples.known, read)) {
+                ++refused;
+                continue;
+            }
+            ++accepted;
+            CHECK(samples.can_do(samples.cutter.join(read, samples.known.book())));
+        }
+    }
+    CHECK(refused > 1000);
+    CHECK(accepted > 1000);
 }
 
 TEST_CASE("How many iterations a process tells at once does not matter to what is recorded", "[events]") {

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "support/spelled_out.hpp"
 #include "timing/core_timing.hpp"
 #include "timing/cut_trial.hpp"
 #include "timing/transition_store.hpp"
@@ -63,20 +64,6 @@ void log_triangles(CoreTiming& core, std::mt19937& random) {
     }
 }
 
-/// What a log says, an iteration an entry; iterations that access nothing are as good as gaps.
-std::vector<Operation::Code> spelled_out(OperationLog log) {
-    std::vector<Operation::Code> codes;
-    while (!log.exhausted()) {
-        log.split_iteration();
-        Operation const operation = log.front();
-        bool const is_silent = operation.kind() == Operation::Kind::iterate && operation.ports() == 0;
-        codes.insert(codes.end(), is_silent ? operation.count() : 1,
-                     is_silent ? Operation(Operation::Kind::iterate, 0, 0, 1).code() : operation.code());
-        log.consume();
-    }
-    return codes;
-}
-
 /// By process, and at the end what each goes on with.
 std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::vector<PhraseBook::Number> numbers) {
     auto const core = scanner();
@@ -87,7 +74,7 @@ std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::v
                       [&](unsigned member, std::uint8_t ports, bool) { next_ports[member] = ports; });
     std::vector<std::vector<Operation::Code>> said;
     for (Process const process : {driver, drawer, builder})
-        said.push_back(spelled_out(core->process(process).log()));
+        said.push_back(testing::spelled_out(core->process(process).log()));
     said.push_back(next_ports);
     return said;
 }
@@ -165,6 +152,25 @@ TEST_CASE("A sequence of transitions is the sum of its pieces", "[phrases]") {
     CHECK_FALSE(store.accepts_sequence({long_one, pieces.front()}));
     TransitionStore::Number const busy_one = store.add(transition_of(1, 0, 0xFFFF));
     CHECK_FALSE(store.accepts_sequence({busy_one, pieces.front()}));
+}
+
+TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
+    std::size_t phrases = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        auto const core = scanner();
+        log_triangles(*core, random);
+        Group const group(*core, lead());
+        for (Phrase read; read.read(group, 0) == Phrase::Reading::complete; read.consume(), ++phrases) {
+            Phrase recalled;
+            recalled.recall(read.codes(), read.size(), group);
+            CHECK(recalled.due() == read.due());
+            CHECK(recalled.active() == read.active());
+            CHECK(Phrase::is_well_formed(read.codes(), read.size(), 3));
+        }
+    }
+    CHECK(phrases > 1000);
 }
 
 }  // namespace faster::timing

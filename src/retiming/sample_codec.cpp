@@ -1,8 +1,10 @@
-#include "retiming/operation_codec.hpp"
+#include "retiming/sample_codec.hpp"
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <type_traits>
+
+#include "retiming/operation_check.hpp"
 
 namespace faster::retiming {
 
@@ -141,6 +143,32 @@ class Reader {
     explicit Reader(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
 
     std::uint64_t number() {
+        if (at_ != end_ && (static_cast<unsigned char>(*at_) & 0x80U) == 0)
+            return static_cast<unsigned char>(*at_++);  // mostly
+        return long_number();
+    }
+    unsigned byte() {
+        if (at_ == end_) {
+            good_ = false;
+            return 0;
+        }
+        return static_cast<unsigned char>(*at_++);
+    }
+    Reader column() { return Reader(bytes(number())); }
+    std::string_view bytes(std::uint64_t count) {
+        if (count > left()) {
+            good_ = false;
+            return {};
+        }
+        at_ += count;
+        return {at_ - count, static_cast<std::size_t>(count)};
+    }
+    std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+    bool good() const { return good_; }
+    bool done() const { return good_ && at_ == end_; }
+
+  private:
+    std::uint64_t long_number() {
         std::uint64_t value = 0;
         for (unsigned shift = 0; shift < 63; shift += 7) {
             unsigned const next = byte();
@@ -151,28 +179,7 @@ class Reader {
         good_ = false;
         return 0;
     }
-    unsigned byte() {
-        if (at_ == end_) {
-            good_ = false;
-            return 0;
-        }
-        return static_cast<unsigned char>(*at_++);
-    }
-    Reader column() {
-        std::uint64_t const size = number();
-        if (size > left()) {
-            good_ = false;
-            return Reader({});
-        }
-        Reader const column({at_, size});
-        at_ += size;
-        return column;
-    }
-    std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
-    bool good() const { return good_; }
-    bool done() const { return good_ && at_ == end_; }
 
-  private:
     char const* at_;
     char const* end_;
     bool good_ = true;
@@ -181,7 +188,7 @@ class Reader {
 /// Reads one process's operations, and checks that it can do them.
 class ProcessDecoder {
   public:
-    ProcessDecoder(Reader& bytes, timing::ProcessTiming const& process) : bytes_(bytes), process_(process) {}
+    ProcessDecoder(Reader& bytes, OperationCheck& check) : bytes_(bytes), check_(check) {}
 
     bool decode(std::vector<Operation>& operations) {
         std::uint64_t const count = bytes_.number();
@@ -191,10 +198,9 @@ class ProcessDecoder {
             *column = bytes_.column();
         operations.resize(count);
         for (Operation& operation : operations)
-            if (!read(operation))
+            if (!read(operation) || !check_.accepts(operation))
                 return false;
-        return bytes_.good() && !in_loop_ && setups_ == 0 && numbers_.done() && counts_.done() && gaps_.done() &&
-               tail_gaps_.done() && mixes_.done();
+        return bytes_.good() && numbers_.done() && counts_.done() && gaps_.done() && tail_gaps_.done() && mixes_.done();
     }
 
   private:
@@ -207,7 +213,7 @@ class ProcessDecoder {
             Shape shape;
             shape.ports = static_cast<std::uint8_t>(bytes_.byte());
             shape.tail_ports = static_cast<std::uint8_t>(bytes_.byte());
-            if (kind > static_cast<unsigned>(Kind::flanked) || !has_ports(shape.ports | shape.tail_ports))
+            if (kind > static_cast<unsigned>(Kind::flanked))
                 return false;
             shape.kind = static_cast<Kind>(kind);
             shapes_.push_back(shape);
@@ -215,15 +221,13 @@ class ProcessDecoder {
         return true;
     }
 
-    bool has_ports(unsigned ports) const { return (ports >> process_.port_count()) == 0; }
-
     bool read(Operation& operation) {
         std::uint64_t const number = numbers_.number();
         if (number >= shapes_.size())
             return false;
         Shape const& shape = shapes_[number];
         if (shape.kind == Kind::mixed)
-            return in_loop_ && read_mix(shape, operation);
+            return read_mix(shape, operation);
         std::uint64_t const count = shape.has_count() ? counts_.number() : 0;
         std::uint64_t const gap = shape.has_gap() ? gaps_.number() : 0;
         std::uint64_t const tail_gap = shape.tail_ports != 0 ? tail_gaps_.number() : 0;
@@ -232,7 +236,7 @@ class ProcessDecoder {
         operation =
             Operation(shape.kind, shape.ports, static_cast<std::uint32_t>(gap), static_cast<std::uint32_t>(count));
         operation.add_tail(shape.tail_ports, static_cast<std::uint32_t>(tail_gap));
-        return makes_sense(operation);
+        return true;
     }
 
     bool read_mix(Shape const& shape, Operation& operation) {
@@ -241,77 +245,159 @@ class ProcessDecoder {
         for (unsigned at = 0; at < 32; at += 8)
             gaps |= std::uint32_t{mixes_.byte()} << at;
         operation = Operation::mix(shape.ports, static_cast<unsigned>(length & 0xFFU), gaps);
-        return shape.ports != 0 && shape.tail_ports == 0 && length > 0 && length <= Operation::longest_mix &&
-               (gaps & ~Operation::gap_bits(1, static_cast<std::uint32_t>(length))) == 0;
-    }
-
-    bool makes_sense(Operation const& operation) {
-        bool const is_iteration = operation.kind() == Kind::iterate || operation.kind() == Kind::flanked;
-        if (!is_iteration && operation.tail_ports() != 0)
-            return false;
-        switch (operation.kind()) {
-            case Kind::wait:
-                return operation.ports() == 0 && makes_sense_as_setup(operation);
-            case Kind::step:
-                return !in_loop_ && operation.ports() != 0;
-            case Kind::enter:
-                in_loop_ = !in_loop_;
-                return in_loop_ && operation.ports() == 0 && operation.count() < process_.loops().size();
-            case Kind::leave:
-                in_loop_ = !in_loop_;
-                return !in_loop_ && operation.ports() == 0;
-            case Kind::iterate:
-                return in_loop_ && operation.count() > 0;
-            case Kind::flanked:
-                return in_loop_ && operation.count() > 1 && operation.ports() != 0 && operation.tail_ports() != 0;
-            case Kind::stamp:
-                return operation.ports() == 0 && !std::exchange(is_stamped_, true);
-            case Kind::mixed:
-                break;
-        }
-        return false;
-    }
-
-    /// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun.
-    bool makes_sense_as_setup(Operation const& operation) {
-        if (operation.gap() <= Operation::whole_setup)
-            return !in_loop_;
-        if (operation.gap() > Operation::setup_end)
-            return false;
-        setups_ += operation.gap() == Operation::setup_begin ? 1 : -1;
-        return in_loop_ && setups_ >= 0;
+        return shape.tail_ports == 0 && length <= Operation::longest_mix;
     }
 
     Reader& bytes_;
-    timing::ProcessTiming const& process_;
+    OperationCheck& check_;
     std::vector<Shape> shapes_;
     Reader numbers_{{}};
     Reader counts_{{}};
     Reader gaps_{{}};
     Reader tail_gaps_{{}};
     Reader mixes_{{}};
-    bool in_loop_ = false;
-    std::int64_t setups_ = 0;  // begun and not awaited
-    bool is_stamped_ = false;  // once per sample at most
 };
+
+using timing::PhraseBook;
+using Code = timing::Phrase::Code;
+
+template <std::size_t width> void put_at(char* bytes, std::uint64_t number) {
+    for (std::size_t i = 0; i < width; ++i)
+        bytes[i] = static_cast<char>(number >> (8 * i));
+}
+
+/// Numbers of `width` bytes each, little-endian.
+template <std::size_t width, class Numbers>
+void put_all(Numbers const* numbers, std::size_t count, std::string& bytes) {
+    std::size_t at = bytes.size();
+    bytes.resize(at + count * width);
+    for (std::size_t i = 0; i < count; ++i, at += width)
+        put_at<width>(&bytes[at], numbers[i]);
+}
+
+template <std::size_t width> std::uint64_t number_at(char const* bytes) {
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < width; ++i)
+        number |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    return number;
+}
+
+/// Calls `act` with the bytes of a number below `count`, as a constant.
+template <class Act> auto with_width_for(std::size_t count, Act act) {
+    if (count <= 0x100)
+        return act(std::integral_constant<std::size_t, 1>());
+    if (count <= 0x10000)
+        return act(std::integral_constant<std::size_t, 2>());
+    return act(std::integral_constant<std::size_t, 4>());
+}
+
+void put_phrases(ScriptedSample const& sample, PhraseBook const& book, std::string& bytes) {
+    for (std::uint8_t const ports : sample.script.next_ports)
+        put_number(bytes, ports);
+    put_number(bytes, book.size());
+    for (PhraseBook::Number i = 0; i < book.size(); ++i)
+        put_number(bytes, book[i].size);
+    for (PhraseBook::Number i = 0; i < book.size(); ++i)
+        put_all<sizeof(Code)>(book.codes(i), book[i].size, bytes);
+    put_number(bytes, sample.phrases.size());
+    auto const put = [&](auto width) {
+        put_all<decltype(width)::value>(sample.phrases.data(), sample.phrases.size(), bytes);
+    };
+    with_width_for(book.size(), put);
+}
+
+/// Of the phrases that occur in a sample: their numbers in the book of all.
+bool read_book(Reader& bytes, KnownPhrases& known, std::vector<PhraseBook::Number>& numbers) {
+    std::uint64_t const count = bytes.number();
+    if (count > bytes.left())
+        return false;
+    std::vector<std::uint64_t> sizes(count);
+    for (std::uint64_t& size : sizes)
+        size = bytes.number();
+    std::array<Code, timing::Phrase::most_codes + timing::Phrase::most_members> codes{};
+    for (std::uint64_t const size : sizes) {
+        if (size > codes.size())
+            return false;
+        std::string_view const coded = bytes.bytes(size * sizeof(Code));
+        for (std::size_t i = 0; i < coded.size() / sizeof(Code); ++i)
+            codes[i] = number_at<sizeof(Code)>(coded.data() + i * sizeof(Code));
+        std::optional<PhraseBook::Number> const number = known.number_of(codes.data(), coded.size() / sizeof(Code));
+        if (!number)
+            return false;
+        numbers.push_back(*number);
+    }
+    return true;
+}
+
+/// Each phrase must be one that begins where the ones before it left the processes.
+template <std::size_t width>
+bool read_numbers(std::string_view bytes, std::vector<PhraseBook::Number> const& numbers, KnownPhrases const& known,
+                  PhraseCheck& check, ScriptedSample& sample) {
+    char const* at = bytes.data();
+    for (PhraseBook::Number& phrase : sample.phrases) {
+        std::uint64_t const number = number_at<width>(at);
+        at += width;
+        if (number >= numbers.size() || !check.accepts(known[numbers[number]]))
+            return false;
+        phrase = numbers[number];
+        sample.script.due += known[phrase].due;
+    }
+    return true;
+}
+
+bool read_phrases(Reader& bytes, KnownPhrases& known, PhraseCheck& check, ScriptedSample& sample) {
+    for (std::uint8_t& ports : sample.script.next_ports)
+        ports = static_cast<std::uint8_t>(bytes.number());
+    std::vector<PhraseBook::Number> numbers;
+    if (!read_book(bytes, known, numbers))
+        return false;
+    std::uint64_t const count = bytes.number();
+    if (count > bytes.left())
+        return false;
+    sample.phrases.resize(count);
+    return with_width_for(numbers.size(), [&](auto width) {
+        std::string_view const coded = bytes.bytes(count * width);
+        return bytes.good() && read_numbers<decltype(width)::value>(coded, numbers, known, check, sample);
+    });
+}
+
+bool read_operations(Reader& bytes, std::vector<OperationCheck>& checks, SampleOperations& operations) {
+    operations.resize(checks.size());
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        if (!ProcessDecoder(bytes, checks[i]).decode(operations[i]))
+            return false;
+    return true;
+}
 
 }  // namespace
 
-std::string encode(SampleOperations const& operations) {
+std::string encode(ScriptedSample const& sample, PhraseBook const& book) {
     std::string bytes;
     ProcessEncoder encoder;
-    for (std::vector<Operation> const& process : operations)
+    for (std::vector<Operation> const& process : sample.before)
+        encoder.put(process, bytes);
+    put_phrases(sample, book, bytes);
+    for (std::vector<Operation> const& process : sample.after)
         encoder.put(process, bytes);
     return bytes;
 }
 
-bool decode(std::string_view bytes, timing::CoreTiming const& core, SampleOperations& operations) {
+bool decode(std::string_view bytes, LeadCore const& lead, KnownPhrases& known, ScriptedSample& sample) {
+    sample = ScriptedSample();
     Reader reader(bytes);
-    operations.resize(core.processes().size());
-    for (std::size_t i = 0; i < operations.size(); ++i)
-        if (!ProcessDecoder(reader, core.processes()[i]).decode(operations[i]))
-            return false;
-    return reader.done();
+    std::vector<OperationCheck> checks;
+    for (timing::ProcessTiming const& process : lead.core->processes())
+        checks.emplace_back(process);
+    if (!read_operations(reader, checks, sample.before))
+        return false;
+    PhraseCheck phrases(lead.group, checks);
+    if (!read_phrases(reader, known, phrases, sample))
+        return false;
+    phrases.move_on(checks);
+    if (!read_operations(reader, checks, sample.after))
+        return false;
+    return reader.done() &&
+           std::all_of(checks.begin(), checks.end(), [](OperationCheck const& check) { return check.is_done(); });
 }
 
 }  // namespace faster::retiming

@@ -1,0 +1,93 @@
+#include "retiming/sample_cutter.hpp"
+
+#include "retiming/canonical_operations.hpp"
+
+namespace faster::retiming {
+
+namespace {
+
+using timing::Operation;
+using timing::OperationLog;
+using timing::Phrase;
+
+/// As one operation, where one can say it.
+void append(Operation const& operation, OperationLog& log) {
+    bool const goes_on = !log.exhausted() && operation.kind() == Operation::Kind::iterate &&
+                         operation.tail_ports() == 0 && log.begin()[log.pending() - 1].repeats(operation);
+    goes_on ? log.iterate(operation.ports(), operation.gap(), operation.count()) : log.append(operation);
+}
+
+}  // namespace
+
+ScriptedSample SampleCutter::cut(SampleOperations operations) {
+    ScriptedSample cut;
+    cut.before = std::move(operations);
+    cut.after.resize(cut.before.size());
+    for (unsigned m = 0; m < lead_.group.members().size(); ++m)
+        if (m != lead_.group.supplier())
+            open(m, cut);
+    open_driver(cut);
+    book_.clear();
+    while (phrase_.read(lead_.group, 1U << lead_.group.supplier()) == Phrase::Reading::complete) {
+        cut.phrases.push_back(book_.number_of(phrase_, lead_.group));
+        cut.script.due += book_[cut.phrases.back()].due;
+        phrase_.consume();
+    }
+    for (unsigned m = 0; m < lead_.group.members().size(); ++m)
+        if (m != lead_.group.supplier())
+            close(m, cut);
+    return cut;
+}
+
+/// Leaves a follower's operations up to its first answer, and the driver's up to what the sample begins with.
+void SampleCutter::open(unsigned member, ScriptedSample& cut) {
+    std::vector<Operation>& before = cut.before[index(member)];
+    auto const anchor = static_cast<std::uint8_t>(1U << lead_.group.members()[member].anchor_port);
+    auto first = before.begin();
+    while (member != 0 && first != before.end() && (first->ports() & anchor) == 0)
+        ++first;
+    log(member).clear();
+    for (auto operation = first; operation != before.end(); ++operation)
+        log(member).append(*operation);
+    if (first != before.end())
+        cut.script.next_ports[member] = first->ports();
+    before.erase(first, before.end());
+}
+
+void SampleCutter::open_driver(ScriptedSample& cut) {
+    std::uint8_t const inner = lead_.group.members().front().inner_ports;
+    OperationLog& driver = log(0);
+    std::vector<Operation>& before = cut.before[index(0)];
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < driver.pending() && (driver.begin()[i].all_ports() & inner) == 0; ++i)
+        if (driver.begin()[i].kind() == Operation::Kind::stamp || driver.begin()[i].all_ports() != 0)
+            begin = i + 1;
+    before.assign(driver.begin(), driver.begin() + begin);
+    driver.consume(begin, 0);
+}
+
+void SampleCutter::close(unsigned member, ScriptedSample& cut) {
+    cut.after[index(member)].assign(log(member).begin(), log(member).begin() + log(member).pending());
+    log(member).clear();
+}
+
+SampleOperations SampleCutter::join(ScriptedSample const& cut, timing::PhraseBook const& book) const {
+    std::vector<OperationLog> logs(cut.before.size());
+    for (std::size_t i = 0; i < logs.size(); ++i)
+        for (Operation const& operation : cut.before[i])
+            logs[i].append(operation);
+    for (timing::PhraseBook::Number const number : cut.phrases)
+        Phrase::each(
+            book.codes(number), book[number].size,
+            [&](unsigned member, Operation const& operation) { append(operation, logs[index(member)]); },
+            [](unsigned /*member*/, std::uint8_t /*next_ports*/, bool /*frozen*/) {});
+    SampleOperations operations;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+        for (Operation const& operation : cut.after[i])
+            append(operation, logs[i]);
+        operations.push_back(canonical(logs[i].begin(), logs[i].pending()));
+    }
+    return operations;
+}
+
+}  // namespace faster::retiming

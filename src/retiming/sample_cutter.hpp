@@ -1,0 +1,33 @@
+#pragma once
+#include "retiming/lead_core.hpp"
+#include "retiming/scripted_sample.hpp"
+
+namespace faster::retiming {
+
+/// Cuts what the processes do for a sample into phrases, and back.
+class SampleCutter {
+  public:
+    /// For cores of that shape.
+    SampleCutter(timing::CoreTiming const& blueprint, Parts const& parts) : lead_(blueprint, parts) {}
+
+    /// Of canonical() operations. The phrases are those of book(), which has no others, in the order in which they
+    /// occur.
+    ScriptedSample cut(SampleOperations operations);
+    timing::PhraseBook const& book() const { return book_; }
+    /// canonical() operations that take the same time as those of a sample with phrases of a book; not always cut as
+    /// they were.
+    SampleOperations join(ScriptedSample const& cut, timing::PhraseBook const& book) const;
+
+  private:
+    timing::OperationLog& log(unsigned member) { return lead_.group.members()[member].process->log(); }
+    unsigned index(unsigned member) const { return lead_.group.members()[member].process->index(); }
+    void open(unsigned member, ScriptedSample& cut);
+    void open_driver(ScriptedSample& cut);
+    void close(unsigned member, ScriptedSample& cut);
+
+    LeadCore lead_;
+    timing::Phrase phrase_;
+    timing::PhraseBook book_;  ///< of the sample at hand
+};
+
+}  // namespace faster::retiming

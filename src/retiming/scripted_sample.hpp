@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "retiming/sample_operations.hpp"
+#include "timing/phrase_book.hpp"
+
+namespace faster::retiming {
+
+/// A sample's operations with the long middle, where triangles are drawn, as phrases of the lead group. Of its
+/// supplier, which is ahead by as much as a FIFO holds, all operations are in `before`.
+struct ScriptedSample {
+    SampleOperations before;  ///< by process
+    std::vector<timing::PhraseBook::Number> phrases;
+    SampleOperations after;  ///< by process
+    timing::Script script;   ///< of the phrases; without pointers
+};
+
+}  // namespace faster::retiming

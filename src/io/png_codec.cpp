@@ -109,6 +109,7 @@ class Writer {
 
 std::vector<png_bytep> rows_of(std::vector<unsigned char>& bytes, PngPixels const& pixels) {
     std::vector<png_bytep> rows;
+    rows.reserve(static_cast<std::size_t>(pixels.height));
     for (int row = 0; row < pixels.height; ++row)
         rows.push_back(bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes());
     return rows;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_header_bytes = std::size_t{1} << 24;
 constexpr std::size_t most_index_bytes = std::size_t{1} << 32;
-constexpr std::uint64_t most_block_bytes = std::uint64_t{1} << 32;
+constexpr std::uint64_t most_block_bytes = std::uint64_t{1} << 28;
 
 /// Reads an event file from both ends.
 class Reader {
@@ -38,7 +38,7 @@ class Reader {
             if (index.at("header_checksum") != header_checksum_)
                 fail("its header does not belong to its index, expected both from one run");
             read_configuration(header.at("configuration"), file.loaded);
-            read_machine(header.at("machine"), process_places(Parts(file.loaded.config.accelerator)), file.run);
+            read_machine(header.at("machine"), Parts(file.loaded.config.accelerator), file.run);
             read_samples(index.at("samples"), file);
             file.summary = index.at("summary").dump();
         } catch (Json::exception const& error) {

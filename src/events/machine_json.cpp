@@ -1,6 +1,8 @@
 #include "events/machine_json.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <stdexcept>
 
 #include "config/machine.hpp"
@@ -45,7 +47,7 @@ template <std::size_t N> std::size_t number_of(std::string const& name, std::arr
 /// Builds a run's blueprint.
 class MachineReader {
   public:
-    explicit MachineReader(retiming::RecordedRun& run) : run_(run) {
+    MachineReader(Parts const& parts, retiming::RecordedRun& run) : parts_(parts), run_(run) {
         run_.blueprint = std::make_unique<timing::CoreTiming>();
         for (char const* name : fifo_names) {
             timing::FifoShape shape;
@@ -66,10 +68,14 @@ class MachineReader {
 
   private:
     void read_port(Json const& json, timing::ProcessTiming& process) {
-        timing::FifoTiming& fifo = run_.blueprint->fifo(number_of(json.at("fifo").get<std::string>(), fifo_names));
-        if (process.port_count() == 8)
-            throw std::invalid_argument("too many ports");
-        unsigned const port = json.at("access") == "write" ? process.add_writes(fifo) : process.add_reads(fifo);
+        std::size_t const number = number_of(json.at("fifo").get<std::string>(), fifo_names);
+        bool const writes = json.at("access") == "write";
+        FifoEnds const ends = ends_of(parts_, static_cast<FifoId>(number));
+        if (index_of(writes ? ends.writer : ends.reader) != process.index() ||
+            !taken_[writes ? 1 : 0].insert(number).second)
+            throw std::invalid_argument("process " + process.name() + " is at no such end of " + fifo_names[number]);
+        timing::FifoTiming& fifo = run_.blueprint->fifo(number);
+        unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
         process.note_site(static_cast<std::uint8_t>(1U << port), read_site(json.at("source")));
     }
 
@@ -102,7 +108,9 @@ class MachineReader {
         return {run_.source_files.back().c_str(), json.at(1).get<unsigned>()};
     }
 
+    Parts parts_;
     retiming::RecordedRun& run_;
+    std::array<std::set<std::size_t>, 2> taken_;  ///< FIFOs that are read, that are written
 };
 
 }  // namespace
@@ -115,11 +123,11 @@ Json machine_json(timing::CoreTiming const& blueprint) {
     return processes;
 }
 
-void read_machine(Json const& machine, std::size_t processes, retiming::RecordedRun& run) {
-    MachineReader reader(run);
+void read_machine(Json const& machine, Parts const& parts, retiming::RecordedRun& run) {
+    MachineReader reader(parts, run);
     for (Json const& process : machine)
         reader.read_process(process);
-    if (run.blueprint->processes().size() != processes)
+    if (run.blueprint->processes().size() != process_places(parts))
         throw std::invalid_argument("missing processes");
 }
 

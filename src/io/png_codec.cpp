@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstdint>
+#include <new>
 #include <png.h>
 #include <stdexcept>
 #include <utility>
@@ -68,7 +69,7 @@ class Writer {
     Writer() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, give_up, say_nothing)) {
         info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
         if (info_ != nullptr)
-            png_set_write_fn(png_, &file_, put, nullptr);
+            png_set_write_fn(png_, &file_, put, flush);
     }
     ~Writer() { png_destroy_write_struct(&png_, &info_); }
     Writer(Writer const&) = delete;
@@ -99,8 +100,16 @@ class Writer {
 
   private:
     static void put(png_structp png, png_bytep bytes, std::size_t count) {
-        static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char const*>(bytes), count);
+        bool has_room = true;
+        try {
+            static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char const*>(bytes), count);
+        } catch (std::bad_alloc const&) {
+            has_room = false;  // an exception must not go through libpng
+        }
+        if (!has_room)
+            png_error(png, "no memory");
     }
+    static void flush(png_structp /*png*/) {}
 
     std::string file_;
     png_structp png_;

@@ -17,7 +17,7 @@ struct PngHeader {
 };
 
 /// The header of a PNG file whose chunks are all there and undamaged (lengths and checksums, up to IEND). Asked before
-/// decoding, because the decoder reports damage on stderr and not to us, and converts pixel types silently.
+/// decoding, because the decoder does not say what is wrong, and the pixel type decides how much room there must be.
 /// `problem` is empty if all is well, else says what is wrong with the file, for a message.
 /// Source: PNG specification (ISO/IEC 15948), sections 5 and 11.2.2.
 struct PngCheck {

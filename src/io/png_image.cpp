@@ -1,6 +1,5 @@
 #include "io/png_image.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 #include <stdexcept>

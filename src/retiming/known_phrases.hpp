@@ -1,14 +1,16 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "retiming/lead_core.hpp"
 #include "retiming/operation_check.hpp"
 #include "timing/phrase_book.hpp"
 
 namespace faster::retiming {
 
-/// The phrases that files were found to hold, each looked at once: what is read may say anything.
+/// The phrases that a file was found to hold, each looked at once: what is read may say anything.
 class KnownPhrases {
   public:
     using Number = timing::PhraseBook::Number;
@@ -23,18 +25,20 @@ class KnownPhrases {
         std::int64_t setups = 0;        ///< at the end
     };
 
-    explicit KnownPhrases(timing::Group const& group) : group_(&group) {}
+    /// Of lead groups like that.
+    explicit KnownPhrases(LeadCore lead) : lead_(std::move(lead)) {}
+    LeadCore const& lead() const { return lead_; }
 
-    /// None if no group could do it, wherever its members are.
+    /// None if it is no phrase, or no group could do it, wherever its members are.
     std::optional<Number> number_of(timing::Phrase::Code const* codes, std::size_t size);
     Effect const& operator[](Number number) const { return effects_[number]; }
     timing::PhraseBook const& book() const { return book_; }
-    timing::PhraseBook take_book() { return std::move(book_); }
+    timing::PhraseBook take_book() && { return std::move(book_); }
 
   private:
     std::optional<Effect> effect() const;
 
-    timing::Group const* group_;
+    LeadCore lead_;
     timing::PhraseBook book_;
     std::vector<Effect> effects_;  ///< by number
     timing::Phrase phrase_;

@@ -4,7 +4,10 @@
 
 namespace faster::retiming {
 
+LeadCore::LeadCore(timing::CoreTiming const& blueprint, timing::Lead const& lead)
+    : core(blueprint.blank_copy()), group(*core, lead) {}
+
 LeadCore::LeadCore(timing::CoreTiming const& blueprint, Parts const& parts)
-    : core(blueprint.blank_copy()), group(*core, rasterizer_and_followers(parts)) {}
+    : LeadCore(blueprint, rasterizer_and_followers(parts)) {}
 
 }  // namespace faster::retiming

@@ -54,12 +54,12 @@ std::string OperationTape::block(std::size_t sample) const {
     return bytes;
 }
 
-ScriptedSample OperationTape::read(std::size_t sample, LeadCore const& lead, KnownPhrases& known) const {
+ScriptedSample OperationTape::read(std::size_t sample, KnownPhrases& known) const {
     ScriptedSample scripted;
     std::string const frame = block(sample);
     auto const content = io::content_of_zstd_frame(frame, blocks_[sample].content_bytes);
     if (!content || content->size() != blocks_[sample].content_bytes ||
-        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, lead, known, scripted))
+        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, known, scripted))
         throw InputError(name_ + ": the operations of sample " + std::to_string(sample) +
                          " are damaged, expected them as faster-sim run --events wrote them");
     return scripted;

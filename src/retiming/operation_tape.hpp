@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "retiming/known_phrases.hpp"
-#include "retiming/lead_core.hpp"
 #include "retiming/scripted_sample.hpp"
 
 namespace faster::retiming {
@@ -36,8 +35,9 @@ class OperationTape {
 
     std::size_t samples() const { return blocks_.size(); }
     std::vector<Block> const& blocks() const { return blocks_; }
-    /// A sample, as processes of `lead` can do it, with phrases of known.book(). InputError if the block is damaged.
-    ScriptedSample read(std::size_t sample, LeadCore const& lead, KnownPhrases& known) const;
+    /// A sample, as processes of known.lead() can do it, with phrases of known.book(). InputError if the block is
+    /// damaged.
+    ScriptedSample read(std::size_t sample, KnownPhrases& known) const;
     /// The compressed block of a sample.
     std::string block(std::size_t sample) const;
 

@@ -21,15 +21,13 @@ class PlainReader {
   public:
     explicit PlainReader(ScriptedRun const& run)
         : tape_(run.run().tape),
-          lead_(*run.run().blueprint, run.parts()),
           cutter_(*run.run().blueprint, run.parts()),
-          known_(lead_.group) {}
+          known_(LeadCore(*run.run().blueprint, run.parts())) {}
 
-    SampleOperations read(std::size_t sample) { return cutter_.join(tape_.read(sample, lead_, known_), known_.book()); }
+    SampleOperations read(std::size_t sample) { return cutter_.join(tape_.read(sample, known_), known_.book()); }
 
   private:
     OperationTape const& tape_;
-    LeadCore lead_;
     SampleCutter cutter_;
     KnownPhrases known_;
 };

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "retiming/known_phrases.hpp"
-#include "retiming/lead_core.hpp"
 #include "retiming/scripted_sample.hpp"
 
 namespace faster::retiming {
@@ -12,8 +11,8 @@ namespace faster::retiming {
 /// columns, which compress better than whole operations do; and the phrases, which must be those of `book`.
 std::string encode(ScriptedSample const& sample, timing::PhraseBook const& book);
 
-/// And back, for the processes of `lead`, with phrases of known.book(). False if the bytes say what none of its
-/// processes can do.
-bool decode(std::string_view bytes, LeadCore const& lead, KnownPhrases& known, ScriptedSample& sample);
+/// And back, for the processes of known.lead(), with phrases of known.book(). False if the bytes say what they cannot
+/// do.
+bool decode(std::string_view bytes, KnownPhrases& known, ScriptedSample& sample);
 
 }  // namespace faster::retiming

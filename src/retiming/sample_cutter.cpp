@@ -23,18 +23,20 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
     ScriptedSample cut;
     cut.before = std::move(operations);
     cut.after.resize(cut.before.size());
+    std::uint32_t const supplier = lead_.group.has_supplier() ? 1U << lead_.group.supplier() : 0;
     for (unsigned m = 0; m < lead_.group.members().size(); ++m)
-        if (m != lead_.group.supplier())
+        if (supplier != 1U << m)
             open(m, cut);
     open_driver(cut);
     book_.clear();
-    while (phrase_.read(lead_.group, 1U << lead_.group.supplier()) == Phrase::Reading::complete) {
+    while (cut.phrases.size() < ScriptedSample::most_phrases &&
+           phrase_.read(lead_.group, supplier) == Phrase::Reading::complete) {
         cut.phrases.push_back(book_.number_of(phrase_, lead_.group));
         cut.script.due += book_[cut.phrases.back()].due;
         phrase_.consume();
     }
     for (unsigned m = 0; m < lead_.group.members().size(); ++m)
-        if (m != lead_.group.supplier())
+        if (supplier != 1U << m)
             close(m, cut);
     return cut;
 }
@@ -49,7 +51,7 @@ void SampleCutter::open(unsigned member, ScriptedSample& cut) {
     log(member).clear();
     for (auto operation = first; operation != before.end(); ++operation)
         log(member).append(*operation);
-    if (first != before.end())
+    if (member != 0 && first != before.end())
         cut.script.next_ports[member] = first->ports();
     before.erase(first, before.end());
 }

@@ -1,26 +1,85 @@
 #include "retiming/scripted_run.hpp"
 
+#include <algorithm>
+#include <iterator>
+
+#include "common/on_threads.hpp"
 #include "modules/core_shapes.hpp"
 #include "timing/phrase_cutter.hpp"
 
 namespace faster::retiming {
 
 namespace {
-constexpr std::size_t most_phrases = std::size_t{1} << 26;
+
+using timing::PhraseBook;
+
+constexpr std::size_t most_bytes_of_run = std::size_t{1} << 28;
+constexpr std::size_t samples_worth_a_thread = 16;
+
+/// Some of the samples, with phrases of a book of their own.
+struct Share {
+    std::vector<ScriptedSample> samples;
+    PhraseBook book;
+    bool is_whole = false;  ///< nothing was left to the tape
+};
+
+std::size_t bytes_of(ScriptedSample const& sample) {
+    std::size_t operations = 0;
+    for (SampleOperations const* const part : {&sample.before, &sample.after})
+        for (std::vector<timing::Operation> const& process : *part)
+            operations += process.size();
+    return operations * sizeof(timing::Operation) + sample.phrases.size() * sizeof(PhraseBook::Number);
+}
+
+Share read_share(RecordedRun const& run, Parts const& parts, std::size_t first, std::size_t end,
+                 std::size_t most_bytes) {
+    KnownPhrases known(LeadCore(*run.blueprint, parts));
+    Share share;
+    std::size_t bytes = 0;
+    for (; first < end && bytes < most_bytes; ++first) {
+        share.samples.push_back(run.tape.read(first, known));
+        bytes += bytes_of(share.samples.back());
+    }
+    share.is_whole = first == end;
+    share.book = std::move(known).take_book();
+    return share;
+}
+
+/// Puts the phrases of a share into the book of all, and their numbers there into its samples.
+void renumber(Share& share, timing::Group const& group, PhraseBook& book) {
+    std::vector<PhraseBook::Number> numbers;
+    timing::Phrase phrase;
+    for (PhraseBook::Number i = 0; i < share.book.size(); ++i) {
+        phrase.recall(share.book.codes(i), share.book[i].size, group);
+        numbers.push_back(book.number_of(phrase, group));
+    }
+    for (ScriptedSample& sample : share.samples)
+        for (PhraseBook::Number& number : sample.phrases)
+            number = numbers[number];
+}
+
 }  // namespace
 
-ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts) : run_(&run), parts_(parts) {
+ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t jobs) : run_(&run), parts_(parts) {
+    std::size_t const samples = run.tape.samples();
+    if (jobs == 0)
+        jobs = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
+    std::vector<Share> shares(jobs);
+    on_threads(jobs, jobs, [&](std::size_t i) {
+        shares[i] = read_share(run, parts, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
+    });
     LeadCore const lead(*run.blueprint, parts);
-    KnownPhrases known(lead.group);
-    std::size_t phrases = 0;
-    while (samples_.size() < run.tape.samples() && phrases < most_phrases) {
-        samples_.push_back(run.tape.read(samples_.size(), lead, known));
-        phrases += samples_.back().phrases.size();
+    book_ = std::move(shares.front().book);
+    for (Share& share : shares) {
+        if (&share != &shares.front())
+            renumber(share, lead.group, book_);
+        std::move(share.samples.begin(), share.samples.end(), std::back_inserter(samples_));
+        if (!share.is_whole)
+            break;  // the tape has all that follow
     }
-    book_ = known.take_book();
     timing::PhraseCutter cutter(*lead.core, rasterizer_and_followers(parts));
-    auto const whole = static_cast<timing::PhraseBook::Number>(book_.size());
-    for (timing::PhraseBook::Number number = 0; number < whole; ++number)
+    auto const whole = static_cast<PhraseBook::Number>(book_.size());
+    for (PhraseBook::Number number = 0; number < whole; ++number)
         cutter.cut(book_, number);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "config/parts.hpp"
@@ -7,11 +8,13 @@
 
 namespace faster::retiming {
 
-/// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase; samples beyond a
-/// quarter of a gigabyte are left to the tape. The run must outlive it. `parts` are those of its configuration.
+/// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation;
+/// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `parts` are those of its
+/// configuration.
 class ScriptedRun {
   public:
-    ScriptedRun(RecordedRun const& run, Parts const& parts);
+    /// Reads on so many threads; 0: as many as are worth it.
+    ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t jobs = 0);
 
     RecordedRun const& run() const { return *run_; }
     Parts const& parts() const { return parts_; }

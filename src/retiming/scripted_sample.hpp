@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "retiming/sample_operations.hpp"
@@ -9,6 +10,8 @@ namespace faster::retiming {
 /// A sample's operations with the long middle, where triangles are drawn, as phrases of the lead group. Of its
 /// supplier, which is ahead by as much as a FIFO holds, all operations are in `before`.
 struct ScriptedSample {
+    static constexpr std::size_t most_phrases = std::size_t{1} << 24;  ///< all others stay operations
+
     SampleOperations before;  ///< by process
     std::vector<timing::PhraseBook::Number> phrases;
     SampleOperations after;  ///< by process

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>

@@ -7,6 +7,8 @@ namespace faster::timing {
 /// the FIFO between it and the driver by whose accesses its work is counted: for every access the driver makes, the
 /// follower has one to make. A statement about efficiency only: cycles never depend on it.
 struct Lead {
+    static constexpr unsigned most_members = 5;  ///< the driver and its followers
+
     struct Follower {
         unsigned process = 0;
         unsigned anchor = 0;  ///< number of a FIFO

@@ -1,6 +1,7 @@
 #include "timing/phrase.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace faster::timing {
 
@@ -262,18 +263,43 @@ void Phrase::assign(Code const* codes, unsigned size, std::uint32_t active) {
     part_count_ = 0;
 }
 
-bool Phrase::is_well_formed(Code const* codes, std::size_t size, unsigned members) {
-    auto const is_good = [members](Code code) {
-        if (is_part(code)) {
-            unsigned const follower = static_cast<unsigned>(code >> part_at) & 0xFU;
-            return follower > 0 && follower < members && Operation(code & ~(Code{0x1F} << part_at)).is_well_formed();
-        }
-        if (!is_marker(code))
-            return Operation(code).is_well_formed();
-        constexpr Code known = marker | (Code{0xFF} << 16) | (Code{0xFF} << 8) | 1U;
-        return (code & ~known) == 0 && marked_member(code) > 0 && marked_member(code) < members;
+/// Says nothing besides what it can mean, and of ports in the group only.
+bool Phrase::is_well_formed(Code code, Group const& group) {
+    auto const is_inside = [&group](unsigned member, std::uint8_t ports) {
+        return member > 0 && member < group.members().size() && (ports & ~group.members()[member].inner_ports) == 0;
     };
-    return size > 0 && size <= most_codes + most_members && std::all_of(codes, codes + size, is_good);
+    if (is_part(code)) {
+        Operation const operation(code & ~(Code{0x1F} << part_at));
+        return operation.is_well_formed() &&
+               is_inside(static_cast<unsigned>(code >> part_at) & 0xFU, operation.ports());
+    }
+    if (!is_marker(code))
+        return Operation(code).is_well_formed();
+    constexpr Code known = marker | (Code{0xFF} << 16) | (Code{0xFF} << 8);
+    return (code & ~known) == 0 && is_inside(marked_member(code), static_cast<std::uint8_t>(code >> 8));
+}
+
+bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group) {
+    if (size == 0 || size > longest ||
+        !std::all_of(codes, codes + size, [&group](Code code) { return is_well_formed(code, group); }))
+        return false;
+    std::array<std::uint8_t, Lead::most_members> next_ports{};
+    for (Group::Member const& member : group.members())
+        member.process->log().clear();
+    write(codes, static_cast<unsigned>(size), group,
+          [&next_ports](unsigned member, std::uint8_t ports, bool /*frozen*/) { next_ports[member] = ports; });
+    std::uint32_t parts = 0;
+    for (std::size_t i = 0; i < size; ++i)
+        parts |= is_part(codes[i]) ? 1U << (static_cast<unsigned>(codes[i] >> part_at) & 0xFU) : 0;
+    for (unsigned m = 0; m < group.members().size(); ++m)
+        if (((parts >> m) & 1U) != 0)  // it has more
+            group.members()[m].process->log().append(Operation(Kind::iterate, next_ports[m], 0, 1));
+    Phrase phrase;
+    phrase.set_log_ends(next_ports.data());
+    bool const read = phrase.read(group, group.has_supplier() ? 1U << group.supplier() : 0) == Reading::complete;
+    for (Group::Member const& member : group.members())
+        member.process->log().clear();
+    return read && phrase.size() == size && std::equal(codes, codes + size, phrase.codes());
 }
 
 void Phrase::recall(Code const* codes, unsigned size, Group const& group) {

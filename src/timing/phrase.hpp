@@ -12,8 +12,8 @@ namespace faster::timing {
 class Phrase {
   public:
     using Code = Operation::Code;
-    static constexpr unsigned most_codes = 48;  ///< and up to 8 more, which mark members
-    static constexpr unsigned most_members = 8;
+    static constexpr unsigned most_codes = 48;  ///< and a mark for each follower
+    static constexpr unsigned longest = most_codes + Lead::most_members;
     /// Of iterations that access something, in one operation of the driver.
     static constexpr std::uint32_t most_iterations = Group::lane_mask / 32;
 
@@ -48,9 +48,9 @@ class Phrase {
     /// Accesses of each anchor by the driver.
     Group::Lanes due() const { return due_; }
 
-    /// Whether codes, wherever they are from, can be read: no more than a phrase has, of operations that say nothing
-    /// more than they can mean, and of members below `members`.
-    static bool is_well_formed(Code const* codes, std::size_t size, unsigned members);
+    /// Whether read() could have written codes, wherever they are from, with the supplier left out. On the logs of a
+    /// group that is only a workbench.
+    static bool is_readable(Code const* codes, std::size_t size, Group const& group);
 
     /// Visits (member, operation) what coded phrases say, in order, and tells what each follower goes on with, by
     /// visiting (member, ports of its next step; 0: unknown, frozen).
@@ -97,6 +97,7 @@ class Phrase {
         std::uint32_t part;
     };
 
+    static bool is_well_formed(Code code, Group const& group);
     bool put(Operation const& operation) {
         if (size_ >= most_codes)
             return false;
@@ -118,19 +119,19 @@ class Phrase {
     void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
     }
-    /// A follower's only operation, a mix of which more is left: a code of its own, with the follower's number.
+    /// A mix of which the follower has more, and all it does are mixes: a code of its own, with the follower's number.
     static constexpr unsigned part_at = 40;
     static bool is_part(Code code) { return (code >> 61) == 6 && ((code >> (part_at + 4)) & 1U) != 0; }
     static constexpr Code marker = (Code{6} << 61) | (Code{1} << (part_at - 1));
     static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
-    std::array<Code, most_codes + most_members> codes_{};
+    std::array<Code, longest + 1> codes_{};  // and what the supplier does, see add_part()
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     Group::Lanes due_ = 0;
     std::uint8_t const* log_ends_ = nullptr;
-    std::array<Part, most_members> parts_{};
+    std::array<Part, Lead::most_members> parts_{};
     unsigned part_count_ = 0;
 };
 

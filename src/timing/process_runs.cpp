@@ -206,7 +206,7 @@ ProcessTiming::PortSet ProcessTiming::make_port_set(std::uint8_t ports) const {
     PortSet set;
     set.mask = ports;
     for_each_bit(ports, [&](unsigned number) {
-        if (set.size == 4)
+        if (set.size == most_accesses)
             throw std::logic_error(name_ + ": a loop iteration accesses at most 4 FIFOs");
         Port const& port = ports_[number];
         set.ports[set.size] = number;

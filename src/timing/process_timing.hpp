@@ -50,6 +50,8 @@ struct LoopCost {
 /// both engines drive it, `lockstep` one step at a time (front, commit_front), `decoupled` as far as it goes (advance).
 class ProcessTiming {
   public:
+    static constexpr unsigned most_accesses = 4;  ///< of an iteration of a loop whose tokens leave in one stage
+
     enum class Status { exhausted, blocked, ready };
     /// Equal iterations from which on it pays to look for a steady state.
     static constexpr std::uint32_t long_count = 64;

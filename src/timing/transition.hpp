@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/cycles.hpp"
+#include "timing/lead.hpp"
 #include "timing/trail.hpp"
 
 namespace faster::timing {
@@ -11,7 +12,7 @@ namespace faster::timing {
 /// What a phrase of a group's driver does, from a relative state of the group on. Times are relative to the driver's
 /// local time at the end.
 struct Transition {
-    static constexpr unsigned most_members = 7;
+    static constexpr unsigned most_members = Lead::most_members;
 
     struct Growth {
         std::uint32_t counter;  ///< number in RelativeState::counters()

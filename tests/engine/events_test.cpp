@@ -6,6 +6,7 @@
 #include "common/input_error.hpp"
 #include "config/keys.hpp"
 #include "events/event_file.hpp"
+#include "events/machine_json.hpp"
 #include "io/zstd_frame.hpp"
 #include "retiming/canonical_operations.hpp"
 #include "retiming/retime.hpp"
@@ -115,21 +116,29 @@ struct Samples {
     explicit Samples(events::EventFile const& its_file)
         : file(its_file),
           parts(file.loaded.config.accelerator),
-          lead(*file.run.blueprint, parts),
           cutter(*file.run.blueprint, parts),
-          known(lead.group) {}
+          known(retiming::LeadCore(*file.run.blueprint, parts)) {}
 
     std::size_t count() const { return file.run.tape.samples(); }
     retiming::SampleOperations operations(std::size_t sample) {
-        return cutter.join(file.run.tape.read(sample, lead, known), known.book());
+        return cutter.join(file.run.tape.read(sample, known), known.book());
     }
     /// What the frame of a sample holds.
     std::string content(std::size_t sample) const {
         return *io::content_of_zstd_frame(file.run.tape.block(sample), file.run.tape.blocks()[sample].content_bytes);
     }
+    /// A run of one sample, whatever comes of it.
+    RunStatistics retime(retiming::ScriptedSample const& sample) const {
+        retiming::RecordedRun run;
+        run.blueprint = file.run.blueprint->blank_copy();
+        run.counters.resize(1);
+        run.tape.put(0, sample, known.book());
+        run.tape.finish();
+        return retiming::retime(run, file.loaded.config.accelerator);
+    }
     bool can_do(retiming::SampleOperations const& operations) const {
         for (std::size_t i = 0; i < operations.size(); ++i) {
-            retiming::OperationCheck check(lead.core->processes()[i]);
+            retiming::OperationCheck check(known.lead().core->processes()[i]);
             for (Operation const& operation : operations[i])
                 if (!check.accepts(operation))
                     return false;
@@ -141,7 +150,6 @@ struct Samples {
 
     events::EventFile const& file;
     Parts parts;
-    retiming::LeadCore lead;
     retiming::SampleCutter cutter;
     retiming::KnownPhrases known;
 };
@@ -204,6 +212,22 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
     }
     CHECK(deadlocks > 20);
     CHECK(deadlocks < 250);
+}
+
+TEST_CASE("On how many threads a run is read does not matter", "[events]") {
+    test::TempFolder const folder;
+    for (std::size_t number = 0; number < 4; ++number) {
+        AcceleratorConfig const recorded = recorded_configuration(9600 + number, number);
+        record(recorded, workload(number), Engine::decoupled, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        Cells const one = all_cells(retiming::retime(retiming::ScriptedRun(file.run, recorded, 1), recorded));
+        for (std::size_t const jobs : {2U, 3U, 20U}) {
+            CAPTURE(number, jobs);
+            retiming::ScriptedRun const run(file.run, recorded, jobs);
+            CHECK(run.size() == file.samples.size());
+            CHECK(first_difference(all_cells(retiming::retime(run, recorded)), one) == "");
+        }
+    }
 }
 
 TEST_CASE("Both engines write the same event file", "[events]") {
@@ -306,16 +330,43 @@ TEST_CASE("A sample that says what no process can do is refused", "[events]") {
             std::string changed = content;
             changed[at] = static_cast<char>(static_cast<unsigned char>(changed[at]) ^ flip);
             retiming::ScriptedSample read;
-            if (!retiming::decode(changed, samples.lead, samples.known, read)) {
+            if (!retiming::decode(changed, samples.known, read)) {
                 ++refused;
                 continue;
             }
             ++accepted;
             CHECK(samples.can_do(samples.cutter.join(read, samples.known.book())));
+            if (accepted % 4 == 0)
+                CHECK_NOTHROW(samples.retime(read));
         }
     }
     CHECK(refused > 1000);
     CHECK(accepted > 1000);
+}
+
+TEST_CASE("A machine that no core is like is refused", "[events]") {
+    test::TempFolder const folder;
+    events::EventFile const file = events::read_event_file(small_file(folder));
+    Parts const parts(file.loaded.config.accelerator);
+    events::Json const machine = events::machine_json(*file.run.blueprint);
+    auto const read = [&parts](events::Json const& changed) {
+        retiming::RecordedRun run;
+        events::read_machine(changed, parts, run);
+    };
+    CHECK_NOTHROW(read(machine));
+    auto const refused = [&](auto change) {
+        events::Json changed = machine;
+        change(changed);
+        CHECK_THROWS_AS(read(changed), std::invalid_argument);
+    };
+    refused([](events::Json& all) { all.erase(all.size() - 1); });
+    refused([](events::Json& all) { std::swap(all[0], all[1]); });
+    refused([](events::Json& all) { all[1]["ports"][0]["fifo"] = "result"; });
+    refused([](events::Json& all) { all[1]["ports"][0]["fifo"] = "nothing"; });
+    refused([](events::Json& all) { all[1]["ports"][0]["access"] = "write"; });
+    refused([](events::Json& all) { all[1]["ports"].push_back(all[1]["ports"][0]); });
+    refused([](events::Json& all) { all[1]["loops"][0]["loop"] = "sweep"; });
+    refused([](events::Json& all) { all[1]["loops"][0]["writes"].push_back(7); });
 }
 
 TEST_CASE("How many iterations a process tells at once does not matter to what is recorded", "[events]") {

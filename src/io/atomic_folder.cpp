@@ -33,20 +33,39 @@ AtomicFolder::AtomicFolder(fs::path const& target, FolderKind kind) : target_(ta
     try {
         destination_ = resolved(target_);
         require_replaceable();
-        make_parents();
-        make_scratch();
+        make_scratch();  // to see whether that can be done
+        remove_scratch();
     } catch (fs::filesystem_error const& error) {
+        remove_scratch();
         fail("cannot be written (" + error.code().message() + ")");
     }
 }
 
 AtomicFolder::~AtomicFolder() {
-    if (committed_) {
-        return;
+    if (!committed_) {
+        remove_scratch();
     }
+}
+
+fs::path const& AtomicFolder::path() {
+    try {
+        if (scratch_.empty()) {
+            make_scratch();
+        }
+    } catch (fs::filesystem_error const& error) {
+        fail("cannot be written (" + error.code().message() + ")");
+    }
+    return scratch_;
+}
+
+void AtomicFolder::remove_scratch() {
     std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
+    if (!scratch_.empty()) {
+        fs::remove_all(scratch_, ignored);
+    }
+    scratch_.clear();
     remove_made_parents();
+    first_made_parent_.clear();
 }
 
 void AtomicFolder::remove_made_parents() const {
@@ -61,6 +80,7 @@ void AtomicFolder::remove_made_parents() const {
 }
 
 void AtomicFolder::commit() {
+    path();
     try {
         if (fs::exists(destination_) && !fs::is_empty(destination_)) {
             replace_older();
@@ -95,6 +115,7 @@ void AtomicFolder::make_parents() {
 }
 
 void AtomicFolder::make_scratch() {
+    make_parents();
     do {
         scratch_ = sibling(destination_, "partial");
     } while (!fs::create_directory(scratch_));

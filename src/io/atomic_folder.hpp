@@ -13,7 +13,8 @@ struct FolderKind {
 };
 
 /// An output folder that appears complete or not at all. Files are written below `path()`, a hidden folder beside the
-/// target; `commit()` gives it its name. Without commit the destructor removes it, so a failed run leaves nothing.
+/// target that is made when it is first asked for; `commit()` gives it its name. Without commit the destructor removes
+/// it, so a failed run leaves nothing; nor does one that is killed before it writes.
 ///
 /// The target may be missing (parents are made), empty, or an older folder of the same kind, which is replaced; files
 /// in it that are not of that kind (a note, a waveform) survive. Anything else, and a place that cannot be written, is
@@ -26,24 +27,25 @@ class AtomicFolder {
     AtomicFolder& operator=(AtomicFolder const&) = delete;
 
     /// Where to write until commit().
-    std::filesystem::path const& path() const { return scratch_; }
+    std::filesystem::path const& path();
     /// The folder as the user named it, for messages.
     std::filesystem::path const& target() const { return target_; }
     void commit();
 
   private:
     void require_replaceable() const;
-    void make_parents();
     void make_scratch();
+    void make_parents();
+    void remove_scratch();
     void remove_made_parents() const;
     void replace_older();
     void keep_foreign_files(std::filesystem::path const& older) const;
     bool is_ours(std::string const& file) const;
     [[noreturn]] void fail(std::string const& what) const;
 
-    std::filesystem::path target_;       // as given
-    std::filesystem::path destination_;  // absolute, symbolic links resolved
-    std::filesystem::path scratch_;
+    std::filesystem::path target_;             // as given
+    std::filesystem::path destination_;        // absolute, symbolic links resolved
+    std::filesystem::path scratch_;            // empty until it is made
     std::filesystem::path first_made_parent_;  // empty if all existed
     FolderKind kind_;
     bool committed_ = false;

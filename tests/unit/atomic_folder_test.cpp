@@ -42,6 +42,23 @@ TEST_CASE("A folder that is not committed leaves nothing, not even the parents i
     CHECK(entries_in(folder.path()) == 0);
 }
 
+TEST_CASE("A folder takes no place before anything is written", "[atomic_folder]") {
+    TempFolder const folder;
+    AtomicFolder output(folder / "a" / "out", kind);
+    CHECK(entries_in(folder.path()) == 0);
+    write_file(output.path() / "summary.json", "new");
+    CHECK(entries_in(folder.path()) == 1);
+    output.commit();
+    CHECK(content_of(folder / "a" / "out" / "summary.json") == "new");
+}
+
+TEST_CASE("A folder into which nothing was written appears all the same", "[atomic_folder]") {
+    TempFolder const folder;
+    AtomicFolder(folder / "out", kind).commit();
+    CHECK(fs::is_directory(folder / "out"));
+    CHECK(entries_in(folder.path()) == 1);
+}
+
 TEST_CASE("Missing parents are made, a trailing slash does not matter", "[atomic_folder]") {
     TempFolder const folder;
     write_result((folder / "a" / "out").string() + "/", "new");

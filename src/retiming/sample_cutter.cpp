@@ -4,20 +4,9 @@
 
 namespace faster::retiming {
 
-namespace {
-
 using timing::Operation;
 using timing::OperationLog;
 using timing::Phrase;
-
-/// As one operation, where one can say it.
-void append(Operation const& operation, OperationLog& log) {
-    bool const goes_on = !log.exhausted() && operation.kind() == Operation::Kind::iterate &&
-                         operation.tail_ports() == 0 && log.begin()[log.pending() - 1].repeats(operation);
-    goes_on ? log.iterate(operation.ports(), operation.gap(), operation.count()) : log.append(operation);
-}
-
-}  // namespace
 
 ScriptedSample SampleCutter::cut(SampleOperations operations) {
     ScriptedSample cut;
@@ -81,12 +70,12 @@ SampleOperations SampleCutter::join(ScriptedSample const& cut, timing::PhraseBoo
     for (timing::PhraseBook::Number const number : cut.phrases)
         Phrase::each(
             book.codes(number), book[number].size,
-            [&](unsigned member, Operation const& operation) { append(operation, logs[index(member)]); },
+            [&](unsigned member, Operation const& operation) { logs[index(member)].append(operation); },
             [](unsigned /*member*/, std::uint8_t /*next_ports*/, bool /*frozen*/) {});
     SampleOperations operations;
     for (std::size_t i = 0; i < logs.size(); ++i) {
         for (Operation const& operation : cut.after[i])
-            append(operation, logs[i]);
+            logs[i].append(operation);
         operations.push_back(canonical(logs[i].begin(), logs[i].pending()));
     }
     return operations;

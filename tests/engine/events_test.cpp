@@ -216,16 +216,24 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
 
 TEST_CASE("On how many threads a run is read does not matter", "[events]") {
     test::TempFolder const folder;
+    auto const said_by_phrases = [](retiming::ScriptedRun const& run) {
+        std::vector<Operation::Code> said;
+        for (std::size_t i = 0; i < run.size(); ++i)
+            for (timing::PhraseBook::Number const number : run[i].phrases)
+                said.insert(said.end(), run.book().codes(number), run.book().codes(number) + run.book()[number].size);
+        return said;
+    };
     for (std::size_t number = 0; number < 4; ++number) {
         AcceleratorConfig const recorded = recorded_configuration(9600 + number, number);
         record(recorded, workload(number), Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        Cells const one = all_cells(retiming::retime(retiming::ScriptedRun(file.run, recorded, 1), recorded));
+        retiming::ScriptedRun const one(file.run, recorded, 1);
+        CHECK(one.size() == file.samples.size());
         for (std::size_t const jobs : {2U, 3U, 20U}) {
             CAPTURE(number, jobs);
             retiming::ScriptedRun const run(file.run, recorded, jobs);
             CHECK(run.size() == file.samples.size());
-            CHECK(first_difference(all_cells(retiming::retime(run, recorded)), one) == "");
+            CHECK(said_by_phrases(run) == said_by_phrases(one));
         }
     }
 }

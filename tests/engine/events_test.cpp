@@ -352,6 +352,33 @@ TEST_CASE("A sample that says what no process can do is refused", "[events]") {
     CHECK(accepted > 1000);
 }
 
+TEST_CASE("A sample that goes on with what is not its own is refused", "[events]") {
+    test::TempFolder const folder;
+    events::EventFile const file = events::read_event_file(small_file(folder));
+    Samples samples(file);
+    retiming::ScriptedSample const original = file.run.tape.read(0, samples.known);
+    auto const is_refused = [&](auto change) {
+        retiming::ScriptedSample changed = original;
+        change(changed);
+        retiming::ScriptedSample read;
+        return !retiming::decode(retiming::encode(changed, samples.known.book()), samples.known, read);
+    };
+    CHECK_FALSE(is_refused([](retiming::ScriptedSample&) {}));
+    CHECK(is_refused([](retiming::ScriptedSample& sample) {  // the supplier is never behind the others
+        std::size_t const supplier = index_of(ModuleId::vertex_transform);
+        REQUIRE_FALSE(sample.before[supplier].empty());
+        sample.after[supplier].push_back(sample.before[supplier].back());
+        sample.before[supplier].pop_back();
+    }));
+    for (unsigned const ports : {0x20U, 0x80U})
+        for (unsigned member = 0; member < 5; ++member) {
+            CAPTURE(member, ports);
+            CHECK(is_refused([&](retiming::ScriptedSample& sample) {
+                sample.script.next_ports[member] = static_cast<std::uint8_t>(ports);
+            }));
+        }
+}
+
 TEST_CASE("A machine that no core is like is refused", "[events]") {
     test::TempFolder const folder;
     events::EventFile const file = events::read_event_file(small_file(folder));

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/little_endian.hpp"
+
 namespace faster::events {
 
 /// Where what lies in an event file: opening, header frame, a frame per sample, index frame, closing. Numbers are
@@ -15,17 +17,13 @@ constexpr std::size_t opening_bytes = 16;  ///< mark, version (32 bits), bytes o
 constexpr std::size_t closing_bytes = 24;  ///< offset and bytes of the index frame (64 bits each), mark
 
 template <class Number> std::string little_endian(Number value) {
-    std::string bytes;
-    for (std::size_t i = 0; i < sizeof value; ++i)
-        bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xFFU));
+    std::string bytes(sizeof value, '\0');
+    put_little_endian<sizeof value>(value, bytes.data());
     return bytes;
 }
 
 template <class Number> Number from_little_endian(std::string_view bytes) {
-    Number value = 0;
-    for (std::size_t i = 0; i < sizeof value; ++i)
-        value |= static_cast<Number>(Number{static_cast<unsigned char>(bytes[i])} << (8 * i));
-    return value;
+    return static_cast<Number>(little_endian_at<sizeof(Number)>(bytes.data()));
 }
 
 }  // namespace faster::events

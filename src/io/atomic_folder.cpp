@@ -37,7 +37,7 @@ AtomicFolder::AtomicFolder(fs::path const& target, FolderKind kind) : target_(ta
         remove_scratch();
     } catch (fs::filesystem_error const& error) {
         remove_scratch();
-        fail("cannot be written (" + error.code().message() + ")");
+        fail(error);
     }
 }
 
@@ -53,7 +53,7 @@ fs::path const& AtomicFolder::path() {
             make_scratch();
         }
     } catch (fs::filesystem_error const& error) {
-        fail("cannot be written (" + error.code().message() + ")");
+        fail(error);
     }
     return scratch_;
 }
@@ -89,7 +89,7 @@ void AtomicFolder::commit() {
             committed_ = true;
         }
     } catch (fs::filesystem_error const& error) {
-        fail("cannot be written (" + error.code().message() + ")");
+        fail(error);
     }
 }
 
@@ -153,5 +153,9 @@ bool AtomicFolder::is_ours(std::string const& file) const {
 }
 
 void AtomicFolder::fail(std::string const& what) const { throw InputError(target_.string() + ": " + what); }
+
+void AtomicFolder::fail(fs::filesystem_error const& error) const {
+    fail("cannot be written (" + error.code().message() + ")");
+}
 
 }  // namespace faster::io

@@ -42,6 +42,7 @@ class AtomicFolder {
     void keep_foreign_files(std::filesystem::path const& older) const;
     bool is_ours(std::string const& file) const;
     [[noreturn]] void fail(std::string const& what) const;
+    [[noreturn]] void fail(std::filesystem::filesystem_error const& error) const;
 
     std::filesystem::path target_;             // as given
     std::filesystem::path destination_;        // absolute, symbolic links resolved

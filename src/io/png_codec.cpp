@@ -75,7 +75,7 @@ class Writer {
     Writer(Writer const&) = delete;
     Writer& operator=(Writer const&) = delete;
 
-    bool write(PngPixels const& pixels, png_bytepp rows, PngEffort effort) {
+    bool write(PngPixels const& pixels, PngEffort effort) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0)  // NOLINT(cert-err52-cpp): libpng is C
             return false;
         if (effort == PngEffort::little) {
@@ -92,7 +92,9 @@ class Writer {
         png_write_info(png_, info_);
         if (is_little_endian())
             png_set_swap(png_);
-        png_write_image(png_, rows);
+        unsigned char const* row = pixels.bytes.data();
+        for (int left = pixels.height; left > 0; --left, row += pixels.row_bytes())
+            png_write_row(png_, row);
         png_write_end(png_, info_);
         return true;
     }
@@ -116,28 +118,21 @@ class Writer {
     png_infop info_ = nullptr;
 };
 
-std::vector<png_bytep> rows_of(std::vector<unsigned char>& bytes, PngPixels const& pixels) {
-    std::vector<png_bytep> rows;
-    rows.reserve(static_cast<std::size_t>(pixels.height));
-    for (int row = 0; row < pixels.height; ++row)
-        rows.push_back(bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes());
-    return rows;
-}
-
 }  // namespace
 
 std::string encode_png(PngPixels const& pixels, PngEffort effort) {
-    std::vector<unsigned char> bytes = pixels.bytes;  // libpng wants to be able to write in it
-    std::vector<png_bytep> rows = rows_of(bytes, pixels);
     Writer writer;
-    if (!writer.write(pixels, rows.data(), effort))
+    if (!writer.write(pixels, effort))
         throw std::runtime_error("libpng cannot encode an image");
     return writer.take_file();
 }
 
 bool decode_png(std::string_view file, PngPixels& pixels) {
     pixels.bytes.resize(pixels.row_bytes() * static_cast<std::size_t>(pixels.height));
-    std::vector<png_bytep> rows = rows_of(pixels.bytes, pixels);
+    std::vector<png_bytep> rows;
+    rows.reserve(static_cast<std::size_t>(pixels.height));
+    for (int row = 0; row < pixels.height; ++row)
+        rows.push_back(pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes());
     return Reader(file).read(rows.data(), pixels.row_bytes(), pixels.height);
 }
 

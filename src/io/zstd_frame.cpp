@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <zstd.h>
 
+#include "common/little_endian.hpp"
+
 namespace faster::io {
 
 namespace {
@@ -40,12 +42,10 @@ std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::si
 }
 
 std::uint32_t checksum_of_zstd_frame(std::string_view frame) {
-    std::uint32_t checksum = 0;
-    if (frame.size() < sizeof checksum)
+    constexpr std::size_t width = sizeof(std::uint32_t);
+    if (frame.size() < width)
         return 0;
-    for (std::size_t i = 0; i < sizeof checksum; ++i)
-        checksum |= std::uint32_t{static_cast<unsigned char>(frame[frame.size() - sizeof checksum + i])} << (8 * i);
-    return checksum;
+    return static_cast<std::uint32_t>(little_endian_at<width>(frame.data() + frame.size() - width));
 }
 
 }  // namespace faster::io

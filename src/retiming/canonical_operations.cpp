@@ -76,8 +76,7 @@ void add(Operation const& operation, IterationJoiner& joiner) {
     if (operation.kind() == Operation::Kind::mixed) {
         std::uint32_t gaps = operation.gaps();
         for (unsigned left = operation.length(); left > 0;) {
-            std::uint32_t const others = (gaps & 1U) != 0 ? ~gaps : gaps;
-            unsigned const equal = others == 0 ? left : std::min(left, static_cast<unsigned>(__builtin_ctz(others)));
+            unsigned const equal = Operation::alike(gaps, left);
             joiner.add(operation.ports(), gaps & 1U, equal);
             left -= equal;
             gaps = equal == Operation::longest_mix ? 0 : gaps >> equal;

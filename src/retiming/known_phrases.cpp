@@ -61,14 +61,12 @@ std::optional<KnownPhrases::Number> KnownPhrases::number_of(Phrase::Code const* 
         return known;
     if (!Phrase::is_readable(codes, size, lead_.group))
         return std::nullopt;
-    std::optional<Effect> effect = this->effect();
+    std::optional<Effect> const effect = this->effect();
     if (!effect)
         return std::nullopt;
-    phrase_.recall(codes, static_cast<unsigned>(size), lead_.group);
-    Number const number = book_.number_of(phrase_, lead_.group);
-    effect->due = book_[number].due;
     effects_.push_back(*effect);
-    return number;
+    phrase_.recall(codes, static_cast<unsigned>(size), lead_.group);
+    return book_.number_of(phrase_, lead_.group);
 }
 
 std::optional<KnownPhrases::Effect> KnownPhrases::effect() const {

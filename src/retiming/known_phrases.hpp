@@ -20,7 +20,6 @@ class KnownPhrases {
         std::uint32_t members = 0;
         std::uint32_t begin_in_loop = 0;
         std::uint32_t end_in_loop = 0;
-        std::uint32_t due = 0;          ///< as in the book
         std::int64_t least_setups = 0;  ///< of the driver, begun and not awaited, beyond those at the begin
         std::int64_t setups = 0;        ///< at the end
     };

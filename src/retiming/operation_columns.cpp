@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "common/little_endian.hpp"
+
 namespace faster::retiming {
 
 namespace {
@@ -36,8 +38,8 @@ class Column {
         *end_++ = static_cast<char>(value);
     }
     void put_four_bytes(std::uint32_t value) {
-        for (unsigned at = 0; at < 32; at += 8)
-            *end_++ = static_cast<char>(value >> at);
+        put_little_endian<4>(value, end_);
+        end_ += 4;
     }
     std::string_view bytes() const { return {bytes_.data(), static_cast<std::size_t>(end_ - bytes_.data())}; }
 
@@ -75,9 +77,7 @@ class ShapeTable {
     std::array<std::uint32_t, 61> last_numbers_{};
 };
 
-}  // namespace
-
-class OperationEncoder::Columns {
+class ProcessEncoder {
   public:
     void put(std::vector<Operation> const& operations, std::string& bytes) {
         clear(operations.size());
@@ -127,15 +127,6 @@ class OperationEncoder::Columns {
     Column tail_gaps_;
     Column mixes_;
 };
-
-OperationEncoder::OperationEncoder() : columns_(std::make_unique<Columns>()) {}
-OperationEncoder::~OperationEncoder() = default;
-
-void OperationEncoder::put(std::vector<Operation> const& operations, std::string& bytes) {
-    columns_->put(operations, bytes);
-}
-
-namespace {
 
 /// Reads one process's operations, and checks that it can do them.
 class ProcessDecoder {
@@ -193,9 +184,10 @@ class ProcessDecoder {
 
     bool read_mix(Shape const& shape, Operation& operation) {
         std::uint64_t const length = counts_.number();
-        std::uint32_t gaps = 0;
-        for (unsigned at = 0; at < 32; at += 8)
-            gaps |= std::uint32_t{mixes_.byte()} << at;
+        std::string_view const coded = mixes_.bytes(4);
+        if (!mixes_.good())
+            return false;
+        auto const gaps = static_cast<std::uint32_t>(little_endian_at<4>(coded.data()));
         operation = Operation::mix(shape.ports, static_cast<unsigned>(length & 0xFFU), gaps);
         return shape.tail_ports == 0 && length <= Operation::longest_mix;
     }
@@ -211,6 +203,10 @@ class ProcessDecoder {
 };
 
 }  // namespace
+
+void encode_operations(std::vector<Operation> const& operations, std::string& bytes) {
+    ProcessEncoder().put(operations, bytes);
+}
 
 bool decode_operations(ByteReader& bytes, OperationCheck& check, std::vector<Operation>& operations) {
     return ProcessDecoder(bytes, check).decode(operations);

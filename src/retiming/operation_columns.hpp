@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,18 +9,9 @@ namespace faster::retiming {
 
 /// Writes the operations of one process after the other as a table of the shapes that occur, and columns: which shape;
 /// then what operations of that shape have, in their order.
-class OperationEncoder {
-  public:
-    OperationEncoder();
-    ~OperationEncoder();
-    void put(std::vector<timing::Operation> const& operations, std::string& bytes);
+void encode_operations(std::vector<timing::Operation> const& operations, std::string& bytes);
 
-  private:
-    class Columns;
-    std::unique_ptr<Columns> columns_;
-};
-
-/// Reads a process's operations. False if the check does not accept them all.
+/// Reads them. False if the check does not accept them all.
 bool decode_operations(ByteReader& bytes, OperationCheck& check, std::vector<timing::Operation>& operations);
 
 }  // namespace faster::retiming

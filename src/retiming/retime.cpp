@@ -20,15 +20,14 @@ enum class Following { scripts, logs };
 class PlainReader {
   public:
     explicit PlainReader(ScriptedRun const& run)
-        : tape_(run.run().tape),
-          cutter_(*run.run().blueprint, run.parts()),
-          known_(LeadCore(*run.run().blueprint, run.parts())) {}
+        : tape_(run.run().tape), known_(LeadCore(*run.run().blueprint, run.parts())) {}
 
-    SampleOperations read(std::size_t sample) { return cutter_.join(tape_.read(sample, known_), known_.book()); }
+    SampleOperations read(std::size_t sample) {
+        return joined(tape_.read(sample, known_), known_.book(), known_.lead().group);
+    }
 
   private:
     OperationTape const& tape_;
-    SampleCutter cutter_;
     KnownPhrases known_;
 };
 

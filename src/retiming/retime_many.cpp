@@ -6,8 +6,6 @@
 
 namespace faster::retiming {
 
-using Done = std::function<void(std::size_t, RunStatistics const&)>;
-
 void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done) {
     if (!configs.empty())
         retime_many(ScriptedRun(run, Parts(configs.front())), configs, done);

@@ -7,11 +7,12 @@
 
 namespace faster::retiming {
 
-/// retime() for each of the configurations, on all host cores. `done` gets the number of a configuration and its
-/// figures, in any order, from any thread, but one at a time.
-void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs,
-                 std::function<void(std::size_t i, RunStatistics const& retimed)> const& done);
-void retime_many(ScriptedRun const& run, std::vector<AcceleratorConfig> const& configs,
-                 std::function<void(std::size_t i, RunStatistics const& retimed)> const& done);
+/// Gets the number of a configuration and its figures.
+using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
+
+/// retime() for each of the configurations, on all host cores. `done` is told in any order, from any thread, but one at
+/// a time.
+void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done);
+void retime_many(ScriptedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done);
 
 }  // namespace faster::retiming

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "common/little_endian.hpp"
 #include "retiming/bytes.hpp"
 #include "retiming/operation_columns.hpp"
 
@@ -14,25 +15,13 @@ namespace {
 using timing::PhraseBook;
 using Code = timing::Phrase::Code;
 
-template <std::size_t width> void put_at(char* bytes, std::uint64_t number) {
-    for (std::size_t i = 0; i < width; ++i)
-        bytes[i] = static_cast<char>(number >> (8 * i));
-}
-
 /// Numbers of `width` bytes each, little-endian.
 template <std::size_t width, class Numbers>
 void put_all(Numbers const* numbers, std::size_t count, std::string& bytes) {
     std::size_t at = bytes.size();
     bytes.resize(at + count * width);
     for (std::size_t i = 0; i < count; ++i, at += width)
-        put_at<width>(&bytes[at], numbers[i]);
-}
-
-template <std::size_t width> std::uint64_t number_at(char const* bytes) {
-    std::uint64_t number = 0;
-    for (std::size_t i = 0; i < width; ++i)
-        number |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    return number;
+        put_little_endian<width>(numbers[i], &bytes[at]);
 }
 
 /// Calls `act` with the bytes of a number below `count`, as a constant.
@@ -73,7 +62,7 @@ bool read_book(ByteReader& bytes, KnownPhrases& known, std::vector<PhraseBook::N
             return false;
         std::string_view const coded = bytes.bytes(size * sizeof(Code));
         for (std::size_t i = 0; i < coded.size() / sizeof(Code); ++i)
-            codes[i] = number_at<sizeof(Code)>(coded.data() + i * sizeof(Code));
+            codes[i] = little_endian_at<sizeof(Code)>(coded.data() + i * sizeof(Code));
         std::optional<PhraseBook::Number> const number = known.number_of(codes.data(), coded.size() / sizeof(Code));
         if (!number)
             return false;
@@ -87,14 +76,16 @@ template <std::size_t width>
 bool read_numbers(std::string_view bytes, std::vector<PhraseBook::Number> const& numbers, KnownPhrases const& known,
                   PhraseCheck& check, ScriptedSample& sample) {
     char const* at = bytes.data();
+    std::uint64_t due = 0;
     for (PhraseBook::Number& phrase : sample.phrases) {
-        std::uint64_t const number = number_at<width>(at);
+        std::uint64_t const number = little_endian_at<width>(at);
         at += width;
         if (number >= numbers.size() || !check.accepts(known[numbers[number]]))
             return false;
         phrase = numbers[number];
-        sample.script.due += known[phrase].due;
+        due += known.book()[phrase].due;
     }
+    sample.script.due = due;
     return true;
 }
 
@@ -136,12 +127,11 @@ bool read_operations(ByteReader& bytes, std::vector<OperationCheck>& checks, Sam
 
 std::string encode(ScriptedSample const& sample, PhraseBook const& book) {
     std::string bytes;
-    OperationEncoder encoder;
     for (std::vector<timing::Operation> const& process : sample.before)
-        encoder.put(process, bytes);
+        encode_operations(process, bytes);
     put_phrases(sample, book, bytes);
     for (std::vector<timing::Operation> const& process : sample.after)
-        encoder.put(process, bytes);
+        encode_operations(process, bytes);
     return bytes;
 }
 

@@ -12,20 +12,20 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
     ScriptedSample cut;
     cut.before = std::move(operations);
     cut.after.resize(cut.before.size());
-    std::uint32_t const supplier = lead_.group.has_supplier() ? 1U << lead_.group.supplier() : 0;
+    std::uint32_t const suppliers = lead_.group.suppliers();
     for (unsigned m = 0; m < lead_.group.members().size(); ++m)
-        if (supplier != 1U << m)
+        if (suppliers != 1U << m)
             open(m, cut);
     open_driver(cut);
     book_.clear();
     while (cut.phrases.size() < ScriptedSample::most_phrases &&
-           phrase_.read(lead_.group, supplier) == Phrase::Reading::complete) {
+           phrase_.read(lead_.group, suppliers) == Phrase::Reading::complete) {
         cut.phrases.push_back(book_.number_of(phrase_, lead_.group));
         cut.script.due += book_[cut.phrases.back()].due;
         phrase_.consume();
     }
     for (unsigned m = 0; m < lead_.group.members().size(); ++m)
-        if (supplier != 1U << m)
+        if (suppliers != 1U << m)
             close(m, cut);
     return cut;
 }
@@ -62,7 +62,7 @@ void SampleCutter::close(unsigned member, ScriptedSample& cut) {
     log(member).clear();
 }
 
-SampleOperations SampleCutter::join(ScriptedSample const& cut, timing::PhraseBook const& book) const {
+SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& book, timing::Group const& group) {
     std::vector<OperationLog> logs(cut.before.size());
     for (std::size_t i = 0; i < logs.size(); ++i)
         for (Operation const& operation : cut.before[i])
@@ -70,7 +70,9 @@ SampleOperations SampleCutter::join(ScriptedSample const& cut, timing::PhraseBoo
     for (timing::PhraseBook::Number const number : cut.phrases)
         Phrase::each(
             book.codes(number), book[number].size,
-            [&](unsigned member, Operation const& operation) { logs[index(member)].append(operation); },
+            [&](unsigned member, Operation const& operation) {
+                logs[group.members()[member].process->index()].append(operation);
+            },
             [](unsigned /*member*/, std::uint8_t /*next_ports*/, bool /*frozen*/) {});
     SampleOperations operations;
     for (std::size_t i = 0; i < logs.size(); ++i) {

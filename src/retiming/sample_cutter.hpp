@@ -4,7 +4,7 @@
 
 namespace faster::retiming {
 
-/// Cuts what the processes do for a sample into phrases, and back.
+/// Cuts what the processes do for a sample into phrases.
 class SampleCutter {
   public:
     /// For cores of that shape.
@@ -14,9 +14,6 @@ class SampleCutter {
     /// occur.
     ScriptedSample cut(SampleOperations operations);
     timing::PhraseBook const& book() const { return book_; }
-    /// canonical() operations that take the same time as those of a sample with phrases of a book; not always cut as
-    /// they were.
-    SampleOperations join(ScriptedSample const& cut, timing::PhraseBook const& book) const;
 
   private:
     timing::OperationLog& log(unsigned member) { return lead_.group.members()[member].process->log(); }
@@ -29,5 +26,9 @@ class SampleCutter {
     timing::Phrase phrase_;
     timing::PhraseBook book_;  ///< of the sample at hand
 };
+
+/// And back: canonical() operations that take the same time, though they are not always cut as they were. The phrases
+/// are those of a book and a group.
+SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& book, timing::Group const& group);
 
 }  // namespace faster::retiming

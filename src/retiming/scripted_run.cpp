@@ -46,13 +46,10 @@ Share read_share(RecordedRun const& run, Parts const& parts, std::size_t first, 
 }
 
 /// Puts the phrases of a share into the book of all, and their numbers there into its samples.
-void renumber(Share& share, timing::Group const& group, PhraseBook& book) {
+void renumber(Share& share, PhraseBook& book) {
     std::vector<PhraseBook::Number> numbers;
-    timing::Phrase phrase;
-    for (PhraseBook::Number i = 0; i < share.book.size(); ++i) {
-        phrase.recall(share.book.codes(i), share.book[i].size, group);
-        numbers.push_back(book.number_of(phrase, group));
-    }
+    for (PhraseBook::Number i = 0; i < share.book.size(); ++i)
+        numbers.push_back(book.number_of(share.book, i));
     for (ScriptedSample& sample : share.samples)
         for (PhraseBook::Number& number : sample.phrases)
             number = numbers[number];
@@ -68,16 +65,15 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t
     on_threads(jobs, jobs, [&](std::size_t i) {
         shares[i] = read_share(run, parts, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
     });
-    LeadCore const lead(*run.blueprint, parts);
     book_ = std::move(shares.front().book);
     for (Share& share : shares) {
         if (&share != &shares.front())
-            renumber(share, lead.group, book_);
+            renumber(share, book_);
         std::move(share.samples.begin(), share.samples.end(), std::back_inserter(samples_));
         if (!share.is_whole)
             break;  // the tape has all that follow
     }
-    timing::PhraseCutter cutter(*lead.core, rasterizer_and_followers(parts));
+    timing::PhraseCutter cutter(*run.blueprint, rasterizer_and_followers(parts));
     auto const whole = static_cast<PhraseBook::Number>(book_.size());
     for (PhraseBook::Number number = 0; number < whole; ++number)
         cutter.cut(book_, number);

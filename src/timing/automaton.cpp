@@ -103,7 +103,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         return progress;
     Phrase::Reading reading = is_worthwhile() ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
-        Print const print = print_of_phrase();
+        Print const print = phrase_.print(session.state + std::uint64_t{1});
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
         if (slot == nullptr)
             slot = work_out(print);
@@ -157,25 +157,6 @@ void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> co
         for (std::int64_t from : room.from)
             times.push_back(end + static_cast<Cycles>(from));
     }
-}
-
-/// Two codes at a time go into a product of 128 bits, with what came before.
-Automaton::Print Automaton::print_of_phrase() const {
-    __extension__ using Wide = unsigned __int128;
-    std::uint64_t first = (session_->state + std::uint64_t{1}) * 0x9E3779B97F4A7C15U;
-    std::uint64_t second = 0xC2B2AE3D27D4EB4FU + phrase_.size();
-    auto const take = [&first, &second](std::uint64_t one, std::uint64_t other) {
-        Wide const product = Wide{one ^ first} * (other ^ second);
-        std::uint64_t const turned = (first << 32) | (first >> 32);
-        first = static_cast<std::uint64_t>(product) + second;
-        second = static_cast<std::uint64_t>(product >> 64) ^ turned;
-    };
-    Phrase::Code const* const codes = phrase_.codes();
-    unsigned i = 0;
-    for (; i + 1 < phrase_.size(); i += 2)
-        take(codes[i], codes[i + 1]);
-    take(i < phrase_.size() ? codes[i] : 0, 0xD6E8FEB86659FD93U);
-    return {first ^ (first >> 32), second};
 }
 
 /// Null if the driver cannot finish the phrase.

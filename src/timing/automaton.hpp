@@ -90,7 +90,6 @@ class Automaton {
     using Stand = Transition::Stand;
     using Room = Transition::Room;
     using Slot = TransitionTable::Slot;
-    using Print = TransitionTable::Print;
     struct WordsHash {
         std::size_t operator()(Words const& words) const;
     };
@@ -138,7 +137,6 @@ class Automaton {
     static void keep_loose(Session& session);
     using Iterations = std::array<std::uint64_t, Transition::most_members>;  ///< by member
     Iterations iterations_since_entry(Session const& session, std::uint32_t members) const;
-    Print print_of_phrase() const;
     Number number_of(Words const& words);
 
     Phrase phrase_;

@@ -41,6 +41,8 @@ class Group {
     /// The first follower that writes its anchor, and so is ahead of the driver.
     bool has_supplier() const { return supplier_ != 0; }
     unsigned supplier() const { return supplier_; }
+    /// As a mask: no bit if there is none.
+    std::uint32_t suppliers() const { return has_supplier() ? 1U << supplier_ : 0; }
     /// All other followers, a bit each.
     std::uint32_t readers() const { return readers_; }
     /// The inner FIFO at a port, and who is at its other end.

@@ -106,6 +106,11 @@ class Operation {
         return rest;
     }
 
+    /// How many of the first `count` iterations of a mix are like the first: all with a silent one behind, or none.
+    static unsigned alike(std::uint32_t gaps, unsigned count) {
+        std::uint32_t const others = (gaps & 1U) != 0 ? ~gaps : gaps;
+        return others == 0 ? count : std::min(count, static_cast<unsigned>(__builtin_ctz(others)));
+    }
     /// `count` iterations with a silent one behind each, or without, as bits of a mix.
     static std::uint32_t gap_bits(unsigned gap, std::uint32_t count) {
         return gap == 0 || count == 0 ? 0 : ~std::uint32_t{0} >> (longest_mix - count);
@@ -261,11 +266,8 @@ class OperationLog {
     void split_mix() {
         Operation& mix = operations_[next_];
         std::uint32_t const gaps = mix.gaps();
-        unsigned const gap = gaps & 1U;
-        std::uint32_t const others = gap != 0 ? ~gaps : gaps;
-        unsigned const until = others == 0 ? Operation::longest_mix : static_cast<unsigned>(__builtin_ctz(others));
-        unsigned const equal = std::min(mix.length(), until);
-        Operation const run(Kind::iterate, mix.ports(), gap, equal);
+        unsigned const equal = Operation::alike(gaps, mix.length());
+        Operation const run(Kind::iterate, mix.ports(), gaps & 1U, equal);
         if (equal == mix.length()) {
             mix = run;
         } else {

@@ -296,7 +296,7 @@ bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group
             group.members()[m].process->log().append(Operation(Kind::iterate, next_ports[m], 0, 1));
     Phrase phrase;
     phrase.set_log_ends(next_ports.data());
-    bool const read = phrase.read(group, group.has_supplier() ? 1U << group.supplier() : 0) == Reading::complete;
+    bool const read = phrase.read(group, group.suppliers()) == Reading::complete;
     for (Group::Member const& member : group.members())
         member.process->log().clear();
     return read && phrase.size() == size && std::equal(codes, codes + size, phrase.codes());

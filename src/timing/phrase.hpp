@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "timing/group.hpp"
+#include "timing/print.hpp"
 
 namespace faster::timing {
 
@@ -40,6 +41,9 @@ class Phrase {
         put_part(ports, length, 0, member);
         active_ |= 1U << member;
     }
+
+    /// Of the codes, and of a number that goes with them.
+    Print print(std::uint64_t number) const;
 
     Code const* codes() const { return codes_.data(); }
     unsigned size() const { return size_; }
@@ -134,5 +138,23 @@ class Phrase {
     std::array<Part, Lead::most_members> parts_{};
     unsigned part_count_ = 0;
 };
+
+/// Two codes at a time go into a product of 128 bits, with what came before.
+inline Print Phrase::print(std::uint64_t number) const {
+    __extension__ using Wide = unsigned __int128;
+    std::uint64_t first = number * 0x9E3779B97F4A7C15U;
+    std::uint64_t second = 0xC2B2AE3D27D4EB4FU + size_;
+    auto const take = [&first, &second](std::uint64_t one, std::uint64_t other) {
+        Wide const product = Wide{one ^ first} * (other ^ second);
+        std::uint64_t const turned = (first << 32) | (first >> 32);
+        first = static_cast<std::uint64_t>(product) + second;
+        second = static_cast<std::uint64_t>(product >> 64) ^ turned;
+    };
+    unsigned i = 0;
+    for (; i + 1 < size_; i += 2)
+        take(codes_[i], codes_[i + 1]);
+    take(i < size_ ? codes_[i] : 0, 0xD6E8FEB86659FD93U);
+    return {first ^ (first >> 32), second};
+}
 
 }  // namespace faster::timing

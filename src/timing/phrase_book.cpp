@@ -4,32 +4,27 @@
 
 namespace faster::timing {
 
-namespace {
-/// Two codes at a time go into a product of 128 bits, with what came before.
-std::uint64_t hash_of(Phrase const& phrase) {
-    __extension__ using Wide = unsigned __int128;
-    std::uint64_t hash = phrase.size();
-    for (unsigned i = 0; i < phrase.size(); i += 2) {
-        std::uint64_t const second = i + 1 < phrase.size() ? phrase.codes()[i + 1] : 0;
-        Wide const product = Wide{phrase.codes()[i] ^ hash ^ 0x9E3779B97F4A7C15U} * (second ^ 0xD6E8FEB86659FD93U);
-        hash = static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
-    }
-    return hash;
-}
-}  // namespace
-
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& group) {
-    std::uint64_t const hash = hash_of(phrase);
+    Group::Lanes const due =
+        group.has_supplier() ? phrase.due() >> (Group::lane_bits * (group.supplier() - 1)) : Group::Lanes{0};
+    return number_of(phrase, static_cast<std::uint32_t>(due & Group::lane_mask));
+}
+
+PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number) {
+    Entry const& entry = other[number];
+    Phrase phrase;
+    phrase.assign(other.codes(number), entry.size, entry.active);
+    return number_of(phrase, entry.due);
+}
+
+PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due) {
+    std::uint64_t const hash = phrase.print(0).first;
     std::size_t const place = place_of(phrase, hash);
     if (places_[place].number != none)
         return places_[place].number;
-    Entry entry{static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), 0, 0, 0};
-    if (group.has_supplier())
-        entry.due = static_cast<std::uint32_t>((phrase.due() >> (Group::lane_bits * (group.supplier() - 1))) &
-                                               Group::lane_mask);
+    auto const number = static_cast<Number>(entries_.size());
+    entries_.push_back({static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), due, 0, 0});
     codes_.insert(codes_.end(), phrase.codes(), phrase.codes() + phrase.size());
-    entries_.push_back(entry);
-    auto const number = static_cast<Number>(entries_.size() - 1);
     places_[place] = {hash, number};
     if (2 * entries_.size() > places_.size())
         grow();
@@ -37,7 +32,7 @@ PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& grou
 }
 
 std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
-    Number const number = places_[place_of(phrase, hash_of(phrase))].number;
+    Number const number = places_[place_of(phrase, phrase.print(0).first)].number;
     return number == none ? std::nullopt : std::optional<Number>(number);
 }
 

@@ -26,6 +26,8 @@ class PhraseBook {
 
     /// Of a phrase that was read with the supplier left out.
     Number number_of(Phrase const& phrase, Group const& group);
+    /// Of a phrase of another book, of the same group.
+    Number number_of(PhraseBook const& other, Number number);
     std::optional<Number> find(Phrase const& phrase) const;
     void clear();
     std::size_t size() const { return entries_.size(); }
@@ -41,6 +43,7 @@ class PhraseBook {
         std::uint64_t hash = 0;
         Number number = none;
     };
+    Number number_of(Phrase const& phrase, std::uint32_t due);
     std::size_t place_of(Phrase const& phrase, std::uint64_t hash) const;
     bool is(Number number, Phrase const& phrase) const;
     void grow();

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "timing/print.hpp"
+
 namespace faster::timing {
 
 /// Finds transitions by their print, a number of 128 bits, in an open-addressing hash table.
@@ -10,10 +12,6 @@ class TransitionTable {
     using Number = std::uint32_t;
     static constexpr Number none = ~0U;
 
-    struct Print {
-        std::uint64_t first;
-        std::uint64_t second;
-    };
     /// All of a transition that is looked at every time, in half a cache line.
     struct alignas(32) Slot {
         Print print{0, 0};

@@ -121,7 +121,7 @@ struct Samples {
 
     std::size_t count() const { return file.run.tape.samples(); }
     retiming::SampleOperations operations(std::size_t sample) {
-        return cutter.join(file.run.tape.read(sample, known), known.book());
+        return retiming::joined(file.run.tape.read(sample, known), known.book(), known.lead().group);
     }
     /// What the frame of a sample holds.
     std::string content(std::size_t sample) const {
@@ -312,7 +312,8 @@ TEST_CASE("Operations that are cut into phrases and joined again say the same", 
         for (std::size_t i = 0; i < samples.count(); ++i) {
             retiming::SampleOperations const operations = samples.operations(i);
             retiming::ScriptedSample const cut = samples.cutter.cut(operations);
-            retiming::SampleOperations const joined = samples.cutter.join(cut, samples.cutter.book());
+            retiming::SampleOperations const joined =
+                retiming::joined(cut, samples.cutter.book(), samples.known.lead().group);
             for (std::size_t process = 0; process < operations.size(); ++process) {
                 CAPTURE(number, i, process);
                 CHECK(said_by(joined[process]) == said_by(operations[process]));
@@ -343,7 +344,7 @@ TEST_CASE("A sample that says what no process can do is refused", "[events]") {
                 continue;
             }
             ++accepted;
-            CHECK(samples.can_do(samples.cutter.join(read, samples.known.book())));
+            CHECK(samples.can_do(retiming::joined(read, samples.known.book(), samples.known.lead().group)));
             if (accepted % 4 == 0)
                 CHECK_NOTHROW(samples.retime(read));
         }

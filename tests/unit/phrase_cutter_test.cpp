@@ -64,6 +64,17 @@ void log_triangles(CoreTiming& core, std::mt19937& random) {
     }
 }
 
+/// A core of which triangles are logged, and its group.
+struct Scan {
+    explicit Scan(unsigned seed) {
+        std::mt19937 random(seed);
+        log_triangles(*core, random);
+    }
+
+    std::unique_ptr<CoreTiming> core = scanner();
+    Group group{*core, lead()};
+};
+
 /// By process, and at the end what each goes on with.
 std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::vector<PhraseBook::Number> numbers) {
     auto const core = scanner();
@@ -93,15 +104,12 @@ TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
     std::size_t cut = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
-        std::mt19937 random(seed);
-        auto const core = scanner();
-        log_triangles(*core, random);
-        Group const group(*core, lead());
-        PhraseCutter cutter(*core, lead());
+        Scan const scan(seed);
+        PhraseCutter cutter(*scan.core, lead());
         PhraseBook book;
         std::set<PhraseBook::Number> phrases, pieces;
-        for (Phrase phrase; phrase.read(group, 0) == Phrase::Reading::complete; phrase.consume()) {
-            PhraseBook::Number const number = book.number_of(phrase, group);
+        for (Phrase phrase; phrase.read(scan.group, 0) == Phrase::Reading::complete; phrase.consume()) {
+            PhraseBook::Number const number = book.number_of(phrase, scan.group);
             if (!phrases.insert(number).second)
                 continue;
             cutter.cut(book, number);
@@ -158,15 +166,12 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
     std::size_t phrases = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
-        std::mt19937 random(seed);
-        auto const core = scanner();
-        log_triangles(*core, random);
-        Group const group(*core, lead());
+        Scan const scan(seed);
         auto const bench = scanner();
         Group const bench_group(*bench, lead());
-        for (Phrase read; read.read(group, 0) == Phrase::Reading::complete; read.consume(), ++phrases) {
+        for (Phrase read; read.read(scan.group, 0) == Phrase::Reading::complete; read.consume(), ++phrases) {
             Phrase recalled;
-            recalled.recall(read.codes(), read.size(), group);
+            recalled.recall(read.codes(), read.size(), scan.group);
             CHECK(recalled.due() == read.due());
             CHECK(recalled.active() == read.active());
             CHECK(Phrase::is_readable(read.codes(), read.size(), bench_group));

@@ -1,0 +1,12 @@
+#pragma once
+#include <cstdint>
+
+namespace faster::timing {
+
+/// What states and phrases are recognized by: 128 bits, so that two that differ are hardly ever taken for the same.
+struct Print {
+    std::uint64_t first;
+    std::uint64_t second;
+};
+
+}  // namespace faster::timing

@@ -63,7 +63,8 @@ void put(std::string const& bytes, std::ostream& stream) {
 void write_event_file(io::OutputFile const& file, RunConfig const& config, retiming::RecordedRun const& run,
                       RunStatistics const& statistics, std::string const& summary) {
     file.commit([&](std::ostream& stream) {
-        std::string const header = io::zstd_frame(header_of(config, run));
+        io::ZstdPress press;
+        std::string const header = press.frame(header_of(config, run));
         put(std::string(opening_mark) + little_endian(format_version), stream);
         put(little_endian(static_cast<std::uint32_t>(header.size())) + header, stream);
         std::uint64_t at = opening_bytes + header.size();
@@ -71,7 +72,7 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, retim
             put(run.tape.block(i), stream);
             at += run.tape.blocks()[i].bytes;
         }
-        std::string const index = io::zstd_frame(index_of_file(header, run, statistics, summary));
+        std::string const index = press.frame(index_of_file(header, run, statistics, summary));
         put(index + little_endian(at) + little_endian(std::uint64_t{index.size()}), stream);
         put(std::string(closing_mark), stream);
     });

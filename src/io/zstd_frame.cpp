@@ -1,6 +1,5 @@
 #include "io/zstd_frame.hpp"
 
-#include <memory>
 #include <stdexcept>
 #include <zstd.h>
 
@@ -9,21 +8,30 @@
 namespace faster::io {
 
 namespace {
+constexpr int level = 1;  // higher ones hardly make smaller frames, and take longer
+}
 
-constexpr int level = 3;  // higher ones take longer than the run itself
+struct ZstdPress::Context {
+    ZSTD_CCtx* context = ZSTD_createCCtx();
 
-struct ContextDeleter {
-    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+    Context() = default;
+    Context(Context const&) = delete;
+    Context& operator=(Context const&) = delete;
+    ~Context() { ZSTD_freeCCtx(context); }
 };
 
-}  // namespace
+ZstdPress::ZstdPress() : context_(std::make_unique<Context>()) {
+    ZSTD_CCtx_setParameter(context_->context, ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context_->context, ZSTD_c_checksumFlag, 1);
+}
+ZstdPress::~ZstdPress() = default;
+ZstdPress::ZstdPress(ZstdPress&& other) noexcept = default;
+ZstdPress& ZstdPress::operator=(ZstdPress&& other) noexcept = default;
 
-std::string zstd_frame(std::string_view content) {
-    std::unique_ptr<ZSTD_CCtx, ContextDeleter> const context(ZSTD_createCCtx());
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+std::string ZstdPress::frame(std::string_view content) {
     std::string frame(ZSTD_compressBound(content.size()) + sizeof(std::uint32_t), '\0');
-    std::size_t const size = ZSTD_compress2(context.get(), frame.data(), frame.size(), content.data(), content.size());
+    std::size_t const size =
+        ZSTD_compress2(context_->context, frame.data(), frame.size(), content.data(), content.size());
     if (ZSTD_isError(size) != 0)
         throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
     frame.resize(size);

@@ -1,14 +1,27 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace faster::io {
 
-/// One zstd frame (RFC 8878) with a checksum of its content at its end. Equal contents give equal frames.
-std::string zstd_frame(std::string_view content);
+/// Makes zstd frames (RFC 8878), each with a checksum of its content at its end. Equal contents give equal frames.
+class ZstdPress {
+  public:
+    ZstdPress();
+    ~ZstdPress();
+    ZstdPress(ZstdPress&& other) noexcept;
+    ZstdPress& operator=(ZstdPress&& other) noexcept;
+
+    std::string frame(std::string_view content);
+
+  private:
+    struct Context;
+    std::unique_ptr<Context> context_;  ///< kept from frame to frame: it takes a megabyte to make
+};
 
 /// The content of a frame, which must not be longer than `most_bytes`; nothing if the frame is damaged.
 std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes);

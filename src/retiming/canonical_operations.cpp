@@ -23,12 +23,41 @@ class IterationJoiner {
         count_ += count;
     }
 
+    /// The same of all runs of a mix. Those between its first and its last cannot grow: they fill mixes as they are.
+    void add_mix(std::uint8_t ports, std::uint32_t gaps, unsigned length) {
+        unsigned const first = Operation::alike(gaps, length);
+        add(ports, gaps & 1U, first);
+        if (first == length)
+            return;
+        gaps >>= first;
+        length -= first;
+        std::uint32_t const last_gap = gaps >> (length - 1);
+        std::uint32_t const others = (last_gap != 0 ? ~gaps : gaps) & ((1U << length) - 1);
+        unsigned const between = others == 0 ? 0 : 32U - static_cast<unsigned>(__builtin_clz(others));
+        if (between > 0) {
+            end_run();
+            fill_mix(gaps & ((1U << between) - 1), between);
+        }
+        add(ports, last_gap, length - between);
+    }
+
     void flush() {
         end_run();
         end_mix();
     }
 
   private:
+    void fill_mix(std::uint32_t gaps, unsigned length) {
+        unsigned const fit = std::min(length, Operation::longest_mix - length_);
+        gaps_ |= gaps << length_;
+        length_ += fit;
+        if (length_ < Operation::longest_mix)
+            return;
+        end_mix();
+        gaps_ = gaps >> fit;
+        length_ = length - fit;
+    }
+
     /// Long runs stand for themselves, short ones fill mixes.
     void end_run() {
         if (count_ > Operation::longest_mix)
@@ -74,13 +103,7 @@ bool is_simple(Operation const& operation) {
 
 void add(Operation const& operation, IterationJoiner& joiner) {
     if (operation.kind() == Operation::Kind::mixed) {
-        std::uint32_t gaps = operation.gaps();
-        for (unsigned left = operation.length(); left > 0;) {
-            unsigned const equal = Operation::alike(gaps, left);
-            joiner.add(operation.ports(), gaps & 1U, equal);
-            left -= equal;
-            gaps = equal == Operation::longest_mix ? 0 : gaps >> equal;
-        }
+        joiner.add_mix(operation.ports(), operation.gaps(), operation.length());
         return;
     }
     joiner.add(operation.ports(), operation.gap(), operation.count());

@@ -23,7 +23,9 @@ void OperationTape::fail(char const* what) const {
 
 void OperationTape::put(std::size_t sample, ScriptedSample const& scripted, timing::PhraseBook const& book) {
     std::string const content = encode(scripted, book);
-    std::string const frame = io::zstd_frame(content);
+    if (press_ == nullptr)
+        press_ = std::make_unique<io::ZstdPress>();
+    std::string const frame = press_->frame(content);
     if (file_ == nullptr)
         file_.reset(std::tmpfile());
     if (file_ == nullptr)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/zstd_frame.hpp"
 #include "retiming/known_phrases.hpp"
 #include "retiming/scripted_sample.hpp"
 
@@ -50,6 +51,7 @@ class OperationTape {
     std::unique_ptr<std::FILE, Closer> file_;
     std::string name_ = "temporary file of operations";
     std::uint64_t written_ = 0;
+    std::unique_ptr<io::ZstdPress> press_;  ///< once something is put
     std::vector<Block> blocks_;  // by sample
 };
 

@@ -1,14 +1,15 @@
 #include "retiming/retime.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 
 #include "config/core_share.hpp"
 #include "modules/core_shapes.hpp"
 #include "retiming/collect.hpp"
 #include "retiming/core_variant.hpp"
-#include "retiming/sample_cutter.hpp"
+#include "retiming/plain_reader.hpp"
+#include "retiming/replay.hpp"
 
 namespace faster::retiming {
 
@@ -16,141 +17,15 @@ namespace {
 
 enum class Following { scripts, logs };
 
-/// Reads samples from the tape as operations, no phrases.
-class PlainReader {
+/// Has no samples: all are plain.
+class NoScripts : public ScriptSource {
   public:
-    explicit PlainReader(ScriptedRun const& run)
-        : tape_(run.run().tape), known_(LeadCore(*run.run().blueprint, run.parts())) {}
-
-    SampleOperations read(std::size_t sample) {
-        return joined(tape_.read(sample, known_), known_.book(), known_.lead().group);
-    }
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return 0; }
+    ScriptedSample const& operator[](std::size_t /*sample*/) const override { throw std::logic_error("no samples"); }
 
   private:
-    OperationTape const& tape_;
-    KnownPhrases known_;
-};
-
-/// Lets one core do the operations of its samples, one sample after the other.
-class Replay {
-  public:
-    Replay(ScriptedRun const& run, Following following, CoreShare share, timing::CoreTiming& core, Leaves leaves)
-        : run_(run),
-          following_(following),
-          share_(share),
-          core_(core),
-          leaves_(std::move(leaves)),
-          is_stuck_(core.processes().size(), false) {}
-
-    /// As far as a walk of the core, or a walk further; false: all is done, or left.
-    bool go_on() {
-        if (is_walking_)
-            core_.arrive();
-        for (; fed_ < share_.count; ++fed_) {
-            is_walking_ = is_walking_ || begin_script(share_.first + fed_);
-            is_walking_ = is_walking_ && core_.set_out();
-            if (is_walking_)
-                return true;
-            end_sample(share_.first + fed_);
-            if (leaves_ && leaves_(core_))
-                break;
-        }
-        core_.resolve();
-        return false;
-    }
-    timing::Automaton::Walk& walk() { return core_.walk(); }
-
-  private:
-    static constexpr std::size_t usual_backlog = std::size_t{1} << 18;  // operations: a few samples' worth
-    static constexpr std::size_t supplier = index_of(ModuleId::vertex_transform);
-
-    /// False if the sample has none that could be followed.
-    bool begin_script(std::size_t sample) {
-        bool const is_stuck = std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end();
-        is_scripted_ = following_ == Following::scripts && sample < run_.size() && !is_stuck;
-        if (is_scripted_)
-            take_up(run_[sample], sample);
-        return is_scripted_;
-    }
-
-    void end_sample(std::size_t sample) {
-        is_scripted_ ? feed_rest(run_[sample]) : feed_plain(sample);
-        core_.resolve(false);
-        if (backlog() > usual_backlog)
-            find_stuck();
-    }
-
-    void feed_plain(std::size_t sample) {
-        if (!plain_)
-            plain_ = std::make_unique<PlainReader>(run_);
-        SampleOperations const operations = plain_->read(sample);
-        for (std::size_t i = 0; i < operations.size(); ++i)
-            if (!is_stuck_[i] && !(i == supplier && sample < supplied_))
-                append(operations[i], core_.process(i).log());
-    }
-
-    void take_up(ScriptedSample const& scripted, std::size_t sample) {
-        for (std::size_t i = 0; i < scripted.before.size(); ++i)
-            if (i != supplier)
-                append(scripted.before[i], core_.process(i).log());
-        supply(sample + 2);
-        script_ = scripted.script;
-        script_.book = &run_.book();
-        script_.next = scripted.phrases.data();
-        script_.end = script_.next + scripted.phrases.size();
-        core_.take_up(script_);
-    }
-
-    void feed_rest(ScriptedSample const& scripted) {
-        for (std::size_t i = 0; i < scripted.after.size(); ++i)
-            for (timing::Operation const& operation : scripted.after[i])
-                core_.process(i).log().append(operation);
-    }
-
-    /// The supplier is a sample ahead, so that what it goes on with after the one at hand is known.
-    void supply(std::size_t end) {
-        std::size_t const last = std::min({end, share_.first + share_.count, run_.size()});
-        for (supplied_ = std::max(supplied_, share_.first); supplied_ < last; ++supplied_)
-            append(run_[supplied_].before[supplier], core_.process(supplier).log());
-    }
-
-    /// The first may wait on from where the last sample ended: one wait then, as the process itself would have said it.
-    static void append(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {
-        auto operation = operations.begin();
-        if (operation != operations.end() && operation->kind() == timing::Operation::Kind::wait &&
-            !operation->is_setup())
-            log.wait((operation++)->count());
-        for (; operation != operations.end(); ++operation)
-            log.append(*operation);
-    }
-
-    std::size_t backlog() {
-        std::size_t operations = 0;
-        for (std::size_t i = 0; i < is_stuck_.size(); ++i)
-            operations += is_stuck_[i] ? 0 : core_.process(i).log().pending();
-        return operations;
-    }
-
-    /// All that samples so far want done has been logged. So what cannot be done now never will be, and what comes
-    /// after it would only fill the memory. The supplier, which may be ahead, never has much of that.
-    void find_stuck() {
-        core_.resolve();
-        for (std::size_t i = 0; i < is_stuck_.size(); ++i)
-            is_stuck_[i] = i != supplier && !core_.processes()[i].finished();
-    }
-
-    ScriptedRun const& run_;
-    Following following_;
-    CoreShare share_;
-    timing::CoreTiming& core_;
-    Leaves leaves_;
-    std::unique_ptr<PlainReader> plain_;
-    std::vector<bool> is_stuck_;
-    std::size_t supplied_ = 0;  ///< samples whose vertices have been asked for
-    std::size_t fed_ = 0;       ///< samples done
-    bool is_scripted_ = false;  ///< the sample at hand
-    bool is_walking_ = false;
-    timing::Script script_;
+    timing::PhraseBook book_;
 };
 
 /// Lets several cores take turns with walking, while one of them has to.
@@ -171,8 +46,20 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
     }
 }
 
+/// Opens the tape when first asked.
+Replay::Plain plain_reader(ScriptedRun const& run) {
+    auto const reader = std::make_shared<std::unique_ptr<PlainReader>>();
+    return [&run, reader](std::size_t sample) {
+        if (*reader == nullptr)
+            *reader = std::make_unique<PlainReader>(run.run(), run.parts());
+        return (*reader)->read(sample);
+    };
+}
+
 Cores retime_cores(ScriptedRun const& run, Following following, AcceleratorConfig const& config,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
+    static NoScripts const no_scripts;
+    ScriptSource const& source = following == Following::scripts ? static_cast<ScriptSource const&>(run) : no_scripts;
     auto const automaton = std::make_shared<timing::Automaton>();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
@@ -182,7 +69,7 @@ Cores retime_cores(ScriptedRun const& run, Following following, AcceleratorConfi
         if (options.leave_trails)
             cores.back()->leave_trail();
         CoreShare const share = share_of(number, config.raster_cores, run.run().tape.samples());
-        replays.push_back(std::make_unique<Replay>(run, following, share, *cores.back(), options.leaves));
+        replays.push_back(std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), options.leaves));
     }
     feed_all(replays, *automaton);
     return cores;

@@ -4,23 +4,23 @@
 
 #include "config/parts.hpp"
 #include "retiming/recorded_run.hpp"
-#include "retiming/scripted_sample.hpp"
+#include "retiming/script_source.hpp"
 
 namespace faster::retiming {
 
 /// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation;
 /// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `parts` are those of its
 /// configuration.
-class ScriptedRun {
+class ScriptedRun : public ScriptSource {
   public:
     /// Reads on so many threads; 0: as many as are worth it.
     ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t jobs = 0);
 
     RecordedRun const& run() const { return *run_; }
     Parts const& parts() const { return parts_; }
-    timing::PhraseBook const& book() const { return book_; }
-    std::size_t size() const { return samples_.size(); }
-    ScriptedSample const& operator[](std::size_t sample) const { return samples_[sample]; }
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return samples_.size(); }
+    ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample]; }
 
   private:
     RecordedRun const* run_;

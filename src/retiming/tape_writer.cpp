@@ -9,8 +9,12 @@ namespace {
 constexpr std::size_t most_waiting = 16;  // samples: some megabytes
 }  // namespace
 
-TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes)
-    : run_(run), parts_(parts), step_ports_(processes, 0), thread_([this] { work(); }) {}
+TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed)
+    : run_(run),
+      parts_(parts),
+      timed_(std::move(timed)),
+      step_ports_(processes, 0),
+      thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 
@@ -26,6 +30,10 @@ void TapeWriter::finish() {
     if (error_)
         std::rethrow_exception(error_);
     run_.tape.finish();
+}
+
+std::optional<RunStatistics> TapeWriter::statistics() {
+    return retiming_ == nullptr ? std::nullopt : retiming_->finish(run_.counters);
 }
 
 void TapeWriter::stop() {
@@ -65,7 +73,12 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
         }
         if (!cutter_)
             cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, parts_);
-        run_.tape.put(sample, cutter_->cut(std::move(operations)), cutter_->book());
+        ScriptedSample cut = cutter_->cut(std::move(operations));
+        run_.tape.put(sample, cut, cutter_->book());
+        if (timed_.config != nullptr && retiming_ == nullptr)
+            retiming_ = std::make_unique<LiveRetiming>(*run_.blueprint, *timed_.config, timed_.shares);
+        if (retiming_ != nullptr)
+            retiming_->put(sample, std::move(cut), cutter_->book());
     } catch (...) {
         error_ = std::current_exception();
     }

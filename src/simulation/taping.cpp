@@ -1,16 +1,29 @@
 #include "simulation/taping.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "config/parts.hpp"
+#include "retiming/plain_reader.hpp"
 
 namespace faster {
 
-Taping::Taping(Accelerator& accelerator, retiming::RecordedRun& run)
+namespace {
+retiming::TapeWriter::Timed timed_cores(Accelerator const& accelerator, AcceleratorConfig const& config) {
+    retiming::TapeWriter::Timed timed{&config, {}};
+    for (auto const& core : accelerator.cores())
+        timed.shares.push_back(core->share());
+    return timed;
+}
+}  // namespace
+
+Taping::Taping(Accelerator& accelerator, AcceleratorConfig const& config, retiming::RecordedRun& run, Timing timing)
     : accelerator_(accelerator),
+      timing_(timing),
       run_(run),
       tapes_(accelerator.cores().size()),
-      writer_(run, accelerator.cores().front()->parts(), accelerator.cores().front()->timing().processes().size()) {
+      writer_(run, accelerator.cores().front()->parts(), accelerator.cores().front()->timing().processes().size(),
+              timing == Timing::from_tape ? timed_cores(accelerator, config) : retiming::TapeWriter::Timed()) {
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(
@@ -22,11 +35,19 @@ void Taping::start(std::size_t core) {
     timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
     tapes_[core].logs.resize(timing.processes().size());
     tapes_[core].begun.resize(timing.processes().size());
+    timing.hold(timing_ == Timing::from_tape);
     for (std::size_t i = 0; i < timing.processes().size(); ++i)
-        timing.process(i).add_tape(tapes_[core].logs[i]);
+        if (timing_ == Timing::by_cores)
+            timing.process(i).add_tape(tapes_[core].logs[i]);
     if (core == 0)
         run_.blueprint = timing.blank_copy();
     taking_part_ = modules_of(accelerator_.cores()[core]->parts()).size();
+}
+
+/// Where a process says what it does, for the tape alone.
+timing::OperationLog& Taping::log_of(std::size_t core, std::size_t process) {
+    return timing_ == Timing::by_cores ? tapes_[core].logs[process]
+                                       : accelerator_.cores()[core]->timing().process(process).log();
 }
 
 void Taping::begin_sample(std::size_t core, std::size_t process) {
@@ -42,7 +63,7 @@ void Taping::end_sample(std::size_t core, std::size_t process) {
         tape.open.emplace_back(tape.logs.size());
         tape.left.push_back(0);
     }
-    timing::OperationLog& log = tape.logs[process];
+    timing::OperationLog& log = log_of(core, process);
     tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
     log.clear();
     ++tape.left[at];
@@ -78,6 +99,37 @@ void Taping::finish() {
     }
     writer_.finish();
     note_sites();
+}
+
+/// All processes have done all samples.
+bool Taping::is_done() const {
+    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(), [](auto const& core) {
+        return core->result_collector.results().size() == core->share().count;
+    });
+}
+
+std::optional<RunStatistics> Taping::statistics() {
+    std::optional<RunStatistics> run = is_done() ? writer_.statistics() : std::nullopt;
+    if (!run)
+        tell_cores();
+    return run;
+}
+
+/// What only the tape knows.
+void Taping::tell_cores() {
+    retiming::PlainReader reader(run_, accelerator_.cores().front()->parts());
+    for (std::size_t core = 0; core < tapes_.size(); ++core) {
+        timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
+        timing.hold(false);
+        auto const tell = [&timing](retiming::SampleOperations const& operations) {
+            for (std::size_t i = 0; i < operations.size(); ++i)
+                retiming::append_sample(operations[i], timing.process(i).log());
+        };
+        for (std::size_t sample = 0; sample < tapes_[core].done; ++sample)
+            tell(reader.read(accelerator_.cores()[core]->share().first + sample));
+        for (retiming::SampleOperations const& begun : tapes_[core].open)
+            tell(begun);
+    }
 }
 
 }  // namespace faster

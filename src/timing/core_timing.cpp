@@ -116,6 +116,8 @@ bool CoreTiming::keep_more() {
 }
 
 void CoreTiming::resolve(bool to_the_end) {
+    if (holds_)
+        return;
     if (ends_.empty())
         connect();
     std::uint32_t const all = all_processes();
@@ -175,6 +177,15 @@ void CoreTiming::arrive() {
     bool const moved = automaton_->arrive(walk_);
     if (!let_driver_go() && !moved && !walk_.script->done())
         write_next();
+}
+
+void CoreTiming::walk_through() {
+    while (set_out()) {
+        do
+            automaton_->go_on({&walk_});
+        while (automaton_->find_out(walk_));
+        arrive();
+    }
 }
 
 void CoreTiming::write_next() {

@@ -37,6 +37,9 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
+    /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
+    void hold(bool holds) { holds_ = holds; }
+
     /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
     void resolve_processes(std::uint32_t processes);
 
@@ -55,6 +58,8 @@ class CoreTiming {
     bool set_out();
     Automaton::Walk& walk() { return walk_; }
     void arrive();
+    /// All of this, for a core that does not take turns.
+    void walk_through();
 
     /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
     /// automaton.
@@ -112,6 +117,7 @@ class CoreTiming {
     bool follows_ = false;  ///< the script at hand
     Lead lead_;
     bool started_ = false;
+    bool holds_ = false;
 };
 
 }  // namespace faster::timing

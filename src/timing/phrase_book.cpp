@@ -18,29 +18,30 @@ PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number)
 }
 
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due) {
-    std::uint64_t const hash = phrase.print(0).first;
-    std::size_t const place = place_of(phrase, hash);
+    Print const print = phrase.print(0);
+    std::size_t const place = place_of(print);
     if (places_[place].number != none)
         return places_[place].number;
     auto const number = static_cast<Number>(entries_.size());
     entries_.push_back({static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), due, 0, 0});
     codes_.insert(codes_.end(), phrase.codes(), phrase.codes() + phrase.size());
-    places_[place] = {hash, number};
+    places_[place] = {print, number};
     if (2 * entries_.size() > places_.size())
         grow();
     return number;
 }
 
 std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
-    Number const number = places_[place_of(phrase, phrase.print(0).first)].number;
-    return number == none ? std::nullopt : std::optional<Number>(number);
+    Number const number = places_[place_of(phrase.print(0))].number;
+    return number == none || !is(number, phrase) ? std::nullopt : std::optional<Number>(number);
 }
 
 /// Where it is, or has to be put.
-std::size_t PhraseBook::place_of(Phrase const& phrase, std::uint64_t hash) const {
+std::size_t PhraseBook::place_of(Print const& print) const {
     std::size_t const mask = places_.size() - 1;
-    std::size_t place = hash & mask;
-    while (places_[place].number != none && !(places_[place].hash == hash && is(places_[place].number, phrase)))
+    std::size_t place = print.first & mask;
+    while (places_[place].number != none &&
+           (places_[place].print.first != print.first || places_[place].print.second != print.second))
         place = (place + 1) & mask;
     return place;
 }
@@ -57,7 +58,7 @@ void PhraseBook::grow() {
     std::vector<Place> old(2 * places_.size());
     old.swap(places_);
     for (Place const& known : old) {
-        std::size_t place = known.hash & (places_.size() - 1);
+        std::size_t place = known.print.first & (places_.size() - 1);
         while (known.number != none && places_[place].number != none)
             place = (place + 1) & (places_.size() - 1);
         if (known.number != none)

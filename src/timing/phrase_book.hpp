@@ -24,10 +24,11 @@ class PhraseBook {
         std::uint32_t pieces = 0;  ///< 0: it was not cut
     };
 
-    /// Of a phrase that was read with the supplier left out.
+    /// Of a phrase that was read with the supplier left out. Phrases are told by their prints.
     Number number_of(Phrase const& phrase, Group const& group);
     /// Of a phrase of another book, of the same group.
     Number number_of(PhraseBook const& other, Number number);
+    /// Compares codes as well: somebody may have made prints equal.
     std::optional<Number> find(Phrase const& phrase) const;
     void clear();
     std::size_t size() const { return entries_.size(); }
@@ -40,18 +41,18 @@ class PhraseBook {
   private:
     static constexpr Number none = ~Number{0};
     struct Place {
-        std::uint64_t hash = 0;
+        Print print;
         Number number = none;
     };
     Number number_of(Phrase const& phrase, std::uint32_t due);
-    std::size_t place_of(Phrase const& phrase, std::uint64_t hash) const;
+    std::size_t place_of(Print const& print) const;
     bool is(Number number, Phrase const& phrase) const;
     void grow();
 
     std::vector<Phrase::Code> codes_;
     std::vector<Entry> entries_;
     std::vector<Number> pieces_;
-    std::vector<Place> places_ = std::vector<Place>(1024);  ///< by hash: open addressing, a power of two
+    std::vector<Place> places_ = std::vector<Place>(1024);  ///< by print: open addressing, a power of two
 };
 
 /// What a group does next: phrases, by their numbers in a book. The supplier's operations are in its log.

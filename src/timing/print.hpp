@@ -5,8 +5,8 @@ namespace faster::timing {
 
 /// What states and phrases are recognized by: 128 bits, so that two that differ are hardly ever taken for the same.
 struct Print {
-    std::uint64_t first;
-    std::uint64_t second;
+    std::uint64_t first = 0;
+    std::uint64_t second = 0;
 };
 
 }  // namespace faster::timing

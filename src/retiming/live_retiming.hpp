@@ -1,0 +1,50 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "config/accelerator_config.hpp"
+#include "config/core_share.hpp"
+#include "retiming/recorded_run.hpp"
+#include "retiming/replay.hpp"
+#include "retiming/script_source.hpp"
+#include "stats/run_statistics.hpp"
+#include "timing/phrase_cutter.hpp"
+
+namespace faster::retiming {
+
+/// Works out the time of a run while it is recorded, from the phrases that are recorded, sample by sample. What has
+/// been timed is forgotten: memory does not grow with the run.
+class LiveRetiming {
+  public:
+    /// For cores like `blueprint` but with the timing of a configuration, which must outlive this, and their shares of
+    /// the samples.
+    LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
+                 std::vector<CoreShare> const& shares);
+    ~LiveRetiming();
+    LiveRetiming(LiveRetiming const&) = delete;
+    LiveRetiming& operator=(LiveRetiming const&) = delete;
+
+    /// The next sample of a core, as phrases of a book.
+    void put(std::size_t sample, ScriptedSample scripted, timing::PhraseBook const& book);
+    /// The figures of the run; `counters` by sample. None if it got stuck: who wants to know why has to time the
+    /// operations.
+    std::optional<RunStatistics> finish(std::vector<SampleCounters> const& counters);
+
+  private:
+    /// The samples of one core that it has not done yet.
+    class Window;
+    struct Core;
+
+    void renumber(ScriptedSample& scripted, timing::PhraseBook const& book);
+    Core& core_of(std::size_t sample);
+
+    AcceleratorConfig const& config_;
+    timing::PhraseBook book_;
+    timing::PhraseCutter cutter_;
+    std::vector<timing::PhraseBook::Number> numbers_;  ///< in book_, by number in the book of the sample at hand
+    std::vector<std::unique_ptr<Core>> cores_;
+};
+
+}  // namespace faster::retiming

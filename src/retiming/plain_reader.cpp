@@ -1,0 +1,22 @@
+#include "retiming/plain_reader.hpp"
+
+#include "retiming/sample_cutter.hpp"
+
+namespace faster::retiming {
+
+PlainReader::PlainReader(RecordedRun const& run, Parts const& parts)
+    : tape_(run.tape), known_(LeadCore(*run.blueprint, parts)) {}
+
+SampleOperations PlainReader::read(std::size_t sample) {
+    return joined(tape_.read(sample, known_), known_.book(), known_.lead().group);
+}
+
+void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {
+    auto operation = operations.begin();
+    if (operation != operations.end() && operation->kind() == timing::Operation::Kind::wait && !operation->is_setup())
+        log.wait((operation++)->count());
+    for (; operation != operations.end(); ++operation)
+        log.append(*operation);
+}
+
+}  // namespace faster::retiming

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+
+#include "retiming/scripted_sample.hpp"
+
+namespace faster::retiming {
+
+/// Samples, by number, as phrases of one book.
+class ScriptSource {
+  public:
+    virtual ~ScriptSource() = default;
+    virtual timing::PhraseBook const& book() const = 0;
+    /// Samples from this one on are not there.
+    virtual std::size_t size() const = 0;
+    virtual ScriptedSample const& operator[](std::size_t sample) const = 0;
+
+  protected:
+    ScriptSource() = default;
+    ScriptSource(ScriptSource const&) = default;
+    ScriptSource& operator=(ScriptSource const&) = default;
+    ScriptSource(ScriptSource&&) = default;
+    ScriptSource& operator=(ScriptSource&&) = default;
+};
+
+}  // namespace faster::retiming

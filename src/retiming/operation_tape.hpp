@@ -52,7 +52,7 @@ class OperationTape {
     std::string name_ = "temporary file of operations";
     std::uint64_t written_ = 0;
     std::unique_ptr<io::ZstdPress> press_;  ///< once something is put
-    std::vector<Block> blocks_;  // by sample
+    std::vector<Block> blocks_;             // by sample
 };
 
 }  // namespace faster::retiming

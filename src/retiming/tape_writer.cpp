@@ -10,11 +10,7 @@ constexpr std::size_t most_waiting = 16;  // samples: some megabytes
 }  // namespace
 
 TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed)
-    : run_(run),
-      parts_(parts),
-      timed_(std::move(timed)),
-      step_ports_(processes, 0),
-      thread_([this] { work(); }) {}
+    : run_(run), parts_(parts), timed_(std::move(timed)), step_ports_(processes, 0), thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 

@@ -103,9 +103,8 @@ void Taping::finish() {
 
 /// All processes have done all samples.
 bool Taping::is_done() const {
-    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(), [](auto const& core) {
-        return core->result_collector.results().size() == core->share().count;
-    });
+    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(),
+                       [](auto const& core) { return core->result_collector.results().size() == core->share().count; });
 }
 
 std::optional<RunStatistics> Taping::statistics() {

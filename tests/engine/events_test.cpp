@@ -214,6 +214,25 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
     CHECK(deadlocks < 250);
 }
 
+TEST_CASE("A run that is recorded takes the time that it takes without", "[events]") {
+    test::TempFolder const folder;
+    std::size_t deadlocks = 0;
+    for (std::size_t number = 0; number < workload_kinds.size(); ++number) {
+        Stimulus const stimulus = workload(number);
+        AcceleratorConfig const base = recorded_configuration(9700 + number, number);
+        for (std::uint64_t i = 0; i < 10; ++i) {
+            std::uint64_t const seed = 20000 + 100 * number + i;
+            CAPTURE(number, seed);
+            AcceleratorConfig const config = configuration(seed, base);
+            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            check_equal(record(config, stimulus, Engine::decoupled, folder / "events"), run);
+            deadlocks += run.deadlocked() ? 1U : 0U;
+        }
+    }
+    CHECK(deadlocks > 5);
+    CHECK(deadlocks < 40);
+}
+
 TEST_CASE("On how many threads a run is read does not matter", "[events]") {
     test::TempFolder const folder;
     auto const said_by_phrases = [](retiming::ScriptedRun const& run) {

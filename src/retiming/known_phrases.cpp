@@ -64,12 +64,9 @@ std::optional<KnownPhrases::Number> KnownPhrases::number_of(Phrase::Code const* 
     std::optional<Effect> const effect = this->effect();
     if (!effect)
         return std::nullopt;
-    phrase_.recall(codes, static_cast<unsigned>(size), lead_.group);
-    Number const number = book_.number_of(phrase_, lead_.group);
-    if (number != effects_.size())
-        return std::nullopt;  // somebody made its print that of another
     effects_.push_back(*effect);
-    return number;
+    phrase_.recall(codes, static_cast<unsigned>(size), lead_.group);
+    return book_.number_of(phrase_, lead_.group);
 }
 
 std::optional<KnownPhrases::Effect> KnownPhrases::effect() const {

@@ -7,6 +7,7 @@
 #include "modules/core_shapes.hpp"
 #include "retiming/collect.hpp"
 #include "retiming/core_variant.hpp"
+#include "retiming/sample_cutter.hpp"
 
 namespace faster::retiming {
 
@@ -34,27 +35,35 @@ struct LiveRetiming::Core {
         : share(its_share),
           timing(std::move(its_timing)),
           window(book, share.first),
-          replay(window, nothing, share, *timing) {}
+          replay(
+              window, [this](std::size_t /*sample*/) { return std::move(plain); }, share, *timing) {}
 
-    /// A core that is stuck is left.
-    static SampleOperations nothing(std::size_t /*sample*/) { return {}; }
     /// As far as the next sample is known as well: the supplier is a sample ahead.
-    void go_on() {
+    void put(ScriptedSample scripted) {
+        window.put(std::move(scripted));
         std::size_t const end = window.size();
         std::size_t const sure = end == share.first + share.count ? end : end - 1;
         replay.go_on_to(sure);
         window.forget_before(sure);
     }
+    /// Nothing is scripted from the sample on.
+    void put(std::size_t sample, SampleOperations operations) {
+        replay.go_on_to(sample);
+        window.forget_before(sample);
+        plain = std::move(operations);
+        replay.go_on_to(sample + 1);
+    }
 
     CoreShare share;
     std::unique_ptr<timing::CoreTiming> timing;
     Window window;
+    SampleOperations plain;  ///< of the sample at hand, if it is not scripted
     Replay replay;
 };
 
 LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
                            std::vector<CoreShare> const& shares)
-    : config_(config), cutter_(blueprint, rasterizer_and_followers(Parts(config))) {
+    : config_(config), lead_(blueprint, Parts(config)), cutter_(blueprint, rasterizer_and_followers(Parts(config))) {
     auto const automaton = std::make_shared<timing::Automaton>();
     for (CoreShare const& share : shares) {
         std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, config);
@@ -90,17 +99,21 @@ void LiveRetiming::renumber(ScriptedSample& scripted, timing::PhraseBook const& 
 
 void LiveRetiming::put(std::size_t sample, ScriptedSample scripted, timing::PhraseBook const& book) {
     Core& core = core_of(sample);
-    if (core.replay.is_stuck())
+    is_stuck_ = is_stuck_ || core.replay.is_stuck();
+    if (is_stuck_)
         return;
+    if (book_.bytes() > most_bytes_of_phrases) {
+        core.put(sample, joined(scripted, book, lead_.group));
+        return;
+    }
     renumber(scripted, book);
-    core.window.put(std::move(scripted));
-    core.go_on();
+    core.put(std::move(scripted));
 }
 
 std::optional<RunStatistics> LiveRetiming::finish(std::vector<SampleCounters> const& counters) {
     std::vector<FinishedCore> cores;
     for (std::unique_ptr<Core> const& core : cores_) {
-        if (core->replay.is_stuck())
+        if (is_stuck_ || core->replay.is_stuck())
             return std::nullopt;
         core->timing->resolve();
         cores.push_back({core->share, *core->timing, counters.data() + core->share.first});

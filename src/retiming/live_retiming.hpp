@@ -6,6 +6,7 @@
 
 #include "config/accelerator_config.hpp"
 #include "config/core_share.hpp"
+#include "retiming/lead_core.hpp"
 #include "retiming/recorded_run.hpp"
 #include "retiming/replay.hpp"
 #include "retiming/script_source.hpp"
@@ -15,7 +16,8 @@
 namespace faster::retiming {
 
 /// Works out the time of a run while it is recorded, from the phrases that are recorded, sample by sample. What has
-/// been timed is forgotten: memory does not grow with the run.
+/// been timed is forgotten, but for the phrases; when there are too many of those, as in runs that never say the same,
+/// samples are timed as operations: memory does not grow with the run.
 class LiveRetiming {
   public:
     /// For cores like `blueprint` but with the timing of a configuration, which must outlive this, and their shares of
@@ -37,14 +39,18 @@ class LiveRetiming {
     class Window;
     struct Core;
 
+    static constexpr std::size_t most_bytes_of_phrases = std::size_t{1} << 24;
+
     void renumber(ScriptedSample& scripted, timing::PhraseBook const& book);
     Core& core_of(std::size_t sample);
 
     AcceleratorConfig const& config_;
+    LeadCore lead_;
     timing::PhraseBook book_;
     timing::PhraseCutter cutter_;
     std::vector<timing::PhraseBook::Number> numbers_;  ///< in book_, by number in the book of the sample at hand
     std::vector<std::unique_ptr<Core>> cores_;
+    bool is_stuck_ = false;  ///< some core: what the others do does not matter any more
 };
 
 }  // namespace faster::retiming

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 
 #include "config/core_share.hpp"
 #include "modules/core_shapes.hpp"
@@ -16,17 +15,6 @@ namespace faster::retiming {
 namespace {
 
 enum class Following { scripts, logs };
-
-/// Has no samples: all are plain.
-class NoScripts : public ScriptSource {
-  public:
-    timing::PhraseBook const& book() const override { return book_; }
-    std::size_t size() const override { return 0; }
-    ScriptedSample const& operator[](std::size_t /*sample*/) const override { throw std::logic_error("no samples"); }
-
-  private:
-    timing::PhraseBook book_;
-};
 
 /// Lets several cores take turns with walking, while one of them has to.
 void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Automaton& automaton) {

@@ -20,7 +20,7 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
     book_.clear();
     while (cut.phrases.size() < ScriptedSample::most_phrases &&
            phrase_.read(lead_.group, suppliers) == Phrase::Reading::complete) {
-        cut.phrases.push_back(book_.number_of(phrase_, lead_.group));
+        cut.phrases.push_back(book_.number_of(phrase_, lead_.group, timing::PhraseBook::Compare::prints));
         cut.script.due += book_[cut.phrases.back()].due;
         phrase_.consume();
     }

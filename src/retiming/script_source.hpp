@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <stdexcept>
 
 #include "retiming/scripted_sample.hpp"
 
@@ -20,6 +21,19 @@ class ScriptSource {
     ScriptSource& operator=(ScriptSource const&) = default;
     ScriptSource(ScriptSource&&) = default;
     ScriptSource& operator=(ScriptSource&&) = default;
+};
+
+/// Has no samples: all are plain.
+class NoScripts : public ScriptSource {
+  public:
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return 0; }
+    ScriptedSample const& operator[](std::size_t /*sample*/) const override {
+        throw std::logic_error("there are no scripts");
+    }
+
+  private:
+    timing::PhraseBook book_;
 };
 
 }  // namespace faster::retiming

@@ -1,10 +1,12 @@
 #include "simulation/taping.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "config/parts.hpp"
 #include "retiming/plain_reader.hpp"
+#include "retiming/replay.hpp"
 
 namespace faster {
 
@@ -108,7 +110,9 @@ bool Taping::is_done() const {
 }
 
 std::optional<RunStatistics> Taping::statistics() {
-    std::optional<RunStatistics> run = is_done() ? writer_.statistics() : std::nullopt;
+    if (!is_done())  // modules only wait for each other's tokens, and for room in queues that are large enough
+        throw std::logic_error("a process of the model cannot go on, whatever the time");
+    std::optional<RunStatistics> run = writer_.statistics();
     if (!run)
         tell_cores();
     return run;
@@ -117,17 +121,12 @@ std::optional<RunStatistics> Taping::statistics() {
 /// What only the tape knows.
 void Taping::tell_cores() {
     retiming::PlainReader reader(run_, accelerator_.cores().front()->parts());
-    for (std::size_t core = 0; core < tapes_.size(); ++core) {
-        timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
-        timing.hold(false);
-        auto const tell = [&timing](retiming::SampleOperations const& operations) {
-            for (std::size_t i = 0; i < operations.size(); ++i)
-                retiming::append_sample(operations[i], timing.process(i).log());
-        };
-        for (std::size_t sample = 0; sample < tapes_[core].done; ++sample)
-            tell(reader.read(accelerator_.cores()[core]->share().first + sample));
-        for (retiming::SampleOperations const& begun : tapes_[core].open)
-            tell(begun);
+    retiming::NoScripts const no_scripts;
+    for (auto const& core : accelerator_.cores()) {
+        core->timing().hold(false);
+        retiming::Replay replay(
+            no_scripts, [&reader](std::size_t sample) { return reader.read(sample); }, core->share(), core->timing());
+        replay.go_on_to(core->share().first + core->share().count);
     }
 }
 

@@ -4,22 +4,26 @@
 
 namespace faster::timing {
 
-PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& group) {
+namespace {
+constexpr std::uint64_t print_number = 1;  // any but 0, with which a first code of 0 would hide the second
+}
+
+PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& group, Compare compare) {
     Group::Lanes const due =
         group.has_supplier() ? phrase.due() >> (Group::lane_bits * (group.supplier() - 1)) : Group::Lanes{0};
-    return number_of(phrase, static_cast<std::uint32_t>(due & Group::lane_mask));
+    return number_of(phrase, static_cast<std::uint32_t>(due & Group::lane_mask), compare);
 }
 
 PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number) {
     Entry const& entry = other[number];
     Phrase phrase;
     phrase.assign(other.codes(number), entry.size, entry.active);
-    return number_of(phrase, entry.due);
+    return number_of(phrase, entry.due, Compare::codes);
 }
 
-PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due) {
-    Print const print = phrase.print(0);
-    std::size_t const place = place_of(print);
+PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due, Compare compare) {
+    Print const print = phrase.print(print_number);
+    std::size_t const place = place_of(phrase, print, compare);
     if (places_[place].number != none)
         return places_[place].number;
     auto const number = static_cast<Number>(entries_.size());
@@ -32,16 +36,19 @@ PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due
 }
 
 std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
-    Number const number = places_[place_of(phrase.print(0))].number;
-    return number == none || !is(number, phrase) ? std::nullopt : std::optional<Number>(number);
+    Number const number = places_[place_of(phrase, phrase.print(print_number), Compare::codes)].number;
+    return number == none ? std::nullopt : std::optional<Number>(number);
 }
 
 /// Where it is, or has to be put.
-std::size_t PhraseBook::place_of(Print const& print) const {
+std::size_t PhraseBook::place_of(Phrase const& phrase, Print const& print, Compare compare) const {
+    auto const is_it = [&](Place const& place) {
+        return place.print.first == print.first && place.print.second == print.second &&
+               (compare == Compare::prints || is(place.number, phrase));
+    };
     std::size_t const mask = places_.size() - 1;
     std::size_t place = print.first & mask;
-    while (places_[place].number != none &&
-           (places_[place].print.first != print.first || places_[place].print.second != print.second))
+    while (places_[place].number != none && !is_it(places_[place]))
         place = (place + 1) & mask;
     return place;
 }

@@ -24,13 +24,19 @@ class PhraseBook {
         std::uint32_t pieces = 0;  ///< 0: it was not cut
     };
 
-    /// Of a phrase that was read with the supplier left out. Phrases are told by their prints.
-    Number number_of(Phrase const& phrase, Group const& group);
+    /// How phrases are told from each other. Whoever wrote a file may have made prints equal.
+    enum class Compare { prints, codes };
+
+    /// Of a phrase that was read with the supplier left out.
+    Number number_of(Phrase const& phrase, Group const& group, Compare compare = Compare::codes);
     /// Of a phrase of another book, of the same group.
     Number number_of(PhraseBook const& other, Number number);
-    /// Compares codes as well: somebody may have made prints equal.
     std::optional<Number> find(Phrase const& phrase) const;
     void clear();
+    /// About as many as the phrases take.
+    std::size_t bytes() const {
+        return codes_.size() * sizeof(Phrase::Code) + entries_.size() * sizeof(Entry) + pieces_.size() * sizeof(Number);
+    }
     std::size_t size() const { return entries_.size(); }
     Entry const& operator[](Number number) const { return entries_[number]; }
     Phrase::Code const* codes(Number number) const { return codes_.data() + entries_[number].begin; }
@@ -44,8 +50,8 @@ class PhraseBook {
         Print print;
         Number number = none;
     };
-    Number number_of(Phrase const& phrase, std::uint32_t due);
-    std::size_t place_of(Print const& print) const;
+    Number number_of(Phrase const& phrase, std::uint32_t due, Compare compare);
+    std::size_t place_of(Phrase const& phrase, Print const& print, Compare compare) const;
     bool is(Number number, Phrase const& phrase) const;
     void grow();
 

@@ -18,7 +18,7 @@ void PhraseCutter::cut(PhraseBook& book, PhraseBook::Number number) {
         phrase_.consume();
         pieces.push_back(book.number_of(phrase_, group_));
     }
-    if (pieces.size() > 1 && is_all_read())
+    if (pieces.size() > 1 && pieces.size() <= most_pieces && is_all_read())
         book.set_pieces(number, pieces);
 }
 

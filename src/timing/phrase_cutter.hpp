@@ -11,11 +11,14 @@ namespace faster::timing {
 /// are many; of the single pixels and silences in them there are few.
 class PhraseCutter {
   public:
+    /// More than so many would take more room than they save work.
+    static constexpr std::size_t most_pieces = 64;
+
     /// For the groups of cores of that shape.
     PhraseCutter(CoreTiming const& core, Lead const& lead);
     ~PhraseCutter();
 
-    /// Enters the pieces in the book. A phrase that cannot be cut has none.
+    /// Enters the pieces in the book. A phrase that cannot be cut, or is too long, has none.
     void cut(PhraseBook& book, PhraseBook::Number number);
 
   private:

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <string>
+#include <vector>
 
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
@@ -34,6 +36,30 @@ TEST_CASE("The main job needs less than 60 MB", "[resources]") {
     require_done(run);
     CAPTURE(run.peak_megabytes);
     CHECK((is_instrumented || run.peak_megabytes < 60));
+}
+
+TEST_CASE("To record a run that hardly repeats itself takes little more memory, and changes nothing", "[resources]") {
+    TempFolder const folder;  // few large triangles, turned at random: no line is like another
+    std::vector<std::string> const run{"run",   folder.write("empty.yaml", ""),
+                                       "--set", "workload.max_triangles=12",
+                                       "--set", "workload.samples.rotation_sigma_deg=180",
+                                       "--set", "workload.samples.count=400",
+                                       "--set", "workload.scene.table=false",
+                                       "--set", "accelerator.fraction_bits.vertex_xy=4",
+                                       "--set", "workload.pose.translation_m=[0,0,0.4]"};
+    auto const with = [&run](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), run.begin(), run.end());
+        return arguments;
+    };
+    CommandResult const plain = run_command(FASTER_SIM_BINARY, with({"--out", folder / "a"}), folder.path());
+    CommandResult const recorded =
+        run_command(FASTER_SIM_BINARY, with({"--out", folder / "b", "--events", folder / "b.events"}), folder.path());
+    require_done(plain);
+    require_done(recorded);
+    CAPTURE(plain.peak_megabytes, recorded.peak_megabytes);
+    CHECK((is_instrumented || recorded.peak_megabytes < plain.peak_megabytes + 70));
+    for (char const* const table : {"samples.csv", "fifos.csv", "loops.csv"})
+        CHECK(content_of(folder / "a" / table) == content_of(folder / "b" / table));
 }
 
 TEST_CASE("A run that is interrupted leaves nothing", "[resources]") {

@@ -162,6 +162,47 @@ TEST_CASE("A sequence of transitions is the sum of its pieces", "[phrases]") {
     CHECK_FALSE(store.accepts_sequence({busy_one, pieces.front()}));
 }
 
+TEST_CASE("Phrases of equal prints are told from each other by their codes", "[phrases]") {
+    // The first code is what a print begins with: then the second does not show in it.
+    std::vector<Phrase::Code> const codes[] = {{0x9E3779B97F4A7C15U, 1}, {0x9E3779B97F4A7C15U, 2}};
+    auto const core = scanner();
+    Group const group(*core, lead());
+    std::vector<Phrase> phrases(2);
+    for (std::size_t i = 0; i < 2; ++i)
+        phrases[i].assign(codes[i].data(), 2, 1);
+    REQUIRE(phrases[0].print(1).first == phrases[1].print(1).first);
+    REQUIRE(phrases[0].print(1).second == phrases[1].print(1).second);
+
+    PhraseBook book, other, all;
+    CHECK(book.number_of(phrases[0], group) == 0);
+    CHECK_FALSE(book.find(phrases[1]).has_value());
+    CHECK(book.number_of(phrases[1], group) == 1);
+    CHECK(book.find(phrases[1]) == PhraseBook::Number{1});
+    CHECK(other.number_of(phrases[1], group) == 0);
+    CHECK(all.number_of(book, 0) == 0);
+    CHECK(all.number_of(other, 0) == 1);
+}
+
+TEST_CASE("A phrase of very many pieces is left whole", "[phrases]") {
+    for (unsigned const inside : {40U, 200U}) {
+        auto const core = scanner();
+        Group const group(*core, lead());
+        core->process(driver).log().enter(0);
+        core->process(drawer).log().enter(0);
+        core->process(driver).log().iterate(fragment, 0, inside);
+        core->process(driver).log().iterate(0, 0, 3);
+        core->process(driver).log().leave();
+        core->process(drawer).log().iterate(read, 0, inside + 1);
+        PhraseCutter cutter(*core, lead());
+        PhraseBook book;
+        Phrase phrase;
+        REQUIRE(phrase.read(group, 0) == Phrase::Reading::complete);
+        PhraseBook::Number const number = book.number_of(phrase, group);
+        cutter.cut(book, number);
+        CHECK((book[number].pieces > 0) == (inside < PhraseCutter::most_pieces));
+    }
+}
+
 TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
     std::size_t phrases = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {

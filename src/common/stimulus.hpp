@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/camera.hpp"
 #include "common/fixed_point.hpp"
 #include "common/image.hpp"
 #include "common/mesh.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "common/camera.hpp"
 
 namespace faster {
 

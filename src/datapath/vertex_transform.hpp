@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "common/camera.hpp"
 #include "common/stimulus.hpp"
 
 namespace faster::datapath {

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "common/camera.hpp"
 #include "grip/point_cloud.hpp"
 
 namespace faster::grip {

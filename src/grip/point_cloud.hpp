@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "common/camera.hpp"
 #include "common/image.hpp"
 #include "common/mesh.hpp"
 #include "common/stimulus.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "common/camera.hpp"
 #include "common/fixed_point.hpp"
 #include "common/mesh.hpp"
 #include "common/tokens.hpp"

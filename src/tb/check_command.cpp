@@ -19,7 +19,7 @@
 #include "io/text_file.hpp"
 #include "processes/process_pool.hpp"
 #include "tb/budget_run.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/start_budget.hpp"
 
 namespace faster {

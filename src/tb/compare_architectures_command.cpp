@@ -18,8 +18,8 @@
 #include "report_html/architectures_html.hpp"
 #include "simulation/simulate.hpp"
 #include "tb/edge_map_judge.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
-#include "tb/run_command.hpp"
 #include "tb/workload_source.hpp"
 
 namespace faster {

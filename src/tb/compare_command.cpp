@@ -7,7 +7,7 @@
 #include "runs/comparison_json.hpp"
 #include "runs/comparison_text.hpp"
 #include "runs/read_run.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 
 namespace faster {
 

@@ -14,7 +14,7 @@
 #include "pictures/drawing.hpp"
 #include "pictures/overlay.hpp"
 #include "quality/survey_table.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 #include "workload/models/builtin_models.hpp"
 
 namespace faster {

@@ -12,8 +12,8 @@
 #include "io/atomic_folder.hpp"
 #include "io/text_file.hpp"
 #include "reference/scorer.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/grip_comparison.hpp"
-#include "tb/run_command.hpp"
 #include "tb/workload_source.hpp"
 #include "workload/object_pose.hpp"
 

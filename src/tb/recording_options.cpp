@@ -1,5 +1,6 @@
 #include "tb/recording_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cstring>

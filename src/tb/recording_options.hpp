@@ -1,5 +1,4 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,6 +7,10 @@
 #include "config/accelerator_config.hpp"
 #include "simulation/simulate.hpp"
 #include "stats/sample_timeline.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace faster {
 

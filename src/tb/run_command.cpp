@@ -16,6 +16,7 @@
 #include "report_html/html_report.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
 #include "tb/recorded_events.hpp"
 #include "tb/results_folder.hpp"

@@ -7,9 +7,6 @@
 
 namespace faster {
 
-/// The process's exit codes (SPEC section 4).
-enum ExitCode : int { exit_done = 0, exit_failed_check = 1, exit_bad_input = 2, exit_deadlock = 3 };
-
 /// `faster-sim run`.
 struct RunRequest {
     std::string config;

@@ -11,6 +11,7 @@
 #include "tb/compare_architectures_command.hpp"
 #include "tb/compare_command.hpp"
 #include "tb/edge_quality_command.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/grip_command.hpp"
 #include "tb/run_command.hpp"
 #include "tb/sensitivities_command.hpp"

@@ -8,8 +8,8 @@
 #include "report/sensitivity_report.hpp"
 #include "retiming/sensitivities.hpp"
 #include "retiming/slack.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
-#include "tb/run_command.hpp"
 
 namespace faster {
 

@@ -6,7 +6,7 @@
 
 #include "pictures/depth_scale.hpp"
 #include "pictures/terminal_picture.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/run_folder.hpp"
 #include "tb/terminal.hpp"
 

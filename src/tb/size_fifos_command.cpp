@@ -14,8 +14,8 @@
 #include "report_html/sizing_html.hpp"
 #include "sizing/sizing_files.hpp"
 #include "sizing/sizing_text.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
-#include "tb/run_command.hpp"
 
 namespace faster {
 

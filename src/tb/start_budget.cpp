@@ -7,7 +7,7 @@
 #include "common/input_error.hpp"
 #include "io/output_file.hpp"
 #include "tb/budget_run.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 
 namespace faster {
 

@@ -7,7 +7,7 @@
 #include "io/durable_file.hpp"
 #include "sweeps/merge.hpp"
 #include "sweeps/sweep_folder.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/sweep_outputs.hpp"
 
 namespace faster {

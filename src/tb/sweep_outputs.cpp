@@ -5,7 +5,7 @@
 #include "io/durable_file.hpp"
 #include "sweeps/results_table.hpp"
 #include "sweeps/sweep_page.hpp"
-#include "tb/run_command.hpp"
+#include "tb/exit_codes.hpp"
 
 namespace faster {
 

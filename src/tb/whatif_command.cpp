@@ -19,9 +19,9 @@
 #include "runs/compare.hpp"
 #include "runs/comparison_text.hpp"
 #include "runs/read_run.hpp"
+#include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
 #include "tb/results_folder.hpp"
-#include "tb/run_command.hpp"
 
 namespace faster {
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "common/camera.hpp"
 #include "common/image.hpp"
 #include "common/mesh.hpp"
 

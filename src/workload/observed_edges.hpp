@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "common/camera.hpp"
 #include "config/workload_config.hpp"
 #include "workload/depth_image.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "common/camera.hpp"
 #include "common/mesh.hpp"
 #include "workload/depth_image.hpp"
 

@@ -25,8 +25,6 @@ ZstdPress::ZstdPress() : context_(std::make_unique<Context>()) {
     ZSTD_CCtx_setParameter(context_->context, ZSTD_c_checksumFlag, 1);
 }
 ZstdPress::~ZstdPress() = default;
-ZstdPress::ZstdPress(ZstdPress&& other) noexcept = default;
-ZstdPress& ZstdPress::operator=(ZstdPress&& other) noexcept = default;
 
 std::string ZstdPress::frame(std::string_view content) {
     std::string frame(ZSTD_compressBound(content.size()) + sizeof(std::uint32_t), '\0');

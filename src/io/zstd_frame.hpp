@@ -13,8 +13,6 @@ class ZstdPress {
   public:
     ZstdPress();
     ~ZstdPress();
-    ZstdPress(ZstdPress&& other) noexcept;
-    ZstdPress& operator=(ZstdPress&& other) noexcept;
 
     std::string frame(std::string_view content);
 

@@ -84,19 +84,6 @@ LiveRetiming::Core& LiveRetiming::core_of(std::size_t sample) {
     return **core;
 }
 
-/// To phrases of the book of all samples.
-void LiveRetiming::renumber(ScriptedSample& scripted, timing::PhraseBook const& book) {
-    numbers_.clear();
-    for (timing::PhraseBook::Number i = 0; i < book.size(); ++i) {
-        std::size_t const before = book_.size();
-        numbers_.push_back(book_.number_of(book, i));
-        if (book_.size() > before)
-            cutter_.cut(book_, numbers_.back());
-    }
-    for (timing::PhraseBook::Number& number : scripted.phrases)
-        number = numbers_[number];
-}
-
 void LiveRetiming::put(std::size_t sample, ScriptedSample scripted, timing::PhraseBook const& book) {
     Core& core = core_of(sample);
     is_stuck_ = is_stuck_ || core.replay.is_stuck();
@@ -106,7 +93,9 @@ void LiveRetiming::put(std::size_t sample, ScriptedSample scripted, timing::Phra
         core.put(sample, joined(scripted, book, lead_.group));
         return;
     }
-    renumber(scripted, book);
+    std::size_t const known = book_.size();
+    scripted.renumber(book_.numbers_of(book));
+    cutter_.cut_from(book_, known);
     core.put(std::move(scripted));
 }
 

@@ -41,14 +41,12 @@ class LiveRetiming {
 
     static constexpr std::size_t most_bytes_of_phrases = std::size_t{1} << 24;
 
-    void renumber(ScriptedSample& scripted, timing::PhraseBook const& book);
     Core& core_of(std::size_t sample);
 
     AcceleratorConfig const& config_;
     LeadCore lead_;
     timing::PhraseBook book_;
     timing::PhraseCutter cutter_;
-    std::vector<timing::PhraseBook::Number> numbers_;  ///< in book_, by number in the book of the sample at hand
     std::vector<std::unique_ptr<Core>> cores_;
     bool is_stuck_ = false;  ///< some core: what the others do does not matter any more
 };

@@ -36,11 +36,10 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
 
 /// Opens the tape when first asked.
 Replay::Plain plain_reader(ScriptedRun const& run) {
-    auto const reader = std::make_shared<std::unique_ptr<PlainReader>>();
-    return [&run, reader](std::size_t sample) {
-        if (*reader == nullptr)
-            *reader = std::make_unique<PlainReader>(run.run(), run.parts());
-        return (*reader)->read(sample);
+    return [&run, reader = std::shared_ptr<PlainReader>()](std::size_t sample) mutable {
+        if (reader == nullptr)
+            reader = std::make_shared<PlainReader>(run.run(), run.parts());
+        return reader->read(sample);
     };
 }
 

@@ -47,12 +47,9 @@ Share read_share(RecordedRun const& run, Parts const& parts, std::size_t first, 
 
 /// Puts the phrases of a share into the book of all, and their numbers there into its samples.
 void renumber(Share& share, PhraseBook& book) {
-    std::vector<PhraseBook::Number> numbers;
-    for (PhraseBook::Number i = 0; i < share.book.size(); ++i)
-        numbers.push_back(book.number_of(share.book, i));
+    std::vector<PhraseBook::Number> const numbers = book.numbers_of(share.book);
     for (ScriptedSample& sample : share.samples)
-        for (PhraseBook::Number& number : sample.phrases)
-            number = numbers[number];
+        sample.renumber(numbers);
 }
 
 }  // namespace
@@ -73,10 +70,7 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t
         if (!share.is_whole)
             break;  // the tape has all that follow
     }
-    timing::PhraseCutter cutter(*run.blueprint, rasterizer_and_followers(parts));
-    auto const whole = static_cast<PhraseBook::Number>(book_.size());
-    for (PhraseBook::Number number = 0; number < whole; ++number)
-        cutter.cut(book_, number);
+    timing::PhraseCutter(*run.blueprint, rasterizer_and_followers(parts)).cut_from(book_, 0);
 }
 
 }  // namespace faster::retiming

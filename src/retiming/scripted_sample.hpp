@@ -16,6 +16,12 @@ struct ScriptedSample {
     std::vector<timing::PhraseBook::Number> phrases;
     SampleOperations after;  ///< by process
     timing::Script script;   ///< of the phrases; without pointers
+
+    /// To the numbers that its phrases have in another book.
+    void renumber(std::vector<timing::PhraseBook::Number> const& numbers) {
+        for (timing::PhraseBook::Number& number : phrases)
+            number = numbers[number];
+    }
 };
 
 }  // namespace faster::retiming

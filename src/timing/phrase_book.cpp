@@ -21,6 +21,13 @@ PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number)
     return number_of(phrase, entry.due, Compare::codes);
 }
 
+std::vector<PhraseBook::Number> PhraseBook::numbers_of(PhraseBook const& other) {
+    std::vector<Number> numbers;
+    for (Number number = 0; number < other.size(); ++number)
+        numbers.push_back(number_of(other, number));
+    return numbers;
+}
+
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due, Compare compare) {
     Print const print = phrase.print(print_number);
     std::size_t const place = place_of(phrase, print, compare);

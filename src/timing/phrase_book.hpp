@@ -31,6 +31,8 @@ class PhraseBook {
     Number number_of(Phrase const& phrase, Group const& group, Compare compare = Compare::codes);
     /// Of a phrase of another book, of the same group.
     Number number_of(PhraseBook const& other, Number number);
+    /// Of all phrases of another book, by their numbers there.
+    std::vector<Number> numbers_of(PhraseBook const& other);
     std::optional<Number> find(Phrase const& phrase) const;
     void clear();
     /// About as many as the phrases take.

@@ -22,6 +22,12 @@ void PhraseCutter::cut(PhraseBook& book, PhraseBook::Number number) {
         book.set_pieces(number, pieces);
 }
 
+void PhraseCutter::cut_from(PhraseBook& book, std::size_t first) {
+    std::size_t const whole = book.size();
+    for (std::size_t number = first; number < whole; ++number)
+        cut(book, static_cast<PhraseBook::Number>(number));
+}
+
 /// With what followers go on with behind it, where that answers the driver, so that what is read up to there looks as
 /// in the middle of a phrase. False if a member is out of the game after it.
 bool PhraseCutter::write(PhraseBook const& book, PhraseBook::Number number) {

@@ -20,6 +20,8 @@ class PhraseCutter {
 
     /// Enters the pieces in the book. A phrase that cannot be cut, or is too long, has none.
     void cut(PhraseBook& book, PhraseBook::Number number);
+    /// All that are in the book now, from a number on.
+    void cut_from(PhraseBook& book, std::size_t first);
 
   private:
     OperationLog& log(unsigned member) const { return group_.members()[member].process->log(); }

@@ -14,14 +14,9 @@ constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may h
 constexpr std::uint64_t trial = 1U << 17;
 constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
-    hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
-    return hash ^ (hash >> 29);
-}
-
 /// A loop that reads and writes carries setups along, which no state tells.
 bool is_known(LoopShape const& loop) {
-    return loop.reads.empty() && ProcessTiming::iterations_that_count(loop) <= RelativeState::most_iterations;
+    return loop.reads.empty() && ProcessTiming::iterations_that_count(loop) <= ProcessFlags::most_begun;
 }
 
 bool is_regular(LoopShape const& loop) {
@@ -35,7 +30,7 @@ bool can_follow(Group const& group) {
     std::uint64_t room = 0;
     for (Group::Inner const& inner : group.fifos())
         room += inner.fifo->shape().capacity + inner.fifo->shape().issue_latency;
-    if (room > most_room)
+    if (room > most_room || group.fifos().size() > TransitionBench::most_fifos)
         return false;
     for (Group::Member const& member : group.members())
         for (LoopShape const& loop : member.process->loops())
@@ -48,18 +43,6 @@ bool can_follow(Group const& group) {
 Automaton::Automaton() = default;
 Automaton::~Automaton() = default;
 
-std::size_t Automaton::WordsHash::operator()(Words const& words) const {
-    std::uint64_t hashes[2] = {words.size(), 0};  // two, for neither has to wait for the other
-    std::size_t i = 0;
-    for (; i + 1 < words.size(); i += 2) {
-        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
-        hashes[1] = mixed(hashes[1], static_cast<std::uint64_t>(words[i + 1]));
-    }
-    if (i < words.size())
-        hashes[0] = mixed(hashes[0], static_cast<std::uint64_t>(words[i]));
-    return mixed(hashes[0], hashes[1]);
-}
-
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
     if (!decided_) {
         decided_ = true;
@@ -67,7 +50,8 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         usable_ = can_follow(group);
         auto const& loops = group.driver().loops();
         driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
-        bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
+        if (usable_)
+            bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
     }
     if (phrases_ >= next_trial_) {
         std::uint64_t const one_in_these = next_trial_ == trial ? one_in_at_first : one_in;
@@ -163,27 +147,36 @@ void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> co
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     once_ = Slot();
     once_.print = print;
+    task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
     if (!work_out(once_))
         return nullptr;
     return once_.number < first_loose ? table_.add(once_) : &once_;
 }
 
-/// Performs the phrase on the bench. False if the driver cannot finish it.
-bool Automaton::perform(Words const& from) {
+/// Performs the task on the bench. False if the driver cannot finish it.
+bool Automaton::perform(StateView from) {
     ++worked_out_;
     worked_on_.clear();
-    return bench_->work_out(from, phrase_, worked_on_);
+    bench_->go_to(from);
+    return bench_->work_out(task_, worked_on_);
+}
+
+/// Of the state at which the bench is.
+Automaton::Number Automaton::number_of_state() {
+    Number const number = states_.number_of(bench_->state());
+    bench_->is_at(states_[number]);
+    return number;
 }
 
 /// From where the session is.
 bool Automaton::work_out(Slot& slot) {
-    if (!perform(session_->state == none ? session_->words : *states_[session_->state]))
+    if (!perform(state_of(*session_)))
         return false;
     bool const recurring = is_recurring();
     bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
-    slot.next = recurring ? number_of(bench_->words()) : none;
+    slot.next = recurring ? number_of_state() : none;
     if (slot.next == none)
-        session_->words = bench_->words();
+        keep_words(*session_);
     if (!remembered) {
         slot.number = first_loose + static_cast<Number>(session_->loose.size());
         session_->loose.push_back(worked_on_);
@@ -205,11 +198,14 @@ void Automaton::describe(Slot& slot) const {
 /// The state at which the bench is is likely to come again: times further apart hardly ever do.
 bool Automaton::is_recurring() const { return bench_->reach() <= static_cast<std::int64_t>(longest_reach); }
 
-std::uint32_t Automaton::number_of(Words const& words) {
-    auto const [place, is_new] = numbers_.try_emplace(words, static_cast<std::uint32_t>(states_.size()));
-    if (is_new)
-        states_.push_back(&place->first);
-    return place->second;
+StateView Automaton::state_of(Session const& session) const {
+    return session.state == none ? StateView(session.words) : states_[session.state];
+}
+
+/// Those of the bench, which the next transition changes.
+void Automaton::keep_words(Session& session) const {
+    StateView const state = bench_->state();
+    session.words.assign(state.words, state.words + state.size);
 }
 
 }  // namespace faster::timing

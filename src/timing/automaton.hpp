@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "timing/cut_trial.hpp"
@@ -10,6 +9,7 @@
 #include "timing/phrase.hpp"
 #include "timing/phrase_book.hpp"
 #include "timing/relative_state.hpp"
+#include "timing/state_table.hpp"
 #include "timing/transition.hpp"
 #include "timing/transition_bench.hpp"
 #include "timing/transition_store.hpp"
@@ -82,17 +82,12 @@ class Automaton {
     std::uint64_t phrases() const { return phrases_; }
 
   private:
-    using Words = RelativeState::Words;
     using Number = TransitionTable::Number;
     static constexpr Number none = TransitionTable::none;
     static constexpr Number first_loose = 1U << 31;
-    using Growth = Transition::Growth;
     using Stand = Transition::Stand;
     using Room = Transition::Room;
     using Slot = TransitionTable::Slot;
-    struct WordsHash {
-        std::size_t operator()(Words const& words) const;
-    };
 
     bool is_far_apart(Group const& group) const;
     static bool goes_on_elsewhere(Group::Member const& member);
@@ -105,7 +100,8 @@ class Automaton {
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
-    bool perform(Words const& from);
+    bool perform(StateView from);
+    Number number_of_state();
     bool work_out(Slot& slot);
     void describe(Slot& slot) const;
     bool put_together(Walk const& walk, Slot& slot);
@@ -124,7 +120,7 @@ class Automaton {
     void count_up(Walk& walk);
     static void find_regular_part(Walk& walk);
     bool is_frozen(unsigned member) const;
-    void charge_parking(Group const& group, RelativeState const& real);
+    void charge_parking(Group const& group, RelativeState& real, std::vector<std::uint32_t> const& figures);
     Cycles cycles(Session const& session, Number number) const;
     TransitionStore::Range<Stand> stands(Session const& session, Number number) const;
     /// Visits transitions that are no sequences, from the last to the first, with the cycle at their end.
@@ -137,9 +133,11 @@ class Automaton {
     static void keep_loose(Session& session);
     using Iterations = std::array<std::uint64_t, Transition::most_members>;  ///< by member
     Iterations iterations_since_entry(Session const& session, std::uint32_t members) const;
-    Number number_of(Words const& words);
+    StateView state_of(Session const& session) const;
+    void keep_words(Session& session) const;
 
     Phrase phrase_;
+    TransitionBench::Task task_;
     Session* session_ = nullptr;  ///< at hand
     bool decided_ = false;
     bool usable_ = false;
@@ -147,8 +145,7 @@ class Automaton {
     bool leaves_trails_ = false;
     std::unique_ptr<TransitionBench> bench_;
 
-    std::unordered_map<Words, std::uint32_t, WordsHash> numbers_;
-    std::vector<Words const*> states_;
+    StateTable states_;
     TransitionStore store_;
     Transition worked_on_;
     TransitionTable table_;
@@ -158,7 +155,7 @@ class Automaton {
     std::vector<Number> sequence_;
     CutTrial cut_trial_;
     Slot once_;  ///< the last that was not worth remembering
-    Words words_;
+    StateWords words_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
     std::uint64_t worked_out_before_ = 0;  ///< the trial at hand
@@ -168,7 +165,7 @@ class Automaton {
 /// One following of a group: from where it stood to where it stopped. And what is to be entered in its counters.
 struct Automaton::Session {
     Number state = none;
-    Words words;  ///< of the state, if it has no number
+    StateWords words;  ///< of the state, if it has no number
     Cycles begin = 0;
     Cycles time = 0;
     std::uint32_t frozen = 0;

@@ -8,15 +8,33 @@ namespace faster::timing {
 namespace {
 constexpr std::size_t longest_history = std::size_t{1} << 16;
 
-/// What a transition, done `uses` times, adds to the figures.
-template <class Growths, class Peaks>
-void enter(Growths const& growths, Peaks const& peaks, std::uint64_t uses, std::vector<std::uint64_t*> const& counters,
-           RelativeState& figures) {
-    for (auto const& growth : growths)
-        *counters[growth.counter] += uses * growth.amount;
-    for (Transition::Peak const& peak : peaks)
-        figures.raise_peak(peak.fifo, peak.occupancy);
-}
+/// What transitions add to the figures of a group.
+class Sums {
+  public:
+    explicit Sums(RelativeState& real) : real_(real), counters_(real.counters()), sums_(counters_.size()) {}
+
+    /// Of one, done `uses` times.
+    void add(std::uint32_t const* figures, std::size_t count, std::uint32_t uses) {
+        std::size_t const sums = sums_.size();
+        for (std::size_t i = 0; i < sums; ++i)
+            sums_[i] += std::uint64_t{uses} * figures[i];
+        peaks_.resize(count - sums);
+        for (std::size_t f = 0; f < peaks_.size(); ++f)
+            peaks_[f] = std::max(peaks_[f], figures[sums + f]);
+    }
+    void enter() {
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            *counters_[i] += sums_[i];
+        for (unsigned f = 0; f < peaks_.size(); ++f)
+            real_.raise_peak(f, peaks_[f]);
+    }
+
+  private:
+    RelativeState& real_;
+    std::vector<std::uint64_t*> counters_;
+    std::vector<std::uint64_t> sums_;
+    std::vector<std::uint32_t> peaks_;
+};
 }  // namespace
 
 Cycles Automaton::cycles(Session const& session, Number number) const {
@@ -32,7 +50,7 @@ TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& sessi
 
 void Automaton::settle(Group const& group, Session& session) const {
     RelativeState real(group);
-    std::vector<std::uint64_t*> const counters = real.counters();
+    Sums sums(real);
     for (std::size_t i = session.uses.size(); i > 0; --i) {  // sequences come after their pieces
         auto const number = static_cast<Number>(i - 1);
         if (session.uses[number] == 0)
@@ -42,8 +60,9 @@ void Automaton::settle(Group const& group, Session& session) const {
                 session.uses[piece] += session.uses[number];
             continue;
         }
-        enter(store_.growth(number), store_.peaks(number), session.uses[number], counters, real);
+        sums.add(store_.figures(number), store_.figures_of_one(), session.uses[number]);
     }
+    sums.enter();
     session.uses.clear();
     add_iterations(group, session);
 }
@@ -172,27 +191,27 @@ bool Automaton::begin(Group const& group, Script const* script) {
         return false;
     real.clear_logs(logs);
     session_->begin = session_->time = group.driver().local_time();
-    std::vector<RelativeState::Waiting> const waitings = bench_->park(words_);
+    bench_->go_to(words_);
+    std::vector<TransitionBench::Waiting> const waitings = bench_->park(worked_on_.figures);
     for (unsigned m = 1; m < group.members().size(); ++m) {
-        RelativeState::Waiting const& waiting = waitings[m - 1];
-        Cycles const shift = session_->time - bench_->time();
+        TransitionBench::Waiting const& waiting = waitings[m - 1];
         Cycles const own = group.members()[m].process->local_time();
-        bool const frozen = is_frozen(m);
-        session_->entry.push_back({m, static_cast<std::int64_t>(frozen ? own : waiting.since + shift),
-                                   static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port,
-                                   true});
+        auto const since =
+            is_frozen(m) ? static_cast<std::int64_t>(own) : waiting.since + static_cast<std::int64_t>(session_->time);
+        session_->entry.push_back(
+            {m, since, static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port, true});
     }
-    charge_parking(group, real);
-    session_->words = bench_->words();
-    session_->state = is_recurring() ? number_of(session_->words) : none;
+    charge_parking(group, real, worked_on_.figures);
+    keep_words(*session_);
+    session_->state = is_recurring() ? number_of_state() : none;
     session_->loose.clear();
     return true;
 }
 
-void Automaton::charge_parking(Group const& group, RelativeState const& real) {
-    std::vector<std::uint64_t*> const counters = real.counters();
-    for (Growth const& growth : bench_->parking_growth())
-        *counters[growth.counter] += growth.amount;
+void Automaton::charge_parking(Group const& group, RelativeState& real, std::vector<std::uint32_t> const& figures) {
+    Sums sums(real);
+    sums.add(figures.data(), figures.size(), 1);
+    sums.enter();
     for (TrailEvent const& event : bench_->take_trail())
         group.driver().trail()->append(event, session_->begin);
 }
@@ -200,13 +219,14 @@ void Automaton::charge_parking(Group const& group, RelativeState const& real) {
 /// Writes the state in which the session stopped, and all it counted, back to the group.
 void Automaton::end(Group const& group, Script* script) {
     RelativeState real(group);
-    std::vector<std::uint64_t*> const counters = real.counters();
+    Sums sums(real);
     for (Transition const& loose : session_->loose)
-        enter(loose.growth, loose.peaks, 1, counters, real);
+        sums.add(loose.figures.data(), loose.figures.size(), 1);
+    sums.enter();
     std::vector<std::uint64_t> iterations_before;
     for (unsigned m = 0; m < group.members().size(); ++m)
         iterations_before.push_back(real.iterations(m));
-    real.restore(session_->state == none ? session_->words : *states_[session_->state], session_->time);
+    real.restore(state_of(*session_), session_->time);
     if (script != nullptr)
         for (unsigned m = 1; m < group.members().size(); ++m)
             script->next_ports[m] = real.outlooks()[m].next_ports;

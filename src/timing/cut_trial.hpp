@@ -24,7 +24,7 @@ class CutTrial {
     void worked_out_piece() { ++new_pieces_; }
 
     static constexpr std::uint32_t length = 64;  // phrases of a trial
-    static constexpr std::uint32_t most_new_pieces = length + length / 2;
+    static constexpr std::uint32_t most_new_pieces = 2 * length;
     static constexpr std::uint32_t most_patience = 64;
 
   private:

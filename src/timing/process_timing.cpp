@@ -324,19 +324,27 @@ std::uint64_t ProcessTiming::iterations_that_count(LoopShape const& loop) {
 }
 
 void ProcessTiming::count_loop() {
-    LoopShape const& shape = loops_[current_loop_];
-    loop_counters_[current_loop_].entries += iterations_ > 0 ? 1 : 0;
-    if (shape.depth >= shape.interval.achieved)
-        return;
-    // A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop
-    // there.
-    Cycles const unstalled = (iterations_ - 1) * shape.interval.achieved + shape.depth;
-    Cycles const recurrence = iterations_ * shape.interval.recurrence_per_iteration;
-    Cycles const conflicts = iterations_ * shape.interval.port_conflict_per_iteration;
-    Cycles const counted = std::min(unstalled, recurrence);
+    LoopEnd const end = loop_end(loops_[current_loop_], iterations_);
     LoopCounters& counters = loop_counters_[current_loop_];
-    counters.recurrence_beyond_end += recurrence - counted;
-    counters.port_conflict_beyond_end += conflicts - std::min(conflicts, unstalled - counted);
+    counters.entries += end.entries;
+    counters.recurrence_beyond_end += end.recurrence_beyond_end;
+    counters.port_conflict_beyond_end += end.port_conflict_beyond_end;
+}
+
+/// A loop shorter than its II (L < II) ends before its last iteration's II gap does: the buckets of the process stop
+/// there.
+LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations) {
+    LoopEnd end;
+    end.entries = iterations > 0 ? 1 : 0;
+    if (loop.depth >= loop.interval.achieved)
+        return end;
+    Cycles const unstalled = (iterations - 1) * loop.interval.achieved + loop.depth;
+    Cycles const recurrence = iterations * loop.interval.recurrence_per_iteration;
+    Cycles const conflicts = iterations * loop.interval.port_conflict_per_iteration;
+    Cycles const counted = std::min(unstalled, recurrence);
+    end.recurrence_beyond_end = recurrence - counted;
+    end.port_conflict_beyond_end = conflicts - std::min(conflicts, unstalled - counted);
+    return end;
 }
 
 void ProcessTiming::remove_tape(OperationLog& tape) {

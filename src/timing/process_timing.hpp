@@ -38,6 +38,22 @@ struct LoopCounters {
     Cycles recurrence_beyond_end = 0;
 };
 
+/// What leaving a loop adds to its counters.
+struct LoopEnd {
+    std::uint64_t entries = 0;
+    Cycles port_conflict_beyond_end = 0;
+    Cycles recurrence_beyond_end = 0;
+
+    LoopEnd& operator+=(LoopEnd const& other) {
+        entries += other.entries;
+        port_conflict_beyond_end += other.port_conflict_beyond_end;
+        recurrence_beyond_end += other.recurrence_beyond_end;
+        return *this;
+    }
+};
+/// After so many iterations; more than iterations_that_count() need not be told apart.
+LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations);
+
 /// What a loop cost its process, all entries together, besides an iteration each target interval.
 struct LoopCost {
     Cycles port_conflict_cycles = 0;
@@ -51,6 +67,24 @@ struct LoopCost {
 class ProcessTiming {
   public:
     static constexpr unsigned most_accesses = 4;  ///< of an iteration of a loop whose tokens leave in one stage
+
+    /// Accesses of a loop that share a sub-step of an iteration.
+    struct Phase {
+        Cycles offset = 0;                                      ///< steps after the iteration's first, below II
+        std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
+    };
+    /// How a loop's steps are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
+    /// needs no memory; otherwise the delay line holds what the last iterations have yet to write.
+    struct LoopPlan {
+        Cycles ii = 1;
+        Cycles fill = 0;         ///< steps before the first access of the first iteration
+        std::int64_t drain = 0;  ///< steps after the last iteration's II, in two's complement: may be negative
+        bool aligned = true;
+        std::uint64_t longest_lag = 0;  ///< iterations
+        std::uint64_t counting = 1;     ///< iterations_that_count()
+        std::vector<Phase> phases;
+        std::vector<std::uint8_t> delay_line;  ///< port masks of the last iterations, a ring
+    };
 
     enum class Status { exhausted, blocked, ready };
     /// Equal iterations from which on it pays to look for a steady state.
@@ -134,6 +168,7 @@ class ProcessTiming {
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }
     std::vector<LoopShape> const& loops() const { return loops_; }
+    LoopPlan const& plan(unsigned loop) const { return plans_[loop]; }
     LoopCounters const& loop_counters(unsigned loop) const { return loop_counters_[loop]; }
     /// The port that front() found blocked.
     unsigned blocking_port() const { return blocking_port_; }
@@ -162,23 +197,6 @@ class ProcessTiming {
         // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
         std::uint64_t free_until = 0;
         std::uint64_t free_in_run = 0;
-    };
-    /// Accesses of a loop that share a sub-step of an iteration.
-    struct Phase {
-        Cycles offset = 0;                                      ///< steps after the iteration's first, below II
-        std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
-    };
-    /// How a loop's steps are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
-    /// needs no memory; otherwise the delay line holds what the last iterations have yet to write.
-    struct LoopPlan {
-        Cycles ii = 1;
-        Cycles fill = 0;         ///< steps before the first access of the first iteration
-        std::int64_t drain = 0;  ///< steps after the last iteration's II, in two's complement: may be negative
-        bool aligned = true;
-        std::uint64_t longest_lag = 0;  ///< iterations
-        std::uint64_t counting = 1;     ///< iterations_that_count()
-        std::vector<Phase> phases;
-        std::vector<std::uint8_t> delay_line;  ///< port masks of the last iterations, a ring
     };
     /// Where the process stands in an unaligned loop.
     struct PipelinePosition {

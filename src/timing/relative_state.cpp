@@ -6,16 +6,6 @@
 
 namespace faster::timing {
 
-bool RelativeState::known(ProcessTiming const& process, unsigned port) {
-    FifoTiming const& fifo = process.fifo(port);
-    return (process.writes(port) ? fifo.known_writes() : fifo.known_reads()) > 0;
-}
-
-Cycles RelativeState::earliest(ProcessTiming const& process, unsigned port) {
-    FifoTiming const& fifo = process.fifo(port);
-    return process.writes(port) ? fifo.earliest_write() : fifo.earliest_read();
-}
-
 /// No further access of the process is before this cycle: its local time, less what it will go back when it leaves a
 /// loop whose last tokens are out before the last initiation interval is over.
 Cycles RelativeState::not_before(unsigned member) const {
@@ -29,27 +19,6 @@ std::uint8_t RelativeState::next_ports(unsigned member) const {
     return p.log_.exhausted() ? outlooks_[member].next_ports : p.log_.front().ports();
 }
 
-/// The first port of the next step, in program order, whose earliest cycle is not known yet.
-bool RelativeState::blocked_port(unsigned member, unsigned& port) const {
-    if (member == 0 || outlooks_[member].frozen)
-        return false;
-    for (std::uint32_t mask = next_ports(member); mask != 0; mask &= mask - 1) {
-        port = static_cast<unsigned>(__builtin_ctz(mask));
-        if (!known(process(member), port))
-            return true;
-    }
-    return false;
-}
-
-/// Only what the driver does, from its local time on, can free it.
-bool RelativeState::waits_for_driver(unsigned member, unsigned depth) const {
-    unsigned port = 0;
-    if (!blocked_port(member, port) || depth > group_->members().size())
-        return false;
-    unsigned const other = group_->other_end(member, port);
-    return other == 0 || waits_for_driver(other, depth + 1);
-}
-
 void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
     ProcessTiming& p = process(member);
     if (p.writes(port)) {
@@ -59,35 +28,6 @@ void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
         p.fifo(port).empty_stall_cycles_ += cycles;
         p.empty_stall_cycles_ += cycles;
     }
-}
-
-RelativeState::Waiting RelativeState::park(unsigned member) {
-    ProcessTiming& p = process(member);
-    Waiting waiting;
-    waiting.arrival = waiting.since = p.time_;
-    parked_at_[member] = no_port;
-    if (!waits_for_driver(member))
-        return waiting;
-    waiting.waits = blocked_port(member, waiting.port);
-    parked_at_[member] = waiting.port;
-    for (std::uint32_t mask = next_ports(member); mask != 0; mask &= mask - 1) {
-        auto const port = static_cast<unsigned>(__builtin_ctz(mask));
-        if (port == waiting.port)
-            break;
-        Cycles const later = std::max(p.time_, earliest(p, port));
-        charge(member, port, later - p.time_);
-        bool const waited = later > p.time_;
-        p.time_ = later;
-        if (waited && p.trail_ != nullptr)
-            p.leave_trail(port);
-    }
-    waiting.since = p.time_;
-    Cycles const base = not_before(0);
-    if (p.time_ < base) {
-        charge(member, waiting.port, base - p.time_);
-        p.time_ = base;
-    }
-    return waiting;
 }
 
 void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since) {
@@ -112,59 +52,41 @@ void RelativeState::make_legal(unsigned member, unsigned port, Cycles from) {
     earliest = std::min(earliest, from);
 }
 
-/// Where words are put down; times relative to a base.
+/// Where words are put down, with times since a base.
 class RelativeState::Pen {
   public:
-    Pen(std::int64_t* words, Cycles base) : words_(words), base_(base) {}
+    Pen(StateWords& words, Cycles base) : words_(words), base_(base) { words_.clear(); }
 
-    void put(std::int64_t word) { *words_++ = word; }
-    void put_time(Cycles cycle) { put(look_at(cycle)); }
-    std::int64_t look_at(Cycles cycle) {
+    void put(StateWord word) { words_.push_back(word); }
+    void put_time(Cycles cycle) {
         auto const distance = static_cast<std::int64_t>(cycle - base_);
-        reach_ = std::max(reach_, std::abs(distance));
-        return distance;
+        is_near_ = is_near_ && std::abs(distance) <= furthest_apart;
+        put(static_cast<StateWord>(distance));
     }
-    std::int64_t* end() const { return words_; }
-    std::int64_t reach() const { return reach_; }
+    /// What puts so many words down.
+    template <class Put> void put(std::size_t words, Put const& put) {
+        words_.resize(words_.size() + words);
+        put(words_.data() + words_.size() - words);
+    }
+    bool is_near() const { return is_near_; }
 
   private:
-    std::int64_t* words_;
+    StateWords& words_;
     Cycles base_;
-    std::int64_t reach_ = 0;
+    bool is_near_ = true;
 };
 
-bool RelativeState::save(Words& words, std::uint32_t with_logs) const {
+bool RelativeState::save(StateWords& words, std::uint32_t with_logs) const {
     ProcessTiming const& driver = process(0);
     if (driver.in_loop_ && !driver.plans_[driver.current_loop_].aligned &&
         (driver.pipeline_.open || driver.pipeline_.gap_left > 0))
         return false;
-    auto const members = static_cast<unsigned>(group_->members().size());
-    if (std::size_t const most = most_words(with_logs); page_.size() < most)
-        page_.resize(2 * most);
-    Pen pen(page_.data(), driver.time_);
-    std::array<Cycles, Transition::most_members> floors;
-    for (unsigned m = 0; m < members; ++m) {
+    Pen pen(words, driver.time_);
+    for (unsigned m = 0; m < group_->members().size(); ++m)
         save_process(m, m > 0 && ((with_logs >> m) & 1U) != 0, pen);
-        floors[m] = not_before(m);
-    }
     for (Group::Inner const& inner : group_->fifos())
-        save_fifo(inner, floors[inner.reader], floors[inner.writer], pen);
-    words.assign(page_.data(), pen.end());
-    reach_ = pen.reach();
-    return true;
-}
-
-std::size_t RelativeState::most_words(std::uint32_t with_logs) const {
-    constexpr std::size_t own = 2, of_fifo = 1;
-    std::size_t words = 0;
-    for (unsigned m = 0; m < group_->members().size(); ++m) {
-        ProcessTiming const& p = process(m);
-        words += own + (((with_logs >> m) & 1U) != 0 ? p.log_.pending() : 0);
-        words += p.in_loop_ ? p.plans_[p.current_loop_].longest_lag : 0;
-    }
-    for (Group::Inner const& inner : group_->fifos())
-        words += of_fifo + inner.fifo->room_;
-    return words;
+        save_fifo(inner, pen);
+    return pen.is_near();
 }
 
 void RelativeState::clear_logs(std::uint32_t members) {
@@ -176,86 +98,66 @@ void RelativeState::clear_logs(std::uint32_t members) {
 void RelativeState::save_process(unsigned member, bool with_log, Pen& pen) const {
     ProcessTiming const& p = process(member);
     Outlook const& outlook = outlooks_[member];
-    outlook.frozen ? pen.put(0) : pen.put_time(p.time_);
-    std::int64_t const loop = p.in_loop_ ? std::int64_t{p.current_loop_} + 1 : 0;
-    auto const begun =
-        static_cast<std::int64_t>(p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0);
-    std::uint32_t const waited_for = parked_at_[member] + 1;  // 0: none
-    std::size_t const left = with_log ? p.log_.pending() : 0;
-    pen.put(loop | (begun << begun_at) | (std::int64_t{outlook.next_ports} << next_ports_at) |
-            (std::int64_t{outlook.frozen} << frozen_at) | (std::int64_t{waited_for} << waited_for_at) |
-            (static_cast<std::int64_t>(left) << left_at));
+    ProcessFlags flags;
+    flags.loop = p.in_loop_ ? p.current_loop_ + 1 : 0;
+    flags.begun = p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0;
+    flags.next_ports = outlook.next_ports;
+    flags.frozen = outlook.frozen;
+    flags.left = with_log ? p.log_.pending() : 0;
+    if (outlook.frozen)
+        pen.put(0);
+    else
+        pen.put_time(p.time_);
+    pen.put(ProcessFlags::words, [&flags](StateWord* to) { flags.put(to); });
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
         ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
         std::uint64_t const iteration = p.pipeline_.iteration;
         for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
             pen.put(iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()]);
     }
-    for (std::size_t i = 0; i < left; ++i)
-        pen.put(static_cast<std::int64_t>(p.log_.begin()[i].code()));
+    for (std::size_t i = 0; i < flags.left; ++i)
+        pen.put(words_of_operation, [&](StateWord* to) { put_code(p.log_.begin()[i].code(), to); });
 }
 
 /// Of its times only those that are not over, when neither end does anything before its floor: a time before that
-/// decides nothing, it could as well be that time. Times never fall.
-void RelativeState::save_fifo(Group::Inner const& inner, Cycles reader_floor, Cycles writer_floor, Pen& pen) const {
+/// decides nothing, it could as well be that time. Times never fall. Where a frozen writer finds room is told
+/// elsewhere.
+void RelativeState::save_fifo(Group::Inner const& inner, Pen& pen) const {
     FifoTiming const& fifo = *inner.fifo;
-    std::uint64_t const tokens = fifo.known_reads();
+    bool const frozen = outlooks_[inner.writer].frozen;
     std::uint64_t const room = fifo.known_writes();
-    std::uint64_t read_over = tokens;
-    while (read_over > 0 && fifo.earliest_read(read_over - 1) > reader_floor)
-        --read_over;
-    std::uint64_t room_over = room;
-    while (!outlooks_[inner.writer].frozen && room_over > 0 && fifo.earliest_write(room_over - 1) > writer_floor)
-        --room_over;
-    pen.put(static_cast<std::int64_t>(tokens | (read_over << over_at) | (room_over << room_over_at)));
-    if (read_over > 0)
-        pen.look_at(reader_floor);
-    for (std::uint64_t i = read_over; i < tokens; ++i)
+    FifoCounts counts;
+    counts.tokens = counts.tokens_over = fifo.known_reads();
+    while (counts.tokens_over > 0 && fifo.earliest_read(counts.tokens_over - 1) > not_before(inner.reader))
+        --counts.tokens_over;
+    counts.room_over = room;
+    while (!frozen && counts.room_over > 0 && fifo.earliest_write(counts.room_over - 1) > not_before(inner.writer))
+        --counts.room_over;
+    pen.put(FifoCounts::words, [&counts](StateWord* to) { counts.put(to); });
+    for (std::uint64_t i = counts.tokens_over; i < counts.tokens; ++i)
         pen.put_time(fifo.earliest_read(i));
-    if (room_over > 0 && !outlooks_[inner.writer].frozen)
-        pen.look_at(writer_floor);
-    for (std::uint64_t i = room_over; i < room; ++i)
+    for (std::uint64_t i = counts.room_over; i < room; ++i)
         pen.put_time(fifo.earliest_write(i));
 }
 
-void RelativeState::load(Words const& words, Cycles driver_time) {
-    for (Group::Inner const& inner : group_->fifos()) {
-        inner.fifo->writes_ = FifoTiming::first_token;
-        inner.fifo->reads_ = FifoTiming::first_token;
-        inner.fifo->max_occupancy_ = 0;
-    }
-    for (Group::Member const& member : group_->members())
-        member.process->log_.clear();
-    restore(words, driver_time, Past::is_over);
-}
-
-void RelativeState::forget_times() {
-    for (Group::Inner const& inner : group_->fifos()) {
-        std::fill(inner.fifo->readable_from_.begin(), inner.fifo->readable_from_.end(), 0);
-        std::fill(inner.fifo->free_from_.begin(), inner.fifo->free_from_.end(), 0);
-    }
-}
-
-void RelativeState::restore(Words const& words, Cycles driver_time) { restore(words, driver_time, Past::is_written); }
-
-void RelativeState::restore(Words const& words, Cycles driver_time, Past past) {
-    std::int64_t const* next = words.data();
+void RelativeState::restore(StateView state, Cycles driver_time) {
+    StateWord const* next = state.words;
     for (unsigned m = 0; m < group_->members().size(); ++m)
         next = restore_process(m, driver_time, next);
     for (Group::Inner const& inner : group_->fifos())
-        next = restore_fifo(inner, driver_time, next, past);
+        next = restore_fifo(inner, driver_time, next);
 }
 
-std::int64_t const* RelativeState::restore_process(unsigned member, Cycles base, std::int64_t const* words) {
+StateWord const* RelativeState::restore_process(unsigned member, Cycles base, StateWord const* words) {
     ProcessTiming& p = process(member);
-    p.time_ = base + static_cast<Cycles>(*words++);
-    std::int64_t const flags = *words++;
-    p.in_loop_ = (flags & 0xFF) != 0;
+    p.time_ = base + static_cast<Cycles>(std::int64_t{*words++});
+    ProcessFlags const flags = ProcessFlags::of(words);
+    words += ProcessFlags::words;
+    p.in_loop_ = flags.loop != 0;
     if (p.in_loop_)
-        p.current_loop_ = static_cast<unsigned>(flags & 0xFF) - 1;
-    p.iterations_ = static_cast<std::uint64_t>(flags >> begun_at) & most_iterations;
-    outlooks_[member] = {static_cast<std::uint8_t>(flags >> next_ports_at), ((flags >> frozen_at) & 1) != 0};
-    parked_at_[member] = (static_cast<unsigned>(flags >> waited_for_at) & 0xFFU) - 1;
+        p.current_loop_ = flags.loop - 1;
+    p.iterations_ = flags.begun;
+    outlooks_[member] = {flags.next_ports, flags.frozen};
     p.front_ports_ = 0;
     p.run_.active = false;
     if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
@@ -267,33 +169,32 @@ std::int64_t const* RelativeState::restore_process(unsigned member, Cycles base,
         for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
             plan.delay_line[(plan.longest_lag - lag) % plan.delay_line.size()] = static_cast<std::uint8_t>(*words++);
     }
-    auto const left = static_cast<std::size_t>(flags >> left_at);
-    for (std::size_t i = left; i > 0; --i)
-        p.log_.put_back(Operation(static_cast<Operation::Code>(words[i - 1])));
-    return words + left;
+    for (std::size_t i = flags.left; i > 0; --i)
+        p.log_.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
+    return words + words_of_operation * flags.left;
 }
 
-std::int64_t const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, std::int64_t const* words,
-                                                Past past) {
+StateWord const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, StateWord const* words) {
     FifoTiming& fifo = *inner.fifo;
-    auto const counts = static_cast<std::uint64_t>(*words++);
-    std::uint64_t const tokens = counts & most_tokens;
-    std::uint64_t const read_over = (counts >> over_at) & most_tokens;
-    std::uint64_t const room_over = (counts >> room_over_at) & most_tokens;
-    fifo.writes_ = fifo.reads_ + tokens;
+    FifoCounts const counts = FifoCounts::of(words);
+    words += FifoCounts::words;
+    fifo.writes_ = fifo.reads_ + counts.tokens;
     std::uint64_t const room = fifo.known_writes();
     std::uint64_t const first_room = fifo.writes_ - fifo.room_;
-    if (past == Past::is_written) {
-        Cycles const reader_floor = not_before(inner.reader), writer_floor = not_before(inner.writer);
-        for (std::uint64_t i = 0; i < read_over; ++i)
-            fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = reader_floor;
-        for (std::uint64_t i = 0; i < room_over; ++i)
-            fifo.free_from_[(first_room + i) & fifo.index_mask_] = writer_floor;
-    }
-    for (std::uint64_t i = read_over; i < tokens; ++i)
-        fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
-    for (std::uint64_t i = room_over; i < room; ++i)
-        fifo.free_from_[(first_room + i) & fifo.index_mask_] = base + static_cast<Cycles>(*words++);
+    auto const readable_from = [&fifo](std::uint64_t i) -> Cycles& {
+        return fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_];
+    };
+    auto const free_from = [&fifo, first_room](std::uint64_t i) -> Cycles& {
+        return fifo.free_from_[(first_room + i) & fifo.index_mask_];
+    };
+    for (std::uint64_t i = 0; i < counts.tokens_over; ++i)
+        readable_from(i) = not_before(inner.reader);
+    for (std::uint64_t i = 0; i < counts.room_over; ++i)
+        free_from(i) = not_before(inner.writer);
+    for (std::uint64_t i = counts.tokens_over; i < counts.tokens; ++i)
+        readable_from(i) = base + static_cast<Cycles>(std::int64_t{*words++});
+    for (std::uint64_t i = counts.room_over; i < room; ++i)
+        free_from(i) = base + static_cast<Cycles>(std::int64_t{*words++});
     return words;
 }
 
@@ -310,9 +211,11 @@ void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle
     fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
 }
 
-void RelativeState::count_tokens() {
-    for (Group::Inner const& inner : group_->fifos())
-        inner.fifo->passed_ += loaded_reads(inner);
+std::uint32_t RelativeState::counters_of(ProcessTiming const& process) {
+    std::uint32_t counters = 2;
+    for (LoopShape const& loop : process.loops())
+        counters += counters_of(loop);
+    return counters;
 }
 
 std::vector<std::uint64_t*> RelativeState::counters() const {
@@ -326,7 +229,7 @@ std::vector<std::uint64_t*> RelativeState::counters() const {
             LoopCounters& loop = p.loop_counters_[i];
             counters.push_back(&loop.entries);
             counters.push_back(&loop.iterations);
-            if (p.loops_[i].depth >= p.loops_[i].interval.achieved)
+            if (counters_of(p.loops_[i]) == 2)
                 continue;
             counters.push_back(&loop.recurrence_beyond_end);
             counters.push_back(&loop.port_conflict_beyond_end);

@@ -167,12 +167,12 @@ bool Automaton::take_up(Walk const& walk, PhraseBook::Number number) {
     PhraseBook const& book = *walk.script->book;
     Group const& group = *walk.group;
     PhraseBook::Entry const& entry = book[number];
-    phrase_.assign(book.codes(number), entry.size, entry.active);
+    task_ = {book.codes(number), entry.size, entry.active, 0};
     if (entry.due > 0 && !is_frozen(group.supplier())) {
         if (entry.due > Operation::longest_mix)
             return false;
-        Group::Member const& supplier = group.members()[group.supplier()];
-        phrase_.add_part(static_cast<std::uint8_t>(1U << supplier.anchor_port), entry.due, group.supplier());
+        task_.supplies = entry.due;
+        task_.active |= 1U << group.supplier();
     }
     return true;
 }
@@ -209,9 +209,9 @@ NumberedTransitions::Slot const* Automaton::work_out_piece(Walk const& walk, Num
     if (!take_up(walk, piece))
         return nullptr;
     cut_trial_.worked_out_piece();
-    if (!perform(*states_[state]) || !is_recurring() || !store_.accepts(worked_on_))
+    if (!perform(states_[state]) || !is_recurring() || !store_.accepts(worked_on_))
         return nullptr;
-    return pieces_.add(state, piece, number_of(bench_->words()), store_.add(worked_on_));
+    return pieces_.add(state, piece, number_of_state(), store_.add(worked_on_));
 }
 
 bool Automaton::arrive(Walk& walk) {

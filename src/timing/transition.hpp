@@ -14,20 +14,12 @@ namespace faster::timing {
 struct Transition {
     static constexpr unsigned most_members = Lead::most_members;
 
-    struct Growth {
-        std::uint32_t counter;  ///< number in RelativeState::counters()
-        std::uint64_t amount;
-    };
     struct Stand {  ///< of a follower, at the end
         unsigned member;
         std::int64_t since;
         std::int64_t arrival;
         unsigned port;  ///< waited for since then
         bool arrived;
-    };
-    struct Peak {  ///< of an inner FIFO
-        std::uint32_t fifo;
-        std::uint32_t occupancy;  ///< the largest
     };
     struct Room {  ///< cycles from which a frozen writer will find room
         unsigned fifo;
@@ -39,19 +31,17 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    std::vector<Growth> growth;
-    std::vector<Peak> peaks;
+    /// What RelativeState::counters() grow by, and behind them the largest occupancy of each inner FIFO.
+    std::vector<std::uint32_t> figures;
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;
 
-    /// Becomes empty, and keeps its storage.
+    /// Becomes empty but for its figures, and keeps its storage.
     void clear() {
         cycles = 0;
         entered = froze = 0;
         iterations.fill(0);
-        growth.clear();
-        peaks.clear();
         stands.clear();
         rooms.clear();
         trail.clear();

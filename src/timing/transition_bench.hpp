@@ -1,70 +1,107 @@
 #pragma once
-#include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
+#include "timing/bench_process.hpp"
 #include "timing/phrase.hpp"
-#include "timing/relative_state.hpp"
 #include "timing/transition.hpp"
 
 namespace faster::timing {
 
 class CoreTiming;
 
-/// Works out transitions, operation by operation, on a core of its own.
+/// Works out transitions, operation by operation, on processes and FIFOs of its own, which can do nothing else. Where
+/// one transition goes on from the end of the last, so does the bench.
 class TransitionBench {
   public:
-    using Words = RelativeState::Words;
+    static constexpr std::size_t most_fifos = 32;
+
+    /// Where a follower stands that waits for the driver. Times are relative to the driver's at the begin.
+    struct Waiting {
+        bool waits = false;
+        unsigned port = BenchProcess::no_port;  ///< what for
+        std::int64_t arrival = 0;               ///< local time at which it reached its step
+        std::int64_t since = 0;                 ///< local time at which only the port was left to wait for
+    };
 
     /// For cores of that shape, which leave trails or do not.
     TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails);
     ~TransitionBench();
 
-    /// Charges the followers that wait for the driver (RelativeState::park), from a state on. By follower.
-    std::vector<RelativeState::Waiting> park(Words const& from);
-    /// What park() made counters grow by, and left on the trail.
-    std::vector<Transition::Growth> const& parking_growth() const { return parking_growth_; }
-    std::vector<TrailEvent> take_trail();
+    /// Goes to a state, which stays where it is until it is left.
+    void go_to(StateView state);
+    /// After work_out(): where it got to is the same as this.
+    void is_at(StateView state) { at_ = state.words; }
 
-    /// Performs a phrase. False if the driver cannot finish it.
-    bool work_out(Words const& from, Phrase const& phrase, Transition& transition);
+    /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
+    /// those of Transition.
+    std::vector<Waiting> park(std::vector<std::uint32_t>& figures);
+    std::vector<TrailEvent> take_trail(std::int64_t since = 0);
+
+    /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
+    /// more.
+    struct Task {
+        Phrase::Code const* codes = nullptr;
+        unsigned size = 0;
+        std::uint32_t active = 0;  ///< members that do something, a bit each, the supplier included
+        std::uint32_t supplies = 0;
+    };
+    /// Performs it, from where the bench is on. False if the driver cannot finish it, or it takes too long.
+    bool work_out(Task const& task, Transition& transition);
 
     /// The state that the last call led to, and the largest distance in time in it.
-    Words const& words() const { return words_; }
-    std::int64_t reach() const { return state_.reach(); }
-    /// Of the driver, where the last call began.
-    Cycles time() const { return time_; }
+    StateView state() const { return {page_.data(), size_}; }
+    std::int64_t reach() const { return reach_; }
 
   private:
-    /// Each call begins long after all times of the one before.
-    static constexpr Cycles first_time = Cycles{1} << 40;
-    static constexpr Cycles time_apart = Cycles{1} << 40;
-    static constexpr Cycles last_time = Cycles{1} << 62;
+    static constexpr unsigned most_members = Transition::most_members;
 
-    void start_from(Words const& from);
-    void forget_growth();
-    std::uint32_t processes_of(Phrase const& phrase) const;
-    void describe(Phrase const& phrase, Transition& transition);
-    void describe_stands(Phrase const& phrase, Transition& transition);
+    void connect(Group const& group);
+    void start(std::vector<std::uint32_t>& figures);
+    void settle();
+    bool is_too_long() const;
+    void tell(Task const& task, Transition& transition);
+    unsigned blocked_port(unsigned member) const;
+    bool waits_for_driver(unsigned member, unsigned port, unsigned depth = 0) const;
+    Waiting park_follower(unsigned member);
+    void save();
+    void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
-    void take_growth(std::vector<Transition::Growth>& growth);
-    void describe_peaks(std::vector<Transition::Peak>& peaks) const;
+    void fill_in(std::vector<std::uint32_t>& figures);
+    void look_at(std::int64_t time) { reach_ = std::max(reach_, std::abs(time)); }
 
-    std::unique_ptr<CoreTiming> core_;
-    Group group_;
-    RelativeState state_;
-    std::vector<std::uint64_t*> counters_;
-    std::vector<Transition::Growth> growth_;  ///< to write on: one entry more than there can be
-    Cycles time_ = first_time;
-    bool leaves_trails_;
-    std::vector<Transition::Growth> parking_growth_;
-    Words words_;
-    // Where the members stood before a transition.
-    template <class Value> using ByMember = std::array<Value, Transition::most_members>;
-    ByMember<Cycles> times_before_{};
-    ByMember<std::uint64_t> entries_before_{};  ///< of loops
-    ByMember<unsigned> ports_before_{};         ///< waited for
+    struct Fifo {
+        BenchFifo fifo;
+        unsigned writer = 0;
+        unsigned reader = 0;
+        std::uint32_t full_counter = 0, empty_counter = 0;  ///< of its writer, of its reader
+    };
+    struct Member {
+        BenchProcess process;
+        std::uint32_t neighbours = 0;  ///< members, a bit each
+        // Where it stood before a transition.
+        std::int64_t time_before = 0;
+        unsigned port_before = BenchProcess::no_port;
+    };
+
+    StateWord* save_fifo(Fifo const& fifo, StateWord* words);
+    StateWord* save_line(BenchLine const& line, std::uint64_t over, StateWord* words);
+
+    std::unique_ptr<CoreTiming> shape_;
+    std::unique_ptr<Trail> trail_;
+    std::vector<Fifo> fifos_;
+    std::vector<Member> members_;
+    unsigned supplier_ = 0, supplier_port_ = 0;
+    std::size_t most_words_of_fifos_ = 0;
+    std::uint32_t counters_ = 0;     ///< of members
+    StateWord const* at_ = nullptr;  ///< the state where it is, if that is known
+    std::int64_t base_ = 0;          ///< the driver's time there
+    std::uint32_t accessed_ = 0;     ///< FIFOs in the last transition, a bit each
+    StateWords page_;
+    std::size_t size_ = 0;  ///< words on it
+    std::int64_t reach_ = 0;
 };
 
 }  // namespace faster::timing

@@ -13,10 +13,8 @@ constexpr std::uint64_t most_iterations = 0xFFFF;
 
 bool TransitionStore::accepts(Transition const& transition) const {
     auto const fits = [](std::uint64_t iterations) { return iterations <= most_iterations; };
-    auto const is_short = [](Transition::Growth const& growth) { return growth.amount <= longest_cycles; };
     return size() < most_transitions && transition.cycles <= longest_cycles &&
-           std::all_of(transition.iterations.begin(), transition.iterations.end(), fits) &&
-           std::all_of(transition.growth.begin(), transition.growth.end(), is_short);
+           std::all_of(transition.iterations.begin(), transition.iterations.end(), fits);
 }
 
 TransitionStore::Number TransitionStore::add(Transition const& transition) {
@@ -29,14 +27,16 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
                        is_notable(transition)});
     tallies_.push_back(tally);
     pieces_.push_back(number);
-    for (Transition::Growth const& growth : transition.growth)
-        growth_.push_back({growth.counter, static_cast<std::uint32_t>(growth.amount)});
-    peaks_.insert(peaks_.end(), transition.peaks.begin(), transition.peaks.end());
+    figures_of_one_ = transition.figures.size();
+    figures_.push_back(words_.keep(transition.figures.data(), figures_of_one_));
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     end();
     if (is_notable(transition))
         notes_[number] = {transition.froze, transition.rooms};
-    trails_.push_back(transition.trail);
+    if (!transition.trail.empty()) {
+        trails_.resize(number + std::size_t{1});
+        trails_[number] = transition.trail;
+    }
     return number;
 }
 
@@ -65,7 +65,7 @@ TransitionStore::Number TransitionStore::add_sequence(std::vector<Number> const&
     }
     briefs_.push_back(all);
     tallies_.push_back(sum);
-    trails_.emplace_back();
+    figures_.push_back(nullptr);
     pieces_.insert(pieces_.end(), transitions.begin(), transitions.end());
     end();
     return number;
@@ -80,10 +80,15 @@ void TransitionStore::add(Tally const& next, Tally& sum) {
     sum.entered = static_cast<std::uint16_t>(sum.entered | next.entered);
 }
 
+std::vector<TrailEvent> const& TransitionStore::trail(Number number) const {
+    static std::vector<TrailEvent> const none;
+    return number < trails_.size() ? trails_[number] : none;
+}
+
 /// Of the transition at hand.
 void TransitionStore::end() {
     auto const size_of = [](auto const& all) { return static_cast<std::uint32_t>(all.size()); };
-    ends_.push_back({size_of(pieces_), size_of(growth_), size_of(peaks_), size_of(stands_)});
+    ends_.push_back({size_of(pieces_), size_of(stands_)});
 }
 
 }  // namespace faster::timing

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "timing/transition.hpp"
+#include "timing/word_arena.hpp"
 
 namespace faster::timing {
 
@@ -49,15 +50,12 @@ class TransitionStore {
     static Range<Number> only(Number const& number) { return {&number, &number + 1}; }
     bool is_sequence(Number number) const { return *pieces(number).first != number; }
     Tally const& tally(Number number) const { return tallies_[number]; }
-    struct Growth {
-        std::uint32_t counter;
-        std::uint32_t amount;
-    };
-    Range<Growth> growth(Number number) const { return part(growth_, &Ends::growth, number); }
-    Range<Transition::Peak> peaks(Number number) const { return part(peaks_, &Ends::peaks, number); }
+    /// Of no sequence: those of Transition.
+    std::uint32_t const* figures(Number number) const { return figures_[number]; }
+    std::size_t figures_of_one() const { return figures_of_one_; }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
-    std::vector<TrailEvent> const& trail(Number number) const { return trails_[number]; }
+    std::vector<TrailEvent> const& trail(Number number) const;
 
     static bool is_notable(Transition const& transition) { return transition.froze != 0 || !transition.rooms.empty(); }
 
@@ -65,8 +63,6 @@ class TransitionStore {
     /// Where a transition's share of what all have ends.
     struct Ends {
         std::uint32_t pieces;
-        std::uint32_t growth;
-        std::uint32_t peaks;
         std::uint32_t stands;
     };
     template <class Element>
@@ -81,11 +77,12 @@ class TransitionStore {
     std::vector<Tally> tallies_;
     std::vector<Ends> ends_;
     std::vector<Number> pieces_;
-    std::vector<Growth> growth_;
-    std::vector<Transition::Peak> peaks_;
+    WordArena<std::uint32_t> words_;
+    std::vector<std::uint32_t const*> figures_;  ///< of a sequence: null
+    std::size_t figures_of_one_ = 0;
     std::vector<Transition::Stand> stands_;
     std::unordered_map<Number, Notes> notes_;
-    std::vector<std::vector<TrailEvent>> trails_;
+    std::vector<std::vector<TrailEvent>> trails_;  ///< up to the last that left any
 };
 
 }  // namespace faster::timing

@@ -1,0 +1,406 @@
+#include "timing/bench_process.hpp"
+
+#include "common/each_bit.hpp"
+#include "timing/relative_state.hpp"
+
+namespace faster::timing {
+
+namespace {
+/// Iterations with or without a silent one behind each, which one mix can say.
+bool can_be_mixed(Operation const& operation) {
+    return operation.kind() == Operation::Kind::mixed ||
+           (operation.kind() == Operation::Kind::iterate && operation.ports() != 0 && operation.gap() <= 1 &&
+            operation.own_tail_ports() == 0 && operation.count() <= Operation::longest_mix);
+}
+unsigned length_of(Operation const& operation) {
+    return operation.kind() == Operation::Kind::mixed ? operation.length() : operation.count();
+}
+std::uint64_t gaps_of(Operation const& operation) {
+    return operation.kind() == Operation::Kind::mixed ? operation.gaps()
+                                                      : Operation::gap_bits(operation.gap(), operation.count());
+}
+}  // namespace
+
+BenchProcess::BenchProcess(ProcessTiming const& process, std::uint32_t first_counter, Trail* trail)
+    : process_(&process), trail_(trail), log_(64) {
+    std::uint32_t counter = first_counter + 2;  // behind its stalls
+    for (unsigned loop = 0; loop < process.loops().size(); ++loop) {
+        loops_.push_back({&process.plan(loop), &process.loops()[loop], counter});
+        counter += RelativeState::counters_of(process.loops()[loop]);
+    }
+}
+
+StateWord const* BenchProcess::load(StateWord const* words) {
+    time_ = *words++;
+    ProcessFlags const flags = ProcessFlags::of(words);
+    words += ProcessFlags::words;
+    be_in_loop(flags.loop);
+    iterations_ = flags.begun;
+    outlook_ports_ = flags.next_ports;
+    frozen_ = flags.frozen;
+    parked_at_ = flags.waits_at - 1;
+    if (in_loop_ && !plan().aligned) {
+        std::uint64_t const lags = plan().longest_lag;
+        pipeline_ = Pipeline{};
+        pipeline_.iteration = pipeline_.drain_left = lags;
+        delay_line_.assign(lags + 1, 0);
+        for (std::uint64_t lag = 1; lag <= lags; ++lag)
+            delay_line_[lags - lag] = static_cast<std::uint8_t>(*words++);
+    }
+    log_front_ = log_end_ = 0;
+    for (std::size_t i = 0; i < flags.left; ++i, words += words_of_operation)
+        append(Operation(code_of(words)));
+    return words;
+}
+
+/// From 1 on; 0: in none.
+void BenchProcess::be_in_loop(unsigned number) {
+    in_loop_ = number != 0;
+    if (in_loop_)
+        loop_ = number - 1;
+    early_ = in_loop_ ? std::min<std::int64_t>(plan().drain, 0) : 0;
+}
+
+void BenchProcess::start(std::uint32_t* figures) {
+    figures_ = figures;
+    iterations_before_ = iterations_;
+    entered_ = false;
+    if (finished())
+        log_front_ = log_end_ = 0;
+}
+
+/// Iterations that access the same ports become as few mixes as they can be, however they were told: so that equal logs
+/// are equal words.
+void BenchProcess::join_whole_log() {
+    std::size_t to = log_front_;
+    for (std::size_t from = log_front_; from < log_end_;) {
+        Operation const operation = log_[from++];
+        if (!can_be_mixed(operation)) {
+            log_[to++] = operation;
+            continue;
+        }
+        std::uint64_t gaps = gaps_of(operation);
+        unsigned length = length_of(operation);
+        for (; from < log_end_ && can_be_mixed(log_[from]) && log_[from].ports() == operation.ports(); ++from) {
+            gaps |= gaps_of(log_[from]) << length;
+            length += length_of(log_[from]);
+            if (length <= Operation::longest_mix)
+                continue;
+            log_[to++] = Operation::mix(operation.ports(), Operation::longest_mix, static_cast<std::uint32_t>(gaps));
+            gaps >>= Operation::longest_mix;
+            length -= Operation::longest_mix;
+        }
+        log_[to++] = Operation::mix(operation.ports(), length, static_cast<std::uint32_t>(gaps));
+    }
+    log_end_ = to;
+}
+
+StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
+    *words++ = frozen_ ? 0 : static_cast<StateWord>(time_ - base);
+    ProcessFlags flags;
+    flags.loop = in_loop_ ? loop_ + 1 : 0;
+    flags.begun = in_loop_ ? std::min(iterations_, plan().counting) : 0;
+    flags.next_ports = outlook_ports_;
+    flags.frozen = frozen_;
+    flags.waits_at = parked_at_ + 1;
+    flags.left = log_end_ - log_front_;
+    words = flags.put(words);
+    if (in_loop_ && !plan().aligned)
+        for (std::uint64_t lag = 1; lag <= plan().longest_lag; ++lag)
+            *words++ = pipeline_.iteration < lag ? 0 : delay_line_[(pipeline_.iteration - lag) % delay_line_.size()];
+    for (std::size_t i = log_front_; i < log_end_; ++i)
+        words = put_code(log_[i].code(), words);
+    return words;
+}
+
+void BenchProcess::leave_trail(unsigned number) {
+    Region region;
+    if (in_loop_) {
+        bool const drains = !finished() && log_[log_front_].kind() == Kind::leave;
+        region = Region::of_loop(loop_, drains ? Region::Part::drain : Region::Part::iterations);
+    }
+    trail_->stalled(process_->index(), number, region, in_loop_ ? pipeline_.offset : 0, static_cast<Cycles>(time_));
+}
+
+std::uint32_t BenchProcess::advance() {
+    accessed_ = 0;
+    while (log_front_ != log_end_ && take(log_[log_front_])) {
+    }
+    return accessed_;
+}
+
+/// Does what it can of an operation, the front one. Whether that is all, and the next is to be looked at.
+bool BenchProcess::take(Operation& operation) {
+    switch (operation.kind()) {
+        case Kind::wait:
+            if (operation.is_setup())
+                mark(Region::setup());
+            time_ +=
+                static_cast<std::int64_t>(operation.count() * (operation.is_setup() ? process_->setup_cycles() : 1));
+            if (operation.is_setup())
+                mark(Region());
+            break;
+        case Kind::step:
+            if (!perform(operation.ports()))
+                return false;
+            time_ += operation.count();
+            break;
+        case Kind::enter:
+            enter(operation.count());
+            break;
+        case Kind::leave:
+            if (!leave())
+                return false;
+            break;
+        case Kind::mixed:
+            return iterate_mix(operation);
+        case Kind::flanked:
+            split_flanked();
+            return true;
+        case Kind::iterate:
+            return plan().aligned ? iterate(operation) : iterate_in_pipeline(operation);
+        case Kind::stamp:
+            break;  // in no phrase
+    }
+    ++log_front_;
+    return true;
+}
+
+/// All accesses of a step together, if they are known: waits for each in program order.
+bool BenchProcess::perform(std::uint8_t ports) {
+    for (std::uint32_t mask = ports; mask != 0; mask &= mask - 1)
+        if (ports_[static_cast<unsigned>(__builtin_ctz(mask))].consumes->known() == 0)
+            return false;
+    unsigned waited_at = no_port;
+    for_each_bit(ports, [&](unsigned number) {
+        std::int64_t const before = time_;
+        wait(number, *ports_[number].consumes->cycles());
+        waited_at = time_ > before ? number : waited_at;
+    });
+    if (trail_ != nullptr && waited_at != no_port)
+        leave_trail(waited_at);
+    for_each_bit(ports, [&](unsigned number) {
+        Port& port = ports_[number];
+        port.consumes->consume(1);
+        port.appends->reserve(1);
+        *port.appends->end() = static_cast<BenchLine::Cycle>(time_ + port.later);
+        port.appends->append(1);
+        accessed_ |= port.fifo;
+    });
+    return true;
+}
+
+void BenchProcess::enter(unsigned loop) {
+    be_in_loop(loop + 1);
+    entered_ = true;
+    iterations_ = 0;
+    if (plan().fill > 0)
+        mark(Region::of_loop(loop, Region::Part::fill));
+    time_ += static_cast<std::int64_t>(plan().fill);
+    mark(Region::of_loop(loop, Region::Part::iterations));
+    pipeline_ = Pipeline{};
+    pipeline_.drain_left = plan().longest_lag;
+    if (!plan().aligned)
+        delay_line_.assign(plan().longest_lag + 1, 0);
+}
+
+bool BenchProcess::leave() {
+    if (pipeline_.drain_left == plan().longest_lag && !pipeline_.open)
+        mark(Region::of_loop(loop_, Region::Part::drain));
+    for (; pipeline_.drain_left > 0; --pipeline_.drain_left)
+        if (!pass_phases(0))
+            return false;
+    time_ += plan().drain - static_cast<std::int64_t>(plan().longest_lag * plan().ii);
+    count_end(loops_[loop_]);
+    be_in_loop(0);
+    mark(Region());
+    return true;
+}
+
+void BenchProcess::count_end(Loop const& loop) {
+    LoopEnd const end = loop_end(*loop.shape, iterations_);
+    figures_[loop.counter] += static_cast<std::uint32_t>(end.entries);
+    if (loop.shape->depth >= loop.shape->interval.achieved)
+        return;
+    figures_[loop.counter + 2] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
+    figures_[loop.counter + 3] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
+}
+
+/// Of an aligned loop.
+bool BenchProcess::iterate(Operation& operation) {
+    if (operation.ports() == 0) {
+        std::uint64_t const count = std::uint64_t{operation.count()} * (1U + operation.gap());
+        time_ += static_cast<std::int64_t>(count) * interval();
+        this->count(count);
+        return take_off(operation, operation.count());
+    }
+    std::int64_t const stride = interval() * (1 + static_cast<std::int64_t>(operation.gap()));
+    std::uint32_t const wanted = operation.count();
+    std::uint32_t const done = run(operation.ports(), wanted, [stride](std::uint32_t) { return stride; });
+    if (done == 0)
+        return false;
+    count(std::uint64_t{done} * (1U + operation.gap()));
+    take_off(operation, done);
+    return done == wanted;
+}
+
+/// Of an aligned loop: followers have no others.
+bool BenchProcess::iterate_mix(Operation& operation) {
+    std::int64_t const interval = this->interval();
+    std::uint32_t const gaps = operation.gaps();
+    std::uint32_t const done = run(operation.ports(), operation.length(),
+                                   [interval, gaps](std::uint32_t i) { return interval << ((gaps >> i) & 1U); });
+    if (done == 0)
+        return false;
+    count(done + static_cast<std::uint64_t>(__builtin_popcount(gaps & Operation::gap_bits(1, done))));
+    bool const is_over = done == operation.length();
+    if (is_over)
+        ++log_front_;
+    else
+        operation = Operation::mix(operation.ports(), operation.length() - done, gaps >> done);
+    return is_over;
+}
+
+/// An iteration with accesses, or one of the silent ones behind it.
+bool BenchProcess::iterate_in_pipeline(Operation& operation) {
+    if (!pass_phases(pipeline_.gap_left > 0 ? std::uint8_t{0} : operation.ports()))
+        return false;
+    pipeline_.gap_left = pipeline_.gap_left > 0 ? pipeline_.gap_left - 1 : operation.gap();
+    count(1);
+    if (pipeline_.gap_left == 0)
+        take_off(operation, 1);
+    return true;
+}
+
+/// The steps of one iteration; false: it waits in one of them.
+bool BenchProcess::pass_phases(std::uint8_t ports) {
+    if (!pipeline_.open) {
+        delay_line_[pipeline_.iteration % delay_line_.size()] = ports;
+        pipeline_.open = true;
+        pipeline_.phase = 0;
+        pipeline_.offset = 0;
+    }
+    for (; pipeline_.phase < plan().phases.size(); ++pipeline_.phase) {
+        ProcessTiming::Phase const& phase = plan().phases[pipeline_.phase];
+        time_ += static_cast<std::int64_t>(phase.offset - pipeline_.offset);
+        pipeline_.offset = phase.offset;
+        std::uint32_t mask = 0;
+        for (auto const& [port, lag] : phase.ports)
+            if (pipeline_.iteration >= lag)
+                mask |= delay_line_[(pipeline_.iteration - lag) % delay_line_.size()] & (1U << port);
+        if (!perform(static_cast<std::uint8_t>(mask)))
+            return false;
+    }
+    time_ += static_cast<std::int64_t>(plan().ii - pipeline_.offset);
+    pipeline_.open = false;
+    ++pipeline_.iteration;
+    return true;
+}
+
+/// Of the front operation. True: it may have become its tail, or the next is the front one.
+bool BenchProcess::take_off(Operation& operation, std::uint32_t count) {
+    operation.subtract(count);
+    if (operation.count() > 0)
+        return true;
+    if (operation.own_tail_ports() != 0)
+        operation.become_tail();
+    else
+        ++log_front_;
+    return true;
+}
+
+/// Only drivers have them, and nothing before them in the log is needed any more but room for one.
+void BenchProcess::split_flanked() {
+    Operation const flanked = log_[log_front_];
+    log_[log_front_] = flanked.rest();
+    if (log_front_ == 0) {
+        append(flanked);
+        std::copy_backward(log_.begin(), log_.begin() + static_cast<std::ptrdiff_t>(log_end_) - 1,
+                           log_.begin() + static_cast<std::ptrdiff_t>(log_end_));
+        log_front_ = 1;
+    }
+    log_[--log_front_] = flanked.head();
+}
+
+/// Up to `wanted` iterations that access all ports of a mask, as long as their earliest cycles are known: how many.
+template <class Stride> std::uint32_t BenchProcess::run(std::uint8_t mask, std::uint32_t wanted, Stride const& stride) {
+    if (trail_ != nullptr)
+        return run_by_steps(mask, wanted, stride);
+    PortSet const& set = port_set(mask);
+    for (unsigned i = 0; i < set.size; ++i)
+        wanted = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, set.ports[i]->consumes->known()));
+    if (wanted == 0)
+        return 0;
+    accessed_ |= set.fifos;
+    switch (set.size) {
+        case 1:
+            return run<1>(set, wanted, stride);
+        case 2:
+            return run<2>(set, wanted, stride);
+        case 3:
+            return run<3>(set, wanted, stride);
+        default:
+            return run<4>(set, wanted, stride);
+    }
+}
+
+/// Of a few that a process has.
+BenchProcess::PortSet const& BenchProcess::port_set(std::uint8_t mask) {
+    for (PortSet const& set : port_sets_)
+        if (set.mask == mask)
+            return set;
+    PortSet set;
+    set.mask = mask;
+    for_each_bit(mask, [&](unsigned number) {
+        set.fifos |= ports_[number].fifo;
+        set.ports.at(set.size++) = &ports_[number];
+    });
+    return port_sets_.emplace_back(set);
+}
+
+template <unsigned N, class Stride>
+std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride const& stride) {
+    BenchLine::Cycle const* earliest[N];
+    BenchLine::Cycle* appended[N];
+    std::int64_t later[N];
+    std::int64_t stalls[N] = {};
+    for (unsigned i = 0; i < N; ++i) {
+        Port const& port = *set.ports[i];
+        port.appends->reserve(wanted);
+        earliest[i] = port.consumes->cycles();
+        appended[i] = port.appends->end();
+        later[i] = port.later;
+    }
+    std::int64_t time = time_;
+    for (std::uint32_t k = 0; k < wanted; ++k) {
+        for (unsigned i = 0; i < N; ++i) {
+            std::int64_t const until = std::max<std::int64_t>(time, earliest[i][k]);
+            stalls[i] += until - time;
+            time = until;
+        }
+        for (unsigned i = 0; i < N; ++i)
+            appended[i][k] = static_cast<BenchLine::Cycle>(time + later[i]);
+        time += stride(k);
+    }
+    time_ = time;
+    for (unsigned i = 0; i < N; ++i) {
+        Port const& port = *set.ports[i];
+        port.consumes->consume(wanted);
+        port.appends->append(wanted);
+        figures_[port.counter] += static_cast<std::uint32_t>(stalls[i]);
+    }
+    return wanted;
+}
+
+/// With a trail.
+template <class Stride>
+std::uint32_t BenchProcess::run_by_steps(std::uint8_t mask, std::uint32_t wanted, Stride const& stride) {
+    for (std::uint32_t k = 0; k < wanted; ++k) {
+        if (!perform(mask))
+            return k;
+        time_ += stride(k);
+    }
+    return wanted;
+}
+
+}  // namespace faster::timing

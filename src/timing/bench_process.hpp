@@ -1,0 +1,164 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "timing/bench_fifo.hpp"
+#include "timing/group.hpp"
+#include "timing/state_words.hpp"
+#include "timing/trail.hpp"
+
+namespace faster::timing {
+
+/// A process on the bench: takes the steps that ProcessTiming takes, at times relative to the driver's at the begin.
+/// Knows its FIFOs in the group, and only what a phrase can say.
+class BenchProcess {
+  public:
+    static constexpr unsigned no_port = ~0U;
+
+    /// An end of a FIFO. A write consumes a cycle of its room and appends one from which on its token can be read; a
+    /// read the other way round.
+    struct Port {
+        BenchLine* consumes = nullptr;
+        BenchLine* appends = nullptr;
+        std::int64_t later = 0;     ///< than the access: what is appended
+        unsigned other = 0;         ///< member at the other end
+        std::uint32_t counter = 0;  ///< of its stalls
+        std::uint32_t fifo = 0;     ///< of the group: its bit
+    };
+
+    /// With the number of its first counter, see RelativeState::counters(), behind which are its loops'.
+    BenchProcess(ProcessTiming const& process, std::uint32_t first_counter, Trail* trail);
+    void connect(unsigned port, Port const& end) { ports_[port] = end; }
+
+    /// Returns the words behind its own.
+    StateWord const* load(StateWord const* words);
+    /// A transition begins, whose figures go there.
+    void start(std::uint32_t* figures);
+    void join_log() {
+        if (log_end_ - log_front_ > 1)
+            join_whole_log();
+    }
+    /// Puts down its words, with times since `base`. Returns what is behind.
+    StateWord* save(StateWord* words, std::int64_t base) const;
+    std::size_t most_words() const {
+        return 1 + ProcessFlags::words + delay_line_.size() + words_of_operation * (log_end_ - log_front_);
+    }
+
+    void append(Operation const& operation) {
+        if (log_end_ == log_.size())
+            log_.resize(2 * log_end_ + 64);
+        log_[log_end_++] = operation;
+    }
+    bool finished() const { return log_front_ == log_end_; }
+    /// Takes steps as long as it can. The FIFOs that it accessed, a bit each.
+    std::uint32_t advance();
+
+    std::int64_t time() const { return time_; }
+    void set_time(std::int64_t time) { time_ = time; }
+    /// No further access is before this cycle, see RelativeState.
+    std::int64_t not_before() const { return time_ + early_; }
+    std::uint8_t next_ports() const { return finished() ? outlook_ports_ : log_[log_front_].ports(); }
+    Port& port(unsigned number) { return ports_[number]; }
+    Port const& port(unsigned number) const { return ports_[number]; }
+    bool is_known(unsigned number) const { return ports_[number].consumes->known() > 0; }
+    /// Waits at a port until a cycle, if that is later.
+    void wait(unsigned number, std::int64_t cycle) {
+        if (cycle <= time_)
+            return;
+        figures_[ports_[number].counter] += static_cast<std::uint32_t>(cycle - time_);
+        time_ = cycle;
+    }
+    void leave_trail(unsigned number);
+    bool leaves_trail() const { return trail_ != nullptr; }
+
+    bool is_frozen() const { return frozen_; }
+    void set_outlook(std::uint8_t next_ports, bool frozen) {
+        outlook_ports_ = next_ports;
+        frozen_ = frozen;
+    }
+    unsigned parked_at() const { return parked_at_; }
+    void set_parked_at(unsigned port) { parked_at_ = port; }
+
+    bool has_entered() const { return entered_; }
+    /// Iterations since start(), or since it entered the loop it is in, or left.
+    std::uint64_t iterations() const { return iterations_ - (entered_ ? 0 : iterations_before_); }
+
+  private:
+    using Kind = Operation::Kind;
+    struct Loop {
+        ProcessTiming::LoopPlan const* plan;
+        LoopShape const* shape;
+        std::uint32_t counter;  ///< number of its first
+    };
+    /// The ports of a mask, which an iteration of an aligned loop accesses.
+    struct PortSet {
+        std::uint8_t mask = 0;
+        unsigned size = 0;
+        std::uint32_t fifos = 0;
+        std::array<Port*, ProcessTiming::most_accesses> ports{};
+    };
+    struct Pipeline {  ///< of a loop whose tokens leave in different stages
+        std::uint64_t iteration = 0;
+        bool open = false;
+        std::size_t phase = 0;
+        Cycles offset = 0;
+        std::uint32_t gap_left = 0;
+        std::uint64_t drain_left = 0;
+    };
+
+    void join_whole_log();
+    bool perform(std::uint8_t ports);
+    bool take(Operation& operation);
+    void enter(unsigned loop);
+    void be_in_loop(unsigned number);
+    bool leave();
+    void count_end(Loop const& loop);
+    bool iterate(Operation& operation);
+    bool iterate_mix(Operation& operation);
+    bool iterate_in_pipeline(Operation& operation);
+    bool pass_phases(std::uint8_t ports);
+    void iterate_silently(Operation& operation);
+    void split_flanked();
+    bool take_off(Operation& operation, std::uint32_t count);
+    void count(std::uint64_t iterations) {
+        iterations_ += iterations;
+        figures_[loops_[loop_].counter + 1] += static_cast<std::uint32_t>(iterations);
+    }
+    template <class Stride> std::uint32_t run(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
+    template <unsigned N, class Stride>
+    std::uint32_t run(PortSet const& set, std::uint32_t wanted, Stride const& stride);
+    PortSet const& port_set(std::uint8_t mask);
+    template <class Stride> std::uint32_t run_by_steps(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
+    void mark(Region region) {
+        if (trail_ != nullptr)
+            trail_->marked(process_->index(), region, static_cast<Cycles>(time_));
+    }
+    ProcessTiming::LoopPlan const& plan() const { return *loops_[loop_].plan; }
+    std::int64_t interval() const { return static_cast<std::int64_t>(plan().ii); }
+
+    ProcessTiming const* process_;  ///< what it is
+    std::vector<Loop> loops_;
+    Trail* trail_;
+    std::array<Port, 8> ports_{};
+    std::vector<PortSet> port_sets_;  ///< made when first needed
+
+    std::int64_t time_ = 0;
+    std::int64_t early_ = 0;  ///< what it may go back when it leaves the loop it is in, not above 0
+    bool in_loop_ = false;
+    unsigned loop_ = 0;
+    std::uint64_t iterations_ = 0;  ///< of the loop entry at hand, up to as many before load() as count
+    std::uint64_t iterations_before_ = 0;
+    bool entered_ = false;
+    std::uint32_t accessed_ = 0;  ///< FIFOs in advance(), a bit each
+    std::uint8_t outlook_ports_ = 0;
+    bool frozen_ = false;
+    unsigned parked_at_ = no_port;
+    Pipeline pipeline_;
+    std::vector<std::uint8_t> delay_line_;
+    std::vector<Operation> log_;
+    std::size_t log_front_ = 0, log_end_ = 0;
+    std::uint32_t* figures_ = nullptr;
+};
+
+}  // namespace faster::timing

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/keep_memory.hpp"
 #include "events/event_file.hpp"
 #include "retiming/retime.hpp"
 #include "support/random_stimulus.hpp"
@@ -88,6 +89,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|deep|wild]\n");
         return 2;
     }
+    keep_freed_memory();
     std::size_t const count = argc > 2 ? std::stoul(argv[2]) : 100;
     std::uint64_t const seed = argc > 3 ? std::stoull(argv[3]) : 1;
     std::string const only = argc > 4 ? argv[4] : "";

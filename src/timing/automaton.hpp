@@ -120,7 +120,7 @@ class Automaton {
     void count_up(Walk& walk);
     static void find_regular_part(Walk& walk);
     bool is_frozen(unsigned member) const;
-    void charge_parking(Group const& group, RelativeState& real, std::vector<std::uint32_t> const& figures);
+    void charge_parking(Group const& group, RelativeState& real);
     Cycles cycles(Session const& session, Number number) const;
     TransitionStore::Range<Stand> stands(Session const& session, Number number) const;
     /// Visits transitions that are no sequences, from the last to the first, with the cycle at their end.

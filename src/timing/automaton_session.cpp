@@ -9,31 +9,23 @@ namespace {
 constexpr std::size_t longest_history = std::size_t{1} << 16;
 
 /// What transitions add to the figures of a group.
-class Sums {
+class Figures {
   public:
-    explicit Sums(RelativeState& real) : real_(real), counters_(real.counters()), sums_(counters_.size()) {}
+    explicit Figures(RelativeState& real) : real_(real), sums_(real.sums()), figures_(real.figures()) {}
 
     /// Of one, done `uses` times.
-    void add(std::uint32_t const* figures, std::size_t count, std::uint32_t uses) {
-        std::size_t const sums = sums_.size();
-        for (std::size_t i = 0; i < sums; ++i)
-            sums_[i] += std::uint64_t{uses} * figures[i];
-        peaks_.resize(count - sums);
-        for (std::size_t f = 0; f < peaks_.size(); ++f)
-            peaks_[f] = std::max(peaks_[f], figures[sums + f]);
+    template <class All> void add(All const& figures, std::uint64_t uses) {
+        for (Transition::Figure const& figure : figures) {
+            std::uint64_t& sum = figures_[figure.number];
+            sum = figure.number < sums_ ? sum + uses * figure.amount : std::max<std::uint64_t>(sum, figure.amount);
+        }
     }
-    void enter() {
-        for (std::size_t i = 0; i < sums_.size(); ++i)
-            *counters_[i] += sums_[i];
-        for (unsigned f = 0; f < peaks_.size(); ++f)
-            real_.raise_peak(f, peaks_[f]);
-    }
+    void enter() { real_.enter(figures_); }
 
   private:
     RelativeState& real_;
-    std::vector<std::uint64_t*> counters_;
-    std::vector<std::uint64_t> sums_;
-    std::vector<std::uint32_t> peaks_;
+    std::uint32_t sums_;
+    std::vector<std::uint64_t> figures_;
 };
 }  // namespace
 
@@ -50,7 +42,7 @@ TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& sessi
 
 void Automaton::settle(Group const& group, Session& session) const {
     RelativeState real(group);
-    Sums sums(real);
+    Figures figures(real);
     for (std::size_t i = session.uses.size(); i > 0; --i) {  // sequences come after their pieces
         auto const number = static_cast<Number>(i - 1);
         if (session.uses[number] == 0)
@@ -60,9 +52,9 @@ void Automaton::settle(Group const& group, Session& session) const {
                 session.uses[piece] += session.uses[number];
             continue;
         }
-        sums.add(store_.figures(number), store_.figures_of_one(), session.uses[number]);
+        figures.add(store_.figures(number), session.uses[number]);
     }
-    sums.enter();
+    figures.enter();
     session.uses.clear();
     add_iterations(group, session);
 }
@@ -201,17 +193,17 @@ bool Automaton::begin(Group const& group, Script const* script) {
         session_->entry.push_back(
             {m, since, static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port, true});
     }
-    charge_parking(group, real, worked_on_.figures);
+    charge_parking(group, real);
     keep_words(*session_);
     session_->state = is_recurring() ? number_of_state() : none;
     session_->loose.clear();
     return true;
 }
 
-void Automaton::charge_parking(Group const& group, RelativeState& real, std::vector<std::uint32_t> const& figures) {
-    Sums sums(real);
-    sums.add(figures.data(), figures.size(), 1);
-    sums.enter();
+void Automaton::charge_parking(Group const& group, RelativeState& real) {
+    Figures figures(real);
+    figures.add(worked_on_.figures, 1);
+    figures.enter();
     for (TrailEvent const& event : bench_->take_trail())
         group.driver().trail()->append(event, session_->begin);
 }
@@ -219,10 +211,10 @@ void Automaton::charge_parking(Group const& group, RelativeState& real, std::vec
 /// Writes the state in which the session stopped, and all it counted, back to the group.
 void Automaton::end(Group const& group, Script* script) {
     RelativeState real(group);
-    Sums sums(real);
+    Figures figures(real);
     for (Transition const& loose : session_->loose)
-        sums.add(loose.figures.data(), loose.figures.size(), 1);
-    sums.enter();
+        figures.add(loose.figures, 1);
+    figures.enter();
     std::vector<std::uint64_t> iterations_before;
     for (unsigned m = 0; m < group.members().size(); ++m)
         iterations_before.push_back(real.iterations(m));

@@ -29,9 +29,11 @@ class BenchLine {
     void load(std::uint64_t count_over, StateWord const* cycles, std::uint64_t count) {
         Cycle* const begin = cycles_.data() + before_;
         place(begin, begin);
-        reserve(count);
-        std::copy(cycles, cycles + count, end_);
-        end_ += count;
+        if (count > 0) {
+            reserve(count);
+            std::copy(cycles, cycles + count, end_);
+            end_ += count;
+        }
         front_ -= count_over;
         first_ = front_;
         first_end_ = end_;

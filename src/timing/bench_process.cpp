@@ -1,7 +1,5 @@
 #include "timing/bench_process.hpp"
 
-#include "common/each_bit.hpp"
-#include "timing/relative_state.hpp"
 
 namespace faster::timing {
 
@@ -21,12 +19,12 @@ std::uint64_t gaps_of(Operation const& operation) {
 }
 }  // namespace
 
-BenchProcess::BenchProcess(ProcessTiming const& process, std::uint32_t first_counter, Trail* trail)
+BenchProcess::BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail)
     : process_(&process), trail_(trail), log_(64) {
-    std::uint32_t counter = first_counter + 2;  // behind its stalls
+    std::uint32_t figure = first_figure;
     for (unsigned loop = 0; loop < process.loops().size(); ++loop) {
-        loops_.push_back({&process.plan(loop), &process.loops()[loop], counter});
-        counter += RelativeState::counters_of(process.loops()[loop]);
+        loops_.push_back({&process.plan(loop), &process.loops()[loop], figure});
+        figure += RelativeState::figures_of(process.loops()[loop]);
     }
 }
 
@@ -43,7 +41,7 @@ StateWord const* BenchProcess::load(StateWord const* words) {
         std::uint64_t const lags = plan().longest_lag;
         pipeline_ = Pipeline{};
         pipeline_.iteration = pipeline_.drain_left = lags;
-        delay_line_.assign(lags + 1, 0);
+        clear_delay_line();
         for (std::uint64_t lag = 1; lag <= lags; ++lag)
             delay_line_[lags - lag] = static_cast<std::uint8_t>(*words++);
     }
@@ -61,10 +59,18 @@ void BenchProcess::be_in_loop(unsigned number) {
     early_ = in_loop_ ? std::min<std::int64_t>(plan().drain, 0) : 0;
 }
 
-void BenchProcess::start(std::uint32_t* figures) {
-    figures_ = figures;
+/// Its size is a power of two, so that nothing need be divided.
+void BenchProcess::clear_delay_line() {
+    std::size_t size = 1;
+    while (size <= plan().longest_lag)
+        size *= 2;
+    delay_line_.assign(size, 0);
+}
+
+void BenchProcess::start() {
     iterations_before_ = iterations_;
     entered_ = false;
+    counted_ = 0;
     if (finished())
         log_front_ = log_end_ = 0;
 }
@@ -107,7 +113,7 @@ StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
     words = flags.put(words);
     if (in_loop_ && !plan().aligned)
         for (std::uint64_t lag = 1; lag <= plan().longest_lag; ++lag)
-            *words++ = pipeline_.iteration < lag ? 0 : delay_line_[(pipeline_.iteration - lag) % delay_line_.size()];
+            *words++ = pipeline_.iteration < lag ? 0 : delayed(lag);
     for (std::size_t i = log_front_; i < log_end_; ++i)
         words = put_code(log_[i].code(), words);
     return words;
@@ -201,7 +207,7 @@ void BenchProcess::enter(unsigned loop) {
     pipeline_ = Pipeline{};
     pipeline_.drain_left = plan().longest_lag;
     if (!plan().aligned)
-        delay_line_.assign(plan().longest_lag + 1, 0);
+        clear_delay_line();
 }
 
 bool BenchProcess::leave() {
@@ -218,12 +224,13 @@ bool BenchProcess::leave() {
 }
 
 void BenchProcess::count_end(Loop const& loop) {
+    counted_ |= 1U << loop_;
     LoopEnd const end = loop_end(*loop.shape, iterations_);
-    figures_[loop.counter] += static_cast<std::uint32_t>(end.entries);
+    figures_[loop.figure] += static_cast<std::uint32_t>(end.entries);
     if (loop.shape->depth >= loop.shape->interval.achieved)
         return;
-    figures_[loop.counter + 2] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
-    figures_[loop.counter + 3] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
+    figures_[loop.figure + 2] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
+    figures_[loop.figure + 3] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
 }
 
 /// Of an aligned loop.
@@ -274,24 +281,25 @@ bool BenchProcess::iterate_in_pipeline(Operation& operation) {
 
 /// The steps of one iteration; false: it waits in one of them.
 bool BenchProcess::pass_phases(std::uint8_t ports) {
+    ProcessTiming::LoopPlan const& plan = this->plan();
     if (!pipeline_.open) {
-        delay_line_[pipeline_.iteration % delay_line_.size()] = ports;
+        delay_line_[pipeline_.iteration & (delay_line_.size() - 1)] = ports;
         pipeline_.open = true;
         pipeline_.phase = 0;
         pipeline_.offset = 0;
     }
-    for (; pipeline_.phase < plan().phases.size(); ++pipeline_.phase) {
-        ProcessTiming::Phase const& phase = plan().phases[pipeline_.phase];
+    for (; pipeline_.phase < plan.phases.size(); ++pipeline_.phase) {
+        ProcessTiming::Phase const& phase = plan.phases[pipeline_.phase];
         time_ += static_cast<std::int64_t>(phase.offset - pipeline_.offset);
         pipeline_.offset = phase.offset;
         std::uint32_t mask = 0;
         for (auto const& [port, lag] : phase.ports)
             if (pipeline_.iteration >= lag)
-                mask |= delay_line_[(pipeline_.iteration - lag) % delay_line_.size()] & (1U << port);
-        if (!perform(static_cast<std::uint8_t>(mask)))
+                mask |= delayed(lag) & (1U << port);
+        if (mask != 0 && !perform(static_cast<std::uint8_t>(mask)))
             return false;
     }
-    time_ += static_cast<std::int64_t>(plan().ii - pipeline_.offset);
+    time_ += static_cast<std::int64_t>(plan.ii - pipeline_.offset);
     pipeline_.open = false;
     ++pipeline_.iteration;
     return true;
@@ -387,7 +395,7 @@ std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride
         Port const& port = *set.ports[i];
         port.consumes->consume(wanted);
         port.appends->append(wanted);
-        figures_[port.counter] += static_cast<std::uint32_t>(stalls[i]);
+        figures_[port.stalls] += static_cast<std::uint32_t>(stalls[i]);
     }
     return wanted;
 }

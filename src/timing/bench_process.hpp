@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/each_bit.hpp"
 #include "timing/bench_fifo.hpp"
 #include "timing/group.hpp"
+#include "timing/relative_state.hpp"
 #include "timing/state_words.hpp"
 #include "timing/trail.hpp"
 
@@ -23,18 +25,28 @@ class BenchProcess {
         BenchLine* appends = nullptr;
         std::int64_t later = 0;     ///< than the access: what is appended
         unsigned other = 0;         ///< member at the other end
-        std::uint32_t counter = 0;  ///< of its stalls
+        std::uint32_t stalls = 0;   ///< number of the figure
         std::uint32_t fifo = 0;     ///< of the group: its bit
     };
 
-    /// With the number of its first counter, see RelativeState::counters(), behind which are its loops'.
-    BenchProcess(ProcessTiming const& process, std::uint32_t first_counter, Trail* trail);
+    /// With the number of its first figure, see RelativeState::enter().
+    BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail);
+    /// Visits the number of each figure of its loops that may have grown since start().
+    template <class Visit> void each_figure(Visit visit) const {
+        for_each_bit(counted_, [&](unsigned loop) {
+            std::uint32_t const first = loops_[loop].figure;
+            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape); ++number)
+                visit(number);
+        });
+    }
+    /// Where figures are, by number: they grow.
+    void set_figures(std::uint32_t* figures) { figures_ = figures; }
     void connect(unsigned port, Port const& end) { ports_[port] = end; }
 
     /// Returns the words behind its own.
     StateWord const* load(StateWord const* words);
-    /// A transition begins, whose figures go there.
-    void start(std::uint32_t* figures);
+    /// A transition begins.
+    void start();
     void join_log() {
         if (log_end_ - log_front_ > 1)
             join_whole_log();
@@ -66,7 +78,7 @@ class BenchProcess {
     void wait(unsigned number, std::int64_t cycle) {
         if (cycle <= time_)
             return;
-        figures_[ports_[number].counter] += static_cast<std::uint32_t>(cycle - time_);
+        figures_[ports_[number].stalls] += static_cast<std::uint32_t>(cycle - time_);
         time_ = cycle;
     }
     void leave_trail(unsigned number);
@@ -89,7 +101,7 @@ class BenchProcess {
     struct Loop {
         ProcessTiming::LoopPlan const* plan;
         LoopShape const* shape;
-        std::uint32_t counter;  ///< number of its first
+        std::uint32_t figure;  ///< number of its first
     };
     /// The ports of a mask, which an iteration of an aligned loop accesses.
     struct PortSet {
@@ -118,12 +130,18 @@ class BenchProcess {
     bool iterate_mix(Operation& operation);
     bool iterate_in_pipeline(Operation& operation);
     bool pass_phases(std::uint8_t ports);
+    void clear_delay_line();
+    /// Ports of the iteration so many before the one at hand, which began in this loop.
+    std::uint8_t delayed(std::uint64_t lag) const {
+        return delay_line_[(pipeline_.iteration - lag) & (delay_line_.size() - 1)];
+    }
     void iterate_silently(Operation& operation);
     void split_flanked();
     bool take_off(Operation& operation, std::uint32_t count);
     void count(std::uint64_t iterations) {
         iterations_ += iterations;
-        figures_[loops_[loop_].counter + 1] += static_cast<std::uint32_t>(iterations);
+        figures_[loops_[loop_].figure + 1] += static_cast<std::uint32_t>(iterations);
+        counted_ |= 1U << loop_;
     }
     template <class Stride> std::uint32_t run(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
     template <unsigned N, class Stride>
@@ -150,6 +168,7 @@ class BenchProcess {
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand, up to as many before load() as count
     std::uint64_t iterations_before_ = 0;
     bool entered_ = false;
+    std::uint32_t counted_ = 0;  ///< loops with figures, a bit each
     std::uint32_t accessed_ = 0;  ///< FIFOs in advance(), a bit each
     std::uint8_t outlook_ports_ = 0;
     bool frozen_ = false;

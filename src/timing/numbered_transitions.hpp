@@ -41,7 +41,7 @@ class NumberedTransitions {
 
     /// Adds what is not there yet. The slot stays where it is until the next call.
     Slot const* add(Number state, Number phrase, Number next, Number number) {
-        if (++size_ * 2 > slots_.size())
+        if (++size_ * 4 > 3 * slots_.size())
             grow();
         return put({key_of(state, phrase), next, number});
     }

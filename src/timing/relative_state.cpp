@@ -211,36 +211,47 @@ void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle
     fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
 }
 
-std::uint32_t RelativeState::counters_of(ProcessTiming const& process) {
-    std::uint32_t counters = 2;
+std::uint32_t RelativeState::figures_of(ProcessTiming const& process) {
+    std::uint32_t figures = 0;
     for (LoopShape const& loop : process.loops())
-        counters += counters_of(loop);
-    return counters;
+        figures += figures_of(loop);
+    return figures;
 }
 
-std::vector<std::uint64_t*> RelativeState::counters() const {
-    std::vector<std::uint64_t*> counters;
-    counters.reserve(64);
-    for (Group::Member const& member : group_->members()) {
-        ProcessTiming& p = *member.process;
-        counters.push_back(&p.empty_stall_cycles_);
-        counters.push_back(&p.full_stall_cycles_);
-        for (unsigned i = 0; i < p.loops_.size(); ++i) {
-            LoopCounters& loop = p.loop_counters_[i];
-            counters.push_back(&loop.entries);
-            counters.push_back(&loop.iterations);
-            if (counters_of(p.loops_[i]) == 2)
-                continue;
-            counters.push_back(&loop.recurrence_beyond_end);
-            counters.push_back(&loop.port_conflict_beyond_end);
-        }
-    }
+std::uint32_t RelativeState::sums() const {
+    auto sums = sums_of_fifo * static_cast<std::uint32_t>(group_->fifos().size());
+    for (Group::Member const& member : group_->members())
+        sums += figures_of(*member.process);
+    return sums;
+}
+
+void RelativeState::enter(std::vector<std::uint64_t> const& figures) {
+    std::uint64_t const* next = figures.data();
+    for (Group::Member const& member : group_->members())
+        next = enter(*member.process, next);
     for (Group::Inner const& inner : group_->fifos()) {
-        counters.push_back(&inner.fifo->passed_);
-        counters.push_back(&inner.fifo->full_stall_cycles_);
-        counters.push_back(&inner.fifo->empty_stall_cycles_);
+        inner.fifo->passed_ += *next++;
+        inner.fifo->full_stall_cycles_ += *next;
+        process(inner.writer).full_stall_cycles_ += *next++;
+        inner.fifo->empty_stall_cycles_ += *next;
+        process(inner.reader).empty_stall_cycles_ += *next++;
     }
-    return counters;
+    for (Group::Inner const& inner : group_->fifos())
+        inner.fifo->max_occupancy_ = std::max(inner.fifo->max_occupancy_, *next++);
+}
+
+/// Returns what is behind its loops' figures.
+std::uint64_t const* RelativeState::enter(ProcessTiming& process, std::uint64_t const* figures) {
+    for (unsigned i = 0; i < process.loops_.size(); ++i) {
+        LoopCounters& loop = process.loop_counters_[i];
+        loop.entries += *figures++;
+        loop.iterations += *figures++;
+        if (figures_of(process.loops_[i]) == 2)
+            continue;
+        loop.recurrence_beyond_end += *figures++;
+        loop.port_conflict_beyond_end += *figures++;
+    }
+    return figures;
 }
 
 }  // namespace faster::timing

@@ -29,17 +29,15 @@ class RelativeState {
     void clear_logs(std::uint32_t members);
     /// For a group with logs and counters of its own: puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
-    /// The largest occupancy of a FIFO.
-    void raise_peak(unsigned fifo, std::uint64_t tokens) {
-        std::uint64_t& peak = group_->fifos()[fifo].fifo->max_occupancy_;
-        peak = std::max(peak, tokens);
-    }
-
-    /// All that only grows: stalls, loops, tokens gone through.
-    std::vector<std::uint64_t*> counters() const;
-    /// How many of them are of a process, of one of its loops.
-    static std::uint32_t counters_of(ProcessTiming const& process);
-    static std::uint32_t counters_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 4 : 2; }
+    /// The figures of a group that only grow: those of each member's loops; of each FIFO between members its tokens gone
+    /// through, full stalls and empty stalls; of each FIFO its largest occupancy.
+    static constexpr std::uint32_t sums_of_fifo = 3;
+    static std::uint32_t figures_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 4 : 2; }
+    static std::uint32_t figures_of(ProcessTiming const& process);
+    std::uint32_t sums() const;  ///< that come before the largest occupancies
+    std::uint32_t figures() const { return sums() + static_cast<std::uint32_t>(group_->fifos().size()); }
+    /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
+    void enter(std::vector<std::uint64_t> const& figures);
 
     bool is_in_loop(unsigned member) const { return process(member).in_loop_; }
     std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
@@ -57,6 +55,7 @@ class RelativeState {
     std::uint8_t next_ports(unsigned member) const;
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
+    static std::uint64_t const* enter(ProcessTiming& process, std::uint64_t const* figures);
     class Pen;
     void save_process(unsigned member, bool with_log, Pen& pen) const;
     void save_fifo(Group::Inner const& inner, Pen& pen) const;

@@ -31,17 +31,21 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    /// What RelativeState::counters() grow by, and behind them the largest occupancy of each inner FIFO.
-    std::vector<std::uint32_t> figures;
+    struct Figure {
+        std::uint32_t number;  ///< see RelativeState::enter()
+        std::uint32_t amount;  ///< not 0
+    };
+    std::vector<Figure> figures;
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;
 
-    /// Becomes empty but for its figures, and keeps its storage.
+    /// Becomes empty, and keeps its storage.
     void clear() {
         cycles = 0;
         entered = froze = 0;
         iterations.fill(0);
+        figures.clear();
         stands.clear();
         rooms.clear();
         trail.clear();

@@ -8,30 +8,25 @@
 
 namespace faster::timing {
 
-namespace {
-constexpr unsigned counters_of_fifo = 3;  // see RelativeState
-}
-
 TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails)
     : shape_(core.blank_copy()), trail_(leaves_trails ? std::make_unique<Trail>(Trail::any_length) : nullptr) {
     Group const group(*shape_, lead);
     most_words_of_fifos_ = BenchLine::slack;
     for (Group::Inner const& inner : group.fifos())
-        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader, 0, 0});
+        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader});
     for (Fifo const& fifo : fifos_)
         most_words_of_fifos_ += FifoCounts::words + fifo.fifo.room;
     for (Group::Member const& member : group.members()) {
-        auto const number = static_cast<unsigned>(members_.size());
-        for (Fifo& fifo : fifos_) {
-            fifo.empty_counter = fifo.reader == number ? counters_ : fifo.empty_counter;
-            fifo.full_counter = fifo.writer == number ? counters_ + 1 : fifo.full_counter;
-        }
-        members_.push_back({BenchProcess(*member.process, counters_, trail_.get()), 0, 0, 0});
-        counters_ += RelativeState::counters_of(*member.process);
+        members_.push_back({BenchProcess(*member.process, of_loops_, trail_.get()), 0, 0, 0});
+        of_loops_ += RelativeState::figures_of(*member.process);
     }
     supplier_ = group.supplier();
     supplier_port_ = group.members()[supplier_].anchor_port;
     connect(group);
+    figures_.resize(RelativeState(group).figures());
+    list_.resize(figures_.size() + 1);
+    for (Member& member : members_)
+        member.process.set_figures(figures_.data());
 }
 
 TransitionBench::~TransitionBench() = default;
@@ -49,7 +44,7 @@ void TransitionBench::connect(Group const& group) {
             port.later = writes ? fifo.fifo.later_than_write : 1;
             port.other = group.other_end(m, number);
             port.fifo = 1U << f;
-            port.counter = counters_ + counters_of_fifo * f + (writes ? 1 : 2);
+            port.stalls = of_loops_ + RelativeState::sums_of_fifo * f + (writes ? 1 : 2);
             members_[m].process.connect(number, port);
             members_[m].neighbours |= 1U << port.other;
         });
@@ -68,11 +63,9 @@ void TransitionBench::go_to(StateView state) {
     accessed_ = 0;
 }
 
-void TransitionBench::start(std::vector<std::uint32_t>& figures) {
-    figures.resize(counters_ + (counters_of_fifo + 1) * fifos_.size());
-    std::fill(figures.begin(), figures.end(), 0);
+void TransitionBench::start() {
     for (Member& member : members_) {
-        member.process.start(figures.data());
+        member.process.start();
         member.time_before = member.process.time();
         member.port_before = member.process.parked_at();
     }
@@ -142,13 +135,13 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     return waiting;
 }
 
-std::vector<TransitionBench::Waiting> TransitionBench::park(std::vector<std::uint32_t>& figures) {
-    start(figures);
+std::vector<TransitionBench::Waiting> TransitionBench::park(std::vector<Transition::Figure>& figures) {
+    start();
     at_ = nullptr;
     std::vector<Waiting> waitings;
     for (unsigned m = 1; m < members_.size(); ++m)
         waitings.push_back(park_follower(m));
-    fill_in(figures);
+    take_figures(figures);
     save();
     return waitings;
 }
@@ -174,12 +167,13 @@ void TransitionBench::tell(Task const& task, Transition& transition) {
 }
 
 bool TransitionBench::work_out(Task const& task, Transition& transition) {
-    start(transition.figures);
+    start();
     at_ = nullptr;
     tell(task, transition);
     settle();
     if (!members_.front().process.finished() || is_too_long()) {
         take_trail(0);  // it came to nothing
+        std::fill(figures_.begin(), figures_.end(), 0);
         return false;
     }
     std::int64_t const begin = base_;
@@ -191,7 +185,7 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     }
     describe_rooms(transition);
     describe_stands(task.active, transition);
-    fill_in(transition.figures);
+    take_figures(transition.figures);
     transition.trail = take_trail(begin);
     save();
     return true;
@@ -204,10 +198,21 @@ bool TransitionBench::is_too_long() const {
     });
 }
 
+/// For the driver alone, as before the transition, in which it did nothing.
+bool TransitionBench::goes_on_waiting(unsigned member) {
+    BenchProcess& process = members_[member].process;
+    unsigned const port = process.parked_at();
+    if (port == BenchProcess::no_port || process.time() != members_[member].time_before ||
+        process.port(port).other != 0 || process.is_known(port))
+        return false;
+    process.wait(port, members_.front().process.not_before());
+    return true;
+}
+
 void TransitionBench::describe_stands(std::uint32_t actives, Transition& transition) {
     for (unsigned m = 1; m < members_.size(); ++m) {
         bool const active = ((actives >> m) & 1U) != 0;
-        if (members_[m].process.is_frozen() && !active)
+        if (!active && (members_[m].process.is_frozen() || goes_on_waiting(m)))
             continue;
         Waiting const waiting = park_follower(m);
         bool const waits_anew = waiting.waits && waiting.port != members_[m].port_before;
@@ -237,19 +242,30 @@ void TransitionBench::describe_rooms(Transition& transition) {
     }
 }
 
-/// What is known of each FIFO. What a process waited is what it waited for its FIFOs.
-void TransitionBench::fill_in(std::vector<std::uint32_t>& figures) {
-    std::uint32_t* of_fifo = figures.data() + counters_;
-    std::uint32_t* const peaks = of_fifo + counters_of_fifo * fifos_.size();
-    for (unsigned f = 0; f < fifos_.size(); ++f, of_fifo += counters_of_fifo) {
-        Fifo const& fifo = fifos_[f];
-        figures[fifo.full_counter] += of_fifo[1];
-        figures[fifo.empty_counter] += of_fifo[2];
-        if (((accessed_ >> f) & 1U) == 0)
-            continue;
-        of_fifo[0] = static_cast<std::uint32_t>(fifo.fifo.readable.consumed());
-        peaks[f] = static_cast<std::uint32_t>(fifo.fifo.largest_occupancy());
-    }
+/// Those that are not zero, which they are behind this.
+void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
+    Transition::Figure* next = list_.data();
+    auto const put = [&next](std::uint32_t number, std::uint64_t amount) {
+        *next = {number, static_cast<std::uint32_t>(amount)};
+        next += amount != 0 ? 1 : 0;
+    };
+    auto const take = [this, &put](std::uint32_t number) {
+        put(number, figures_[number]);
+        figures_[number] = 0;
+    };
+    for (Member const& member : members_)
+        member.process.each_figure(take);
+    std::uint32_t const of_fifos = RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
+    for (std::uint32_t first = of_loops_; first < of_loops_ + of_fifos; first += RelativeState::sums_of_fifo)
+        if ((figures_[first + 1] | figures_[first + 2]) != 0) {
+            take(first + 1);
+            take(first + 2);
+        }
+    for_each_bit(accessed_, [&](unsigned f) {
+        put(of_loops_ + RelativeState::sums_of_fifo * f, fifos_[f].fifo.readable.consumed());
+        put(of_loops_ + of_fifos + f, fifos_[f].fifo.largest_occupancy());
+    });
+    figures.assign(list_.data(), next);
 }
 
 void TransitionBench::save() {

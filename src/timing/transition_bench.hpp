@@ -37,7 +37,7 @@ class TransitionBench {
 
     /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
     /// those of Transition.
-    std::vector<Waiting> park(std::vector<std::uint32_t>& figures);
+    std::vector<Waiting> park(std::vector<Transition::Figure>& figures);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
@@ -59,24 +59,24 @@ class TransitionBench {
     static constexpr unsigned most_members = Transition::most_members;
 
     void connect(Group const& group);
-    void start(std::vector<std::uint32_t>& figures);
+    void start();
     void settle();
     bool is_too_long() const;
     void tell(Task const& task, Transition& transition);
     unsigned blocked_port(unsigned member) const;
     bool waits_for_driver(unsigned member, unsigned port, unsigned depth = 0) const;
     Waiting park_follower(unsigned member);
+    bool goes_on_waiting(unsigned member);
     void save();
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
-    void fill_in(std::vector<std::uint32_t>& figures);
+    void take_figures(std::vector<Transition::Figure>& figures);
     void look_at(std::int64_t time) { reach_ = std::max(reach_, std::abs(time)); }
 
     struct Fifo {
         BenchFifo fifo;
         unsigned writer = 0;
         unsigned reader = 0;
-        std::uint32_t full_counter = 0, empty_counter = 0;  ///< of its writer, of its reader
     };
     struct Member {
         BenchProcess process;
@@ -95,7 +95,9 @@ class TransitionBench {
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
     std::size_t most_words_of_fifos_ = 0;
-    std::uint32_t counters_ = 0;     ///< of members
+    std::uint32_t of_loops_ = 0;           ///< figures
+    std::vector<std::uint32_t> figures_;   ///< by number: zero between transitions
+    std::vector<Transition::Figure> list_;  ///< to write on: room for all
     StateWord const* at_ = nullptr;  ///< the state where it is, if that is known
     std::int64_t base_ = 0;          ///< the driver's time there
     std::uint32_t accessed_ = 0;     ///< FIFOs in the last transition, a bit each

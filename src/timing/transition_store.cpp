@@ -27,8 +27,9 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
                        is_notable(transition)});
     tallies_.push_back(tally);
     pieces_.push_back(number);
-    figures_of_one_ = transition.figures.size();
-    figures_.push_back(words_.keep(transition.figures.data(), figures_of_one_));
+    std::size_t const figures = transition.figures.size();
+    Transition::Figure const* const kept = kept_figures_.keep(transition.figures.data(), figures);
+    figures_.push_back({kept, kept + figures});
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     end();
     if (is_notable(transition))
@@ -65,7 +66,7 @@ TransitionStore::Number TransitionStore::add_sequence(std::vector<Number> const&
     }
     briefs_.push_back(all);
     tallies_.push_back(sum);
-    figures_.push_back(nullptr);
+    figures_.push_back({nullptr, nullptr});
     pieces_.insert(pieces_.end(), transitions.begin(), transitions.end());
     end();
     return number;

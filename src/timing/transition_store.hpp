@@ -51,8 +51,7 @@ class TransitionStore {
     bool is_sequence(Number number) const { return *pieces(number).first != number; }
     Tally const& tally(Number number) const { return tallies_[number]; }
     /// Of no sequence: those of Transition.
-    std::uint32_t const* figures(Number number) const { return figures_[number]; }
-    std::size_t figures_of_one() const { return figures_of_one_; }
+    Range<Transition::Figure> figures(Number number) const { return figures_[number]; }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
     std::vector<TrailEvent> const& trail(Number number) const;
@@ -77,9 +76,8 @@ class TransitionStore {
     std::vector<Tally> tallies_;
     std::vector<Ends> ends_;
     std::vector<Number> pieces_;
-    WordArena<std::uint32_t> words_;
-    std::vector<std::uint32_t const*> figures_;  ///< of a sequence: null
-    std::size_t figures_of_one_ = 0;
+    WordArena<Transition::Figure> kept_figures_;
+    std::vector<Range<Transition::Figure>> figures_;  ///< of a sequence: none
     std::vector<Transition::Stand> stands_;
     std::unordered_map<Number, Notes> notes_;
     std::vector<std::vector<TrailEvent>> trails_;  ///< up to the last that left any

@@ -5,6 +5,7 @@
 #include <systemc>
 
 #include "common/input_error.hpp"
+#include "common/keep_memory.hpp"
 #include "common/nearest_name.hpp"
 #include "config/keys_as_markdown.hpp"
 #include "tb/check_command.hpp"
@@ -370,6 +371,7 @@ int run_tool(int argc, char** argv) {
 }  // namespace
 
 int sc_main(int argc, char** argv) {
+    faster::keep_freed_memory();
     try {
         return run_tool(argc, argv);
     } catch (faster::InputError const& error) {

@@ -1,6 +1,5 @@
 #include "timing/bench_process.hpp"
 
-
 namespace faster::timing {
 
 namespace {

@@ -23,10 +23,10 @@ class BenchProcess {
     struct Port {
         BenchLine* consumes = nullptr;
         BenchLine* appends = nullptr;
-        std::int64_t later = 0;     ///< than the access: what is appended
-        unsigned other = 0;         ///< member at the other end
-        std::uint32_t stalls = 0;   ///< number of the figure
-        std::uint32_t fifo = 0;     ///< of the group: its bit
+        std::int64_t later = 0;    ///< than the access: what is appended
+        unsigned other = 0;        ///< member at the other end
+        std::uint32_t stalls = 0;  ///< number of the figure
+        std::uint32_t fifo = 0;    ///< of the group: its bit
     };
 
     /// With the number of its first figure, see RelativeState::enter().
@@ -35,7 +35,8 @@ class BenchProcess {
     template <class Visit> void each_figure(Visit visit) const {
         for_each_bit(counted_, [&](unsigned loop) {
             std::uint32_t const first = loops_[loop].figure;
-            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape); ++number)
+            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape);
+                 ++number)
                 visit(number);
         });
     }
@@ -168,7 +169,7 @@ class BenchProcess {
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand, up to as many before load() as count
     std::uint64_t iterations_before_ = 0;
     bool entered_ = false;
-    std::uint32_t counted_ = 0;  ///< loops with figures, a bit each
+    std::uint32_t counted_ = 0;   ///< loops with figures, a bit each
     std::uint32_t accessed_ = 0;  ///< FIFOs in advance(), a bit each
     std::uint8_t outlook_ports_ = 0;
     bool frozen_ = false;

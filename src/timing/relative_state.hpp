@@ -29,8 +29,8 @@ class RelativeState {
     void clear_logs(std::uint32_t members);
     /// For a group with logs and counters of its own: puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
-    /// The figures of a group that only grow: those of each member's loops; of each FIFO between members its tokens gone
-    /// through, full stalls and empty stalls; of each FIFO its largest occupancy.
+    /// The figures of a group that only grow: those of each member's loops; of each FIFO between members its tokens
+    /// gone through, full stalls and empty stalls; of each FIFO its largest occupancy.
     static constexpr std::uint32_t sums_of_fifo = 3;
     static std::uint32_t figures_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 4 : 2; }
     static std::uint32_t figures_of(ProcessTiming const& process);

@@ -95,12 +95,12 @@ class TransitionBench {
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
     std::size_t most_words_of_fifos_ = 0;
-    std::uint32_t of_loops_ = 0;           ///< figures
-    std::vector<std::uint32_t> figures_;   ///< by number: zero between transitions
+    std::uint32_t of_loops_ = 0;            ///< figures
+    std::vector<std::uint32_t> figures_;    ///< by number: zero between transitions
     std::vector<Transition::Figure> list_;  ///< to write on: room for all
-    StateWord const* at_ = nullptr;  ///< the state where it is, if that is known
-    std::int64_t base_ = 0;          ///< the driver's time there
-    std::uint32_t accessed_ = 0;     ///< FIFOs in the last transition, a bit each
+    StateWord const* at_ = nullptr;         ///< the state where it is, if that is known
+    std::int64_t base_ = 0;                 ///< the driver's time there
+    std::uint32_t accessed_ = 0;            ///< FIFOs in the last transition, a bit each
     StateWords page_;
     std::size_t size_ = 0;  ///< words on it
     std::int64_t reach_ = 0;

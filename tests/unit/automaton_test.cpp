@@ -1,6 +1,7 @@
 #include "timing/automaton.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -90,7 +91,7 @@ void begin_sample(CoreTiming& core, Dice& dice) {
 }
 
 /// With few shapes of lines, as in a real scan.
-void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied) {
+void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied, unsigned pause = 0) {
     auto const log = [&core](Process process) -> OperationLog& { return core.process(process).log(); };
     constexpr std::uint8_t fragment_ports = 0b11100;
     constexpr std::uint8_t edge_port = 0b10000;
@@ -112,6 +113,8 @@ void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied
             continue;
         unsigned fragments = 0;
         log(driver).enter(0);
+        if (pause > 0 && dice.chance(10))
+            log(driver).append(Operation(Operation::Kind::iterate, 0, Operation::longest_gap, pause));
         for (unsigned line = dice.between(1, 3); line > 0; --line) {
             log(driver).iterate(0, 0, dice.below(2));
             unsigned const inside = varied || dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
@@ -250,6 +253,31 @@ TEST_CASE("How often the loops were iterated that a core is in is known whenever
         CHECK(figures_of(followed.core) == figures_of(plain.core));
         CHECK(followed.core.process(builder).iterations() == plain.core.process(builder).iterations());
         CHECK(followed.core.process(builder).iterations() > 100);
+    }
+}
+
+TEST_CASE("Times too far apart for a state are none of the automaton's business", "[automaton]") {
+    constexpr unsigned pause = 1U << 22;
+    constexpr std::int64_t longest = std::int64_t{pause} * (Operation::longest_gap + 1);
+    static_assert(longest > furthest_apart && longest > std::numeric_limits<StateWord>::max(), "or it is not");
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        auto automaton = std::make_shared<Automaton>();
+        Machine followed(seed, false);
+        Machine plain(seed, false);
+        followed.core.let_follow(Machine::lead(), automaton);
+        for (Machine* const machine : {&followed, &plain}) {
+            Dice dice(seed);
+            for (unsigned sample = 0; sample < 3; ++sample) {
+                begin_sample(machine->core, dice);
+                log_triangles(machine->core, dice, 60, false, pause);
+                end_sample(machine->core, dice);
+            }
+            machine->core.resolve();
+        }
+        CHECK(figures_of(followed.core) == figures_of(plain.core));
+        CHECK(followed.core.process(driver).local_time() > static_cast<Cycles>(furthest_apart));
+        CHECK(automaton->phrases() > 0);
     }
 }
 

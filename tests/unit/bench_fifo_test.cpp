@@ -1,0 +1,116 @@
+#include "timing/bench_fifo.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <vector>
+
+namespace faster::timing {
+namespace {
+
+/// The cycles of all writes and reads of a FIFO, as close together as chance has it.
+struct Accesses {
+    std::vector<StateWord> writes, reads;
+
+    Accesses(std::mt19937& random, unsigned capacity, StateWord read_latency, unsigned count) {
+        auto const pause = [&random] { return static_cast<StateWord>(random() % 4 == 0 ? random() % 12 : 1); };
+        StateWord write = 0, read = 0;
+        for (unsigned n = 0; n < count; ++n) {
+            write = std::max(write + pause(), n >= capacity ? reads[n - capacity] + 1 : 0);
+            writes.push_back(write);
+            read = std::max(read + pause(), write + read_latency);
+            reads.push_back(read);
+        }
+    }
+
+    /// Of all pairs of a write and a read, one of which is not among the first.
+    std::uint64_t largest_occupancy(unsigned first_writes, unsigned first_reads, unsigned all_reads) const {
+        std::uint64_t largest = writes.size() > first_writes ? 1 : 0;
+        for (unsigned n = 0; n < writes.size(); ++n)
+            for (unsigned k = 0; k < std::min(n + 1, all_reads); ++k)
+                if ((n >= first_writes || k >= first_reads) && reads[k] > writes[n])
+                    largest = std::max<std::uint64_t>(largest, n - k + 1);
+        return largest;
+    }
+};
+
+StateWords words_of(Accesses const& accesses, unsigned capacity, StateWord read_latency, unsigned writes,
+                    unsigned reads) {
+    StateWords words(FifoCounts::words);
+    for (unsigned n = reads; n < writes; ++n)
+        words.push_back(accesses.writes[n] + read_latency);
+    unsigned const over = writes < capacity ? std::min(capacity - writes, capacity - (writes - reads)) : 0;
+    for (unsigned n = std::max(writes, capacity) - capacity; n < reads; ++n)
+        words.push_back(accesses.reads[n] + 1);
+    FifoCounts counts;
+    counts.tokens = writes - reads;
+    counts.room_over = over;
+    counts.put(words.data());
+    return words;
+}
+
+void put(BenchLine& consumed, BenchLine& appended, StateWord cycle) {
+    consumed.consume(1);
+    appended.reserve(1);
+    *appended.end() = cycle;
+    appended.append(1);
+}
+
+}  // namespace
+
+TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[bench_fifo]") {
+    for (unsigned seed = 1; seed <= 2000; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        auto const below = [&random](unsigned limit) { return static_cast<unsigned>(random() % limit); };
+        unsigned const capacity = 1 + below(12), count = 2 + below(60);
+        StateWord const read_latency = 1 + static_cast<StateWord>(below(2));
+        Accesses const accesses(random, capacity, read_latency, count);
+        unsigned const first_reads = below(count);
+        unsigned const first_writes = std::min(count, first_reads + below(capacity + 1));
+        unsigned const all_reads = first_reads + below(count - first_reads + 1);
+        if (all_reads + capacity < count)
+            continue;
+        FifoShape shape;
+        shape.capacity = capacity;
+        shape.read_latency = static_cast<Cycles>(read_latency);
+        BenchFifo fifo(shape);
+        StateWords const words = words_of(accesses, capacity, read_latency, first_writes, first_reads);
+        REQUIRE(fifo.load(words.data()) == words.data() + words.size());
+        unsigned write = first_writes;
+        for (unsigned read = first_reads; read < all_reads || write < count;) {
+            if (write < count && fifo.free.known() > 0 && (read == all_reads || below(2) == 0))
+                put(fifo.free, fifo.readable, accesses.writes[write++] + read_latency);
+            else if (read < all_reads && fifo.readable.known() > 0)
+                put(fifo.readable, fifo.free, accesses.reads[read++] + 1);
+        }
+        CHECK(fifo.largest_occupancy() == accesses.largest_occupancy(first_writes, first_reads, all_reads));
+    }
+}
+
+TEST_CASE("A line keeps its cycles however many go through it", "[bench_fifo]") {
+    BenchLine line(5);
+    StateWord const first[] = {10, 20};
+    line.load(3, first, 2);
+    CHECK(line.known() == 5);
+    CHECK(line.cycles()[2] == BenchLine::over);
+    line.consume(3);
+    for (StateWord cycle = 30; cycle < 50000; cycle += 10) {
+        line.start();
+        line.reserve(1);
+        *line.end() = cycle;
+        line.append(1);
+        REQUIRE(line.known() == 3);
+        REQUIRE(line.cycles()[0] == cycle - 20);
+        REQUIRE(line.cycles()[2] == cycle);
+        line.consume(1);
+        REQUIRE(line.consumed() == 1);
+        REQUIRE(line.appended() == 1);
+    }
+    line.reserve(100000);
+    CHECK(line.cycles()[1] - line.cycles()[0] == 10);
+    CHECK(line.count_until(line.cycles()[0]) == 1);
+    CHECK(line.count_until(0) == 0);
+}
+
+}  // namespace faster::timing

@@ -1,5 +1,7 @@
 #include "timing/bench_process.hpp"
 
+#include <algorithm>
+
 namespace faster::timing {
 
 namespace {
@@ -70,8 +72,14 @@ void BenchProcess::start() {
     iterations_before_ = iterations_;
     entered_ = false;
     counted_ = 0;
-    if (finished())
+    constexpr std::size_t long_gone = 256;
+    if (finished()) {
         log_front_ = log_end_ = 0;
+    } else if (log_front_ > long_gone) {
+        std::copy(log_.data() + log_front_, log_.data() + log_end_, log_.data());
+        log_end_ -= log_front_;
+        log_front_ = 0;
+    }
 }
 
 /// Iterations that access the same ports become as few mixes as they can be, however they were told: so that equal logs

@@ -31,15 +31,6 @@ class BenchProcess {
 
     /// With the number of its first figure, see RelativeState::enter().
     BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail);
-    /// Visits the number of each figure of its loops that may have grown since start().
-    template <class Visit> void each_figure(Visit visit) const {
-        for_each_bit(counted_, [&](unsigned loop) {
-            std::uint32_t const first = loops_[loop].figure;
-            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape);
-                 ++number)
-                visit(number);
-        });
-    }
     /// Where figures are, by number: they grow.
     void set_figures(std::uint32_t* figures) { figures_ = figures; }
     void connect(unsigned port, Port const& end) { ports_[port] = end; }
@@ -68,7 +59,6 @@ class BenchProcess {
     std::uint32_t advance();
 
     std::int64_t time() const { return time_; }
-    void set_time(std::int64_t time) { time_ = time; }
     /// No further access is before this cycle, see RelativeState.
     std::int64_t not_before() const { return time_ + early_; }
     std::uint8_t next_ports() const { return finished() ? outlook_ports_ : log_[log_front_].ports(); }
@@ -83,7 +73,6 @@ class BenchProcess {
         time_ = cycle;
     }
     void leave_trail(unsigned number);
-    bool leaves_trail() const { return trail_ != nullptr; }
 
     bool is_frozen() const { return frozen_; }
     void set_outlook(std::uint8_t next_ports, bool frozen) {
@@ -93,6 +82,15 @@ class BenchProcess {
     unsigned parked_at() const { return parked_at_; }
     void set_parked_at(unsigned port) { parked_at_ = port; }
 
+    /// Visits the number of each figure of its loops that may have grown since start().
+    template <class Visit> void each_figure(Visit visit) const {
+        for_each_bit(counted_, [&](unsigned loop) {
+            std::uint32_t const first = loops_[loop].figure;
+            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape);
+                 ++number)
+                visit(number);
+        });
+    }
     bool has_entered() const { return entered_; }
     /// Iterations since start(), or since it entered the loop it is in, or left.
     std::uint64_t iterations() const { return iterations_ - (entered_ ? 0 : iterations_before_); }
@@ -136,7 +134,6 @@ class BenchProcess {
     std::uint8_t delayed(std::uint64_t lag) const {
         return delay_line_[(pipeline_.iteration - lag) & (delay_line_.size() - 1)];
     }
-    void iterate_silently(Operation& operation);
     void split_flanked();
     bool take_off(Operation& operation, std::uint32_t count);
     void count(std::uint64_t iterations) {

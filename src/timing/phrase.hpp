@@ -36,12 +36,6 @@ class Phrase {
     void assign(Code const* codes, unsigned size, std::uint32_t active);
     /// Becomes a phrase that a group wrote before; all the rest follows from the codes.
     void recall(Code const* codes, unsigned size, Group const& group);
-    /// A follower answers with `length` iterations that access `ports`, and goes on in the same manner.
-    void add_part(std::uint8_t ports, std::uint32_t length, unsigned member) {
-        put_part(ports, length, 0, member);
-        active_ |= 1U << member;
-    }
-
     /// Of the codes, and of a number that goes with them.
     Print print(std::uint64_t number) const;
 
@@ -130,7 +124,7 @@ class Phrase {
     static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
 
-    std::array<Code, longest + 1> codes_{};  // and what the supplier does, see add_part()
+    std::array<Code, longest> codes_{};
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     Group::Lanes due_ = 0;

@@ -56,8 +56,6 @@ class TransitionBench {
     std::int64_t reach() const { return reach_; }
 
   private:
-    static constexpr unsigned most_members = Transition::most_members;
-
     void connect(Group const& group);
     void start();
     void settle();

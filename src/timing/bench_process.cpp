@@ -4,22 +4,6 @@
 
 namespace faster::timing {
 
-namespace {
-/// Iterations with or without a silent one behind each, which one mix can say.
-bool can_be_mixed(Operation const& operation) {
-    return operation.kind() == Operation::Kind::mixed ||
-           (operation.kind() == Operation::Kind::iterate && operation.ports() != 0 && operation.gap() <= 1 &&
-            operation.own_tail_ports() == 0 && operation.count() <= Operation::longest_mix);
-}
-unsigned length_of(Operation const& operation) {
-    return operation.kind() == Operation::Kind::mixed ? operation.length() : operation.count();
-}
-std::uint64_t gaps_of(Operation const& operation) {
-    return operation.kind() == Operation::Kind::mixed ? operation.gaps()
-                                                      : Operation::gap_bits(operation.gap(), operation.count());
-}
-}  // namespace
-
 BenchProcess::BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail)
     : process_(&process), trail_(trail), log_(64) {
     std::uint32_t figure = first_figure;
@@ -80,32 +64,6 @@ void BenchProcess::start() {
         log_end_ -= log_front_;
         log_front_ = 0;
     }
-}
-
-/// Iterations that access the same ports become as few mixes as they can be, however they were told: so that equal logs
-/// are equal words.
-void BenchProcess::join_whole_log() {
-    std::size_t to = log_front_;
-    for (std::size_t from = log_front_; from < log_end_;) {
-        Operation const operation = log_[from++];
-        if (!can_be_mixed(operation)) {
-            log_[to++] = operation;
-            continue;
-        }
-        std::uint64_t gaps = gaps_of(operation);
-        unsigned length = length_of(operation);
-        for (; from < log_end_ && can_be_mixed(log_[from]) && log_[from].ports() == operation.ports(); ++from) {
-            gaps |= gaps_of(log_[from]) << length;
-            length += length_of(log_[from]);
-            if (length <= Operation::longest_mix)
-                continue;
-            log_[to++] = Operation::mix(operation.ports(), Operation::longest_mix, static_cast<std::uint32_t>(gaps));
-            gaps >>= Operation::longest_mix;
-            length -= Operation::longest_mix;
-        }
-        log_[to++] = Operation::mix(operation.ports(), length, static_cast<std::uint32_t>(gaps));
-    }
-    log_end_ = to;
 }
 
 StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
@@ -234,7 +192,7 @@ void BenchProcess::count_end(Loop const& loop) {
     counted_ |= 1U << loop_;
     LoopEnd const end = loop_end(*loop.shape, iterations_);
     figures_[loop.figure] += static_cast<std::uint32_t>(end.entries);
-    if (loop.shape->depth >= loop.shape->interval.achieved)
+    if (RelativeState::figures_of(*loop.shape) == 2)
         return;
     figures_[loop.figure + 2] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
     figures_[loop.figure + 3] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
@@ -246,7 +204,8 @@ bool BenchProcess::iterate(Operation& operation) {
         std::uint64_t const count = std::uint64_t{operation.count()} * (1U + operation.gap());
         time_ += static_cast<std::int64_t>(count) * interval();
         this->count(count);
-        return take_off(operation, operation.count());
+        take_off(operation, operation.count());
+        return true;
     }
     std::int64_t const stride = interval() * (1 + static_cast<std::int64_t>(operation.gap()));
     std::uint32_t const wanted = operation.count();
@@ -312,16 +271,15 @@ bool BenchProcess::pass_phases(std::uint8_t ports) {
     return true;
 }
 
-/// Of the front operation. True: it may have become its tail, or the next is the front one.
-bool BenchProcess::take_off(Operation& operation, std::uint32_t count) {
+/// Of the front operation, which may become its tail; or the next is the front one.
+void BenchProcess::take_off(Operation& operation, std::uint32_t count) {
     operation.subtract(count);
     if (operation.count() > 0)
-        return true;
+        return;
     if (operation.own_tail_ports() != 0)
         operation.become_tail();
     else
         ++log_front_;
-    return true;
 }
 
 /// Only drivers have them, and nothing before them in the log is needed any more but room for one.

@@ -16,7 +16,7 @@ namespace faster::timing {
 /// Knows its FIFOs in the group, and only what a phrase can say.
 class BenchProcess {
   public:
-    static constexpr unsigned no_port = ~0U;
+    static constexpr unsigned no_port = RelativeState::no_port;
 
     /// An end of a FIFO. A write consumes a cycle of its room and appends one from which on its token can be read; a
     /// read the other way round.
@@ -39,10 +39,6 @@ class BenchProcess {
     StateWord const* load(StateWord const* words);
     /// A transition begins.
     void start();
-    void join_log() {
-        if (log_end_ - log_front_ > 1)
-            join_whole_log();
-    }
     /// Puts down its words, with times since `base`. Returns what is behind.
     StateWord* save(StateWord* words, std::int64_t base) const;
     std::size_t most_words() const {
@@ -118,7 +114,6 @@ class BenchProcess {
         std::uint64_t drain_left = 0;
     };
 
-    void join_whole_log();
     bool perform(std::uint8_t ports);
     bool take(Operation& operation);
     void enter(unsigned loop);
@@ -135,7 +130,7 @@ class BenchProcess {
         return delay_line_[(pipeline_.iteration - lag) & (delay_line_.size() - 1)];
     }
     void split_flanked();
-    bool take_off(Operation& operation, std::uint32_t count);
+    void take_off(Operation& operation, std::uint32_t count);
     void count(std::uint64_t iterations) {
         iterations_ += iterations;
         figures_[loops_[loop_].figure + 1] += static_cast<std::uint32_t>(iterations);

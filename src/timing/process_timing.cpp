@@ -313,7 +313,7 @@ void ProcessTiming::enter_loop(unsigned loop) {
     ++pipeline_run_;
 }
 
-/// From so many on, (n - 1) II + L covers n times what II is above its target: see count_loop().
+/// From so many on, (n - 1) II + L covers n times what II is above its target: see loop_end().
 std::uint64_t ProcessTiming::iterations_that_count(LoopShape const& loop) {
     InitiationInterval const& interval = loop.interval;
     Cycles const above_target = interval.recurrence_per_iteration + interval.port_conflict_per_iteration;

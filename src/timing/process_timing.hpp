@@ -43,13 +43,6 @@ struct LoopEnd {
     std::uint64_t entries = 0;
     Cycles port_conflict_beyond_end = 0;
     Cycles recurrence_beyond_end = 0;
-
-    LoopEnd& operator+=(LoopEnd const& other) {
-        entries += other.entries;
-        port_conflict_beyond_end += other.port_conflict_beyond_end;
-        recurrence_beyond_end += other.recurrence_beyond_end;
-        return *this;
-    }
 };
 /// After so many iterations; more than iterations_that_count() need not be told apart.
 LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations);

@@ -1,7 +1,6 @@
 #include "timing/relative_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 namespace faster::timing {

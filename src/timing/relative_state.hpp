@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +18,7 @@ class RelativeState {
         bool frozen = false;          ///< goes on with something outside the group: does not take part any more
     };
     static constexpr unsigned no_port = ~0U;
+
     explicit RelativeState(Group const& group) : group_(&group) {}
 
     std::vector<Outlook>& outlooks() { return outlooks_; }
@@ -27,7 +27,7 @@ class RelativeState {
     /// followers of a mask hold.
     bool save(StateWords& words, std::uint32_t with_logs) const;
     void clear_logs(std::uint32_t members);
-    /// For a group with logs and counters of its own: puts what the processes have yet to do in front of their logs.
+    /// Puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
     /// The figures of a group that only grow: those of each member's loops; of each FIFO between members its tokens
     /// gone through, full stalls and empty stalls; of each FIFO its largest occupancy.

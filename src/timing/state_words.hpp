@@ -5,9 +5,8 @@
 
 namespace faster::timing {
 
-/// A group's state as a list of words, so that equal lists have equal futures: of each process its time, its
-/// flags, its delay line and its log; of each FIFO its counts, and times. Times are relative to
-/// the driver's local time.
+/// A group's state as a list of words, so that equal lists have equal futures: of each process its time, its flags, its
+/// delay line and its log; of each FIFO its counts, and times. Times are relative to the driver's local time.
 using StateWord = std::int32_t;
 using StateWords = std::vector<StateWord>;
 

@@ -14,6 +14,10 @@ namespace faster::timing {
 struct Transition {
     static constexpr unsigned most_members = Lead::most_members;
 
+    struct Figure {
+        std::uint32_t number;  ///< see RelativeState::enter()
+        std::uint32_t amount;  ///< not 0
+    };
     struct Stand {  ///< of a follower, at the end
         unsigned member;
         std::int64_t since;
@@ -31,10 +35,6 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    struct Figure {
-        std::uint32_t number;  ///< see RelativeState::enter()
-        std::uint32_t amount;  ///< not 0
-    };
     std::vector<Figure> figures;
     std::vector<Stand> stands;
     std::vector<Room> rooms;

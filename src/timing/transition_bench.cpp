@@ -270,10 +270,8 @@ void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
 
 void TransitionBench::save() {
     std::size_t most = most_words_of_fifos_;
-    for (Member& member : members_) {
-        member.process.join_log();
+    for (Member const& member : members_)
         most += member.process.most_words();
-    }
     if (page_.size() < most)
         page_.resize(2 * most);
     StateWord* words = page_.data();

@@ -27,7 +27,7 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
         }
     while (!walks.empty()) {
         std::size_t const stopped = automaton.go_on(walks);
-        if (automaton.find_out(*walks[stopped]) || walking[stopped]->go_on())
+        if (walking[stopped]->go_on())
             continue;
         walking.erase(walking.begin() + static_cast<std::ptrdiff_t>(stopped));
         walks.erase(walks.begin() + static_cast<std::ptrdiff_t>(stopped));

@@ -77,15 +77,28 @@ bool Automaton::goes_on_elsewhere(Group::Member const& member) {
     return next.known && next.ports == 0;
 }
 
+/// A bit each.
+std::uint32_t Automaton::going_on_elsewhere(Group const& group) {
+    std::uint32_t members = 0;
+    for (unsigned m = 1; m < group.members().size(); ++m)
+        members |= goes_on_elsewhere(group.members()[m]) ? 1U << m : 0U;
+    return members;
+}
+
 Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
     Progress progress;
     session_ = &session;
     phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
     if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
         return {false, true};
-    if (is_far_apart(group) || !begin(group))
+    if (is_far_apart(group))
         return progress;
-    Phrase::Reading reading = is_worthwhile() ? phrase_.read(group, session.frozen) : Phrase::Reading::foreign;
+    Phrase::Reading reading = phrase_.read(group, going_on_elsewhere(group));
+    progress.later = reading == Phrase::Reading::logs_end;
+    if (reading != Phrase::Reading::complete || !begin(group))
+        return progress;
+    if (!is_worthwhile())
+        reading = Phrase::Reading::foreign;
     for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
         Print const print = phrase_.print(session.state + std::uint64_t{1});
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
@@ -126,8 +139,8 @@ void Automaton::apply(Slot const& slot) {
 /// Of a transition that is remembered, and notable.
 void Automaton::note(Session& session, Number number, Cycles begin) const {
     for (Number const piece : store_.pieces(number)) {
-        begin += store_.brief(piece).cycles;
-        if (store_.brief(piece).notable)
+        begin += store_.brief(piece).cycles();
+        if (store_.brief(piece).notable())
             note(session, store_.notes(piece).froze, store_.notes(piece).rooms, begin);
     }
 }
@@ -190,9 +203,9 @@ bool Automaton::work_out(Slot& slot) {
 /// Of a transition that is remembered.
 void Automaton::describe(Slot& slot) const {
     TransitionStore::Brief const brief = store_.brief(slot.number);
-    slot.cycles = brief.cycles;
-    slot.entered = brief.entered;
-    slot.notable = brief.notable;
+    slot.cycles = brief.cycles();
+    slot.entered = static_cast<std::uint8_t>(brief.entered());
+    slot.notable = brief.notable();
 }
 
 /// The state at which the bench is is likely to come again: times further apart hardly ever do.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/uninitialized.hpp"
 #include "timing/cut_trial.hpp"
 #include "timing/numbered_transitions.hpp"
 #include "timing/phrase.hpp"
@@ -55,11 +56,9 @@ class Automaton {
     /// what is left in the logs of followers, but for suppliers, was asked for by the driver before. False if they
     /// cannot.
     bool set_out(Walk& walk);
-    /// Moves walks that have set out on by what is known, until one is at its end or comes to something new: which. A
+    /// Moves walks that have set out on, until one is at its end or comes to what cannot be worked out: which. A
     /// look-up waits for the one before it in the same walk; those of several walks take turns.
     std::size_t go_on(std::vector<Walk*> const& walks);
-    /// Works out what a walk came to. False if it is at its end, or that cannot be done.
-    bool find_out(Walk& walk);
     /// Ends a walk: moves the core to where it got. Whether it got anywhere.
     bool arrive(Walk& walk);
     static bool is_where_script_goes_on(Group const& group);
@@ -72,7 +71,7 @@ class Automaton {
     /// From now on, tells the trails of the cores what decides their times. Before the first is followed.
     void leave_trails() { leaves_trails_ = true; }
     /// What a transition that is remembered takes, and what decides it, from its begin on.
-    Cycles cycles(std::uint32_t transition) const { return store_.brief(transition).cycles; }
+    Cycles cycles(std::uint32_t transition) const { return store_.brief(transition).cycles(); }
     std::vector<TrailEvent> const& trail(std::uint32_t transition) const { return store_.trail(transition); }
 
     /// The core cannot be followed, or repeats itself too rarely.
@@ -88,9 +87,11 @@ class Automaton {
     using Stand = Transition::Stand;
     using Room = Transition::Room;
     using Slot = TransitionTable::Slot;
+    using History = std::vector<Number, Uninitialized<Number>>;
 
     bool is_far_apart(Group const& group) const;
     static bool goes_on_elsewhere(Group::Member const& member);
+    static std::uint32_t going_on_elsewhere(Group const& group);
     bool is_worthwhile() const;
     bool is_recurring() const;
     bool begin(Group const& group, Script const* script = nullptr);
@@ -105,18 +106,28 @@ class Automaton {
     bool work_out(Slot& slot);
     void describe(Slot& slot) const;
     bool put_together(Walk const& walk, Slot& slot);
-    NumberedTransitions::Slot const* work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece);
+    NumberedTransitions::Known work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece);
     bool take_up(Walk const& walk, PhraseBook::Number number);
     /// Where a walk is, while it goes on.
     struct Place {
-        PhraseBook::Number const* phrases;
-        Number* history;
-        std::size_t next;  ///< of both
-        std::size_t end;
+        PhraseBook::Number const* phrases;  ///< that are left
+        Number* history;                    ///< for their transitions
+        std::size_t left;
         Number state;
+
+        void advance(std::size_t count) {
+            phrases += count;
+            history += count;
+            left -= count;
+        }
     };
-    static bool step(NumberedTransitions::Reader const& known, Place& place);
+    static Place place_of(Walk const& walk);
+    static void move_to(Place const& place, Walk& walk);
+    static bool step(NumberedTransitions::Reader const& transitions, Place& place, std::size_t ahead);
+    static Place* take_turns(NumberedTransitions::Reader const& transitions, Place* first, Place* end,
+                             std::size_t rounds);
     std::size_t walk_on(NumberedTransitions::Reader const& known);
+    bool find_out(Walk& walk);
     void count_up(Walk& walk);
     static void find_regular_part(Walk& walk);
     bool is_frozen(unsigned member) const;
@@ -169,7 +180,7 @@ struct Automaton::Session {
     Cycles begin = 0;
     Cycles time = 0;
     std::uint32_t frozen = 0;
-    std::vector<Number> history;    ///< of transitions; in a walk, room for all
+    History history;                ///< of transitions; in a walk, room for all
     std::vector<Transition> loose;  ///< not worth remembering; numbers from first_loose on
     std::vector<Stand> entry;       ///< of each follower, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;
@@ -185,7 +196,7 @@ struct Automaton::Session {
         std::uint64_t entries = 0;  ///< of loops, when the last session stopped
     };
     std::array<OpenLoop, Transition::most_members> open_loops{};
-    std::vector<Number> kept_history;  ///< of sessions since the first open loop was entered, about
+    History kept_history;  ///< of sessions since the first open loop was entered, about
     struct Loose {
         std::array<std::uint64_t, Transition::most_members> iterations;
         std::uint32_t entered;

@@ -15,10 +15,12 @@ class Figures {
 
     /// Of one, done `uses` times.
     template <class All> void add(All const& figures, std::uint64_t uses) {
-        for (Transition::Figure const& figure : figures) {
-            std::uint64_t& sum = figures_[figure.number];
-            sum = figure.number < sums_ ? sum + uses * figure.amount : std::max<std::uint64_t>(sum, figure.amount);
-        }
+        Transition::Figure const* figure = figures.data();
+        Transition::Figure const* const end = figure + figures.size();
+        for (; figure != end && figure->number < sums_; ++figure)
+            figures_[figure->number] += uses * figure->amount;
+        for (; figure != end; ++figure)
+            figures_[figure->number] = std::max<std::uint64_t>(figures_[figure->number], figure->amount);
     }
     void enter() { real_.enter(figures_); }
 
@@ -30,7 +32,7 @@ class Figures {
 }  // namespace
 
 Cycles Automaton::cycles(Session const& session, Number number) const {
-    return number < first_loose ? store_.brief(number).cycles : session.loose[number - first_loose].cycles;
+    return number < first_loose ? store_.brief(number).cycles() : session.loose[number - first_loose].cycles;
 }
 
 TransitionStore::Range<Transition::Stand> Automaton::stands(Session const& session, Number number) const {
@@ -151,14 +153,14 @@ void Automaton::forget_history(Session& session) {
 
 /// Where each follower goes on. False if one goes on with what no phrase can say.
 bool Automaton::find_outlooks(Group const& group, Script const* script, RelativeState& real) {
+    session_->frozen = going_on_elsewhere(group);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         Group::Member const& member = group.members()[m];
-        bool const frozen = goes_on_elsewhere(member);
+        bool const frozen = is_frozen(m);
         if (frozen && !member.writes_anchor)
             return false;
         bool const as_scripted = script != nullptr && !member.writes_anchor;
         real.outlooks()[m] = {as_scripted ? script->next_ports[m] : Phrase::next_of(member, 0).ports, frozen};
-        session_->frozen |= frozen ? 1U << m : 0U;
     }
     return true;
 }
@@ -168,7 +170,6 @@ bool Automaton::begin(Group const& group, Script const* script) {
     RelativeState real(group);
     session_->history.clear();
     session_->entered = 0;
-    session_->frozen = 0;
     session_->entry.clear();
     session_->rooms.assign(group.fifos().size(), {});
     if (!find_outlooks(group, script, real))

@@ -181,9 +181,7 @@ void CoreTiming::arrive() {
 
 void CoreTiming::walk_through() {
     while (set_out()) {
-        do
-            automaton_->go_on({&walk_});
-        while (automaton_->find_out(walk_));
+        automaton_->go_on({&walk_});
         arrive();
     }
 }

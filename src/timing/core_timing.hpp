@@ -48,9 +48,7 @@ class CoreTiming {
     ///
     ///     core.take_up(script);
     ///     while (core.set_out()) {
-    ///         do
-    ///             automaton.go_on({&core.walk()});
-    ///         while (automaton.find_out(core.walk()));
+    ///         automaton.go_on({&core.walk()});
     ///         core.arrive();
     ///     }
     void take_up(Script& script);

@@ -6,6 +6,7 @@ namespace faster::timing {
 
 namespace {
 constexpr std::size_t most_left_over = 8;  // operations that a follower may be behind
+constexpr std::size_t soon = 128;          // phrases: long enough to fetch one from far away
 
 bool can_be_left_over(Operation const& operation, Group::Member const& member) {
     bool const foreign = (operation.all_ports() & ~member.inner_ports) != 0;
@@ -77,52 +78,70 @@ void Automaton::find_regular_part(Walk& walk) {
         walk.due_behind += (*script.book)[*--walk.end].due;
 }
 
-/// By one transition that is known, before the end. False if there is none.
-inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place) {
-    NumberedTransitions::Slot const* const known = transitions.find(place.state, place.phrases[place.next]);
-    if (known == nullptr)
-        return false;
-    place.history[place.next++] = known->number;
-    place.state = known->next;
-    return true;
+Automaton::Place Automaton::place_of(Walk const& walk) {
+    auto const done = walk.script->next - walk.begin;
+    return {walk.script->next, walk.session->history.data() + done,
+            static_cast<std::size_t>(walk.end - walk.script->next), walk.session->state};
+}
+
+void Automaton::move_to(Place const& place, Walk& walk) {
+    walk.script->next = walk.end - place.left;
+    walk.session->state = place.state;
 }
 
 std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
     places_.clear();
     for (Walk const* const walk : walks)
-        places_.push_back({walk->begin, walk->session->history.data(),
-                           static_cast<std::size_t>(walk->script->next - walk->begin),
-                           static_cast<std::size_t>(walk->end - walk->begin), walk->session->state});
-    std::size_t const stopped = walk_on(NumberedTransitions::Reader(numbered_));
-    for (std::size_t i = 0; i < walks.size(); ++i) {
-        walks[i]->script->next = walks[i]->begin + places_[i].next;
-        walks[i]->session->state = places_[i].state;
+        places_.push_back(place_of(*walk));
+    std::size_t stopped = walk_on(NumberedTransitions::Reader(numbered_));
+    for (;; stopped = walk_on(NumberedTransitions::Reader(numbered_))) {
+        move_to(places_[stopped], *walks[stopped]);
+        if (!find_out(*walks[stopped]))
+            break;
+        places_[stopped] = place_of(*walks[stopped]);
     }
+    for (std::size_t i = 0; i < walks.size(); ++i)
+        move_to(places_[i], *walks[i]);
+    return stopped;
+}
+
+/// By the transition so many phrases ahead; the place's pointers stay. False if it is not known.
+inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place, std::size_t ahead) {
+    __builtin_prefetch(place.phrases + ahead + soon);
+    NumberedTransitions::Known const known = transitions.find(place.state, place.phrases[ahead]);
+    if (!known)
+        return false;
+    place.history[ahead] = known.number;
+    place.state = known.next;
+    return true;
+}
+
+/// So many rounds, unless a place has to stop: which, or the end.
+inline Automaton::Place* Automaton::take_turns(NumberedTransitions::Reader const& transitions, Place* first, Place* end,
+                                               std::size_t rounds) {
+    std::size_t round = 0;
+    Place* stopped = end;
+    for (; round < rounds && stopped == end; ++round)
+        for (Place* place = first; place != end && stopped == end; ++place)
+            if (!step(transitions, *place, round))
+                stopped = place;
+    for (Place* place = first; place != end; ++place)
+        place->advance(stopped == end || place < stopped ? round : round - 1);
     return stopped;
 }
 
 /// All places in turns, as many rounds at a time as none of them comes to its end. Where one had to stop.
 std::size_t Automaton::walk_on(NumberedTransitions::Reader const& transitions) {
+    auto const is_shorter = [](Place const& one, Place const& other) { return one.left < other.left; };
+    Place* const first = places_.data();
+    Place* const end = first + places_.size();
     for (;;) {
-        auto const shortest = std::min_element(
-            places_.begin(), places_.end(),
-            [](Place const& one, Place const& other) { return one.end - one.next < other.end - other.next; });
-        std::size_t const rounds = shortest->end - shortest->next;
-        if (rounds == 0)
-            return static_cast<std::size_t>(shortest - places_.begin());
-        if (places_.size() == 1) {
-            Place place = places_.front();  // in registers
-            while (place.next != place.end && step(transitions, place)) {
-            }
-            places_.front() = place;
-            return 0;
-        }
-        Place* const first = places_.data();
-        Place* const end = first + places_.size();
-        for (std::size_t round = 0; round < rounds; ++round)
-            for (Place* place = first; place != end; ++place)
-                if (!step(transitions, *place))
-                    return static_cast<std::size_t>(place - first);
+        Place* const shortest = std::min_element(first, end, is_shorter);
+        if (shortest->left == 0)
+            return static_cast<std::size_t>(shortest - first);
+        Place* const stopped = take_turns(transitions, first, end, shortest->left);
+        if (stopped != end)
+            return static_cast<std::size_t>(stopped - first);
     }
 }
 
@@ -132,14 +151,19 @@ void Automaton::count_up(Walk& walk) {
     Number const* const from = session.history.data() + (walk.counted - walk.begin);
     Number const* const to = session.history.data() + (walk.script->next - walk.begin);
     session.uses.resize(std::max(session.uses.size(), store_.size()));
+    std::uint32_t* const uses = session.uses.data();
+    Cycles time = session.time;
+    std::uint32_t entered = session.entered;
     for (Number const* number = from; number != to; ++number) {
         TransitionStore::Brief const brief = store_.brief(*number);
-        ++session.uses[*number];
-        if (brief.notable)
-            note(session, *number, session.time);
-        session.time += brief.cycles;
-        session.entered |= brief.entered;
+        ++uses[*number];
+        if (brief.notable())
+            note(session, *number, time);
+        time += brief.cycles();
+        entered |= brief.entered();
     }
+    session.time = time;
+    session.entered = entered;
     phrases_ += static_cast<std::uint64_t>(to - from);
     walk.counted = walk.script->next;
 }
@@ -155,7 +179,7 @@ bool Automaton::find_out(Walk& walk) {
     if (!put_together(walk, slot) && !(take_up(walk, *script.next) && work_out(slot)))
         return false;
     if (slot.number < first_loose)
-        numbered_.add(from, *script.next, slot.next, slot.number);
+        numbered_.add(from, *script.next, {slot.next, slot.number});
     session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
     apply(slot);
     walk.counted = script.next;
@@ -188,14 +212,14 @@ bool Automaton::put_together(Walk const& walk, Slot& slot) {
     sequence_.clear();
     slot.next = session_->state;
     for (PhraseBook::Number const* piece = book.pieces(number); piece != book.pieces(number) + count; ++piece) {
-        NumberedTransitions::Slot const* known = NumberedTransitions::Reader(pieces_).find(slot.next, *piece);
-        if (known == nullptr)
+        NumberedTransitions::Known known = NumberedTransitions::Reader(pieces_).find(slot.next, *piece);
+        if (!known)
             known = work_out_piece(walk, slot.next, *piece);
-        if (known == nullptr)
+        if (!known)
             return false;
-        auto const pieces = store_.pieces(known->number);
+        auto const pieces = store_.pieces(known.number);
         sequence_.insert(sequence_.end(), pieces.begin(), pieces.end());
-        slot.next = known->next;
+        slot.next = known.next;
     }
     if (!store_.accepts_sequence(sequence_))
         return false;
@@ -204,14 +228,16 @@ bool Automaton::put_together(Walk const& walk, Slot& slot) {
     return true;
 }
 
-/// Null if it cannot be done, or is not worth remembering.
-NumberedTransitions::Slot const* Automaton::work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece) {
+/// False if it cannot be done, or is not worth remembering.
+NumberedTransitions::Known Automaton::work_out_piece(Walk const& walk, Number state, PhraseBook::Number piece) {
     if (!take_up(walk, piece))
-        return nullptr;
+        return {};
     cut_trial_.worked_out_piece();
     if (!perform(states_[state]) || !is_recurring() || !store_.accepts(worked_on_))
-        return nullptr;
-    return pieces_.add(state, piece, number_of_state(), store_.add(worked_on_));
+        return {};
+    NumberedTransitions::Known const known = {number_of_state(), store_.add(worked_on_)};
+    pieces_.add(state, piece, known);
+    return known;
 }
 
 bool Automaton::arrive(Walk& walk) {

@@ -263,8 +263,8 @@ void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
         }
     for_each_bit(accessed_, [&](unsigned f) {
         put(of_loops_ + RelativeState::sums_of_fifo * f, fifos_[f].fifo.readable.consumed());
-        put(of_loops_ + of_fifos + f, fifos_[f].fifo.largest_occupancy());
     });
+    for_each_bit(accessed_, [&](unsigned f) { put(of_loops_ + of_fifos + f, fifos_[f].fifo.largest_occupancy()); });
     figures.assign(list_.data(), next);
 }
 

@@ -7,13 +7,12 @@ namespace faster::timing {
 
 namespace {
 constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB with the states between them
-constexpr Cycles longest_cycles = 0xFFFFFFFF;
 constexpr std::uint64_t most_iterations = 0xFFFF;
 }  // namespace
 
 bool TransitionStore::accepts(Transition const& transition) const {
     auto const fits = [](std::uint64_t iterations) { return iterations <= most_iterations; };
-    return size() < most_transitions && transition.cycles <= longest_cycles &&
+    return size() < most_transitions && transition.cycles <= Brief::most_cycles &&
            std::all_of(transition.iterations.begin(), transition.iterations.end(), fits);
 }
 
@@ -23,8 +22,7 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     std::transform(transition.iterations.begin(), transition.iterations.end(), tally.iterations.begin(),
                    [](std::uint64_t iterations) { return static_cast<std::uint16_t>(iterations); });
     tally.entered = static_cast<std::uint16_t>(transition.entered);
-    briefs_.push_back({static_cast<std::uint32_t>(transition.cycles), static_cast<std::uint8_t>(transition.entered),
-                       is_notable(transition)});
+    briefs_.emplace_back(transition.cycles, transition.entered, is_notable(transition));
     tallies_.push_back(tally);
     pieces_.push_back(number);
     std::size_t const figures = transition.figures.size();
@@ -45,23 +43,20 @@ bool TransitionStore::accepts_sequence(std::vector<Number> const& transitions) c
     Cycles cycles = 0;
     std::array<std::uint64_t, Transition::most_members> iterations{};
     for (Number const transition : transitions) {
-        cycles += briefs_[transition].cycles;
+        cycles += briefs_[transition].cycles();
         for (std::size_t m = 0; m < iterations.size(); ++m)
             iterations[m] += tallies_[transition].iterations[m];
     }
-    return size() < most_transitions && cycles <= longest_cycles &&
+    return size() < most_transitions && cycles <= Brief::most_cycles &&
            *std::max_element(iterations.begin(), iterations.end()) <= most_iterations;
 }
 
 TransitionStore::Number TransitionStore::add_sequence(std::vector<Number> const& transitions) {
     auto const number = static_cast<Number>(size());
-    Brief all{};
+    Brief all;
     Tally sum{};
     for (Number const transition : transitions) {
-        Brief const& brief = briefs_[transition];
-        all.cycles += brief.cycles;
-        all.entered = static_cast<std::uint8_t>(all.entered | brief.entered);
-        all.notable = all.notable || brief.notable;
+        all = briefs_[transition].behind(all);
         add(tallies_[transition], sum);
     }
     briefs_.push_back(all);

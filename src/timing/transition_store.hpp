@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -14,10 +15,30 @@ class TransitionStore {
   public:
     using Number = std::uint32_t;
 
-    struct Brief {
-        std::uint32_t cycles;
-        std::uint8_t entered;  ///< members that entered a loop, a bit each
-        bool notable;          ///< something besides to take down: see notes()
+    /// All of a transition that is looked at every time, in one word.
+    class Brief {
+      public:
+        static constexpr Cycles most_cycles = (Cycles{1} << (31 - Transition::most_members)) - 1;
+
+        Brief() = default;
+        Brief(Cycles cycles, std::uint32_t entered, bool notable)
+            : word_(static_cast<std::uint32_t>(cycles) << cycles_at | (notable ? is_notable : 0) | entered) {}
+
+        std::uint32_t cycles() const { return word_ >> cycles_at; }
+        /// Members that entered a loop, a bit each.
+        std::uint32_t entered() const { return word_ & (is_notable - 1); }
+        /// Something besides to take down: see notes().
+        bool notable() const { return (word_ & is_notable) != 0; }
+        /// Together with those of one before.
+        Brief behind(Brief before) const {
+            return {Cycles{cycles()} + before.cycles(), entered() | before.entered(), notable() || before.notable()};
+        }
+
+      private:
+        static constexpr std::uint32_t is_notable = 1U << Transition::most_members;
+        static constexpr unsigned cycles_at = Transition::most_members + 1;
+
+        std::uint32_t word_ = 0;
     };
     /// Of the loops that members are in.
     struct Tally {
@@ -33,6 +54,8 @@ class TransitionStore {
         Element const* last;
         Element const* begin() const { return first; }
         Element const* end() const { return last; }
+        Element const* data() const { return first; }
+        std::size_t size() const { return static_cast<std::size_t>(last - first); }
     };
 
     /// Whether there is room for it, and for its figures.

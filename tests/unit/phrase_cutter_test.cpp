@@ -149,8 +149,8 @@ TEST_CASE("A sequence of transitions is the sum of its pieces", "[phrases]") {
         store.add(transition_of(10, 0, 4)), store.add(transition_of(5, 0b10, 3)), store.add(transition_of(7, 0, 2))};
     REQUIRE(store.accepts_sequence(pieces));
     TransitionStore::Number const sequence = store.add_sequence(pieces);
-    CHECK(store.brief(sequence).cycles == 22);
-    CHECK(store.brief(sequence).entered == 0b10);
+    CHECK(store.brief(sequence).cycles() == 22);
+    CHECK(store.brief(sequence).entered() == 0b10);
     CHECK(store.tally(sequence).iterations[1] == 5);  // of the loop that the second entered
     CHECK(store.is_sequence(sequence));
     CHECK_FALSE(store.is_sequence(pieces.front()));

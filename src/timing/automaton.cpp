@@ -131,9 +131,14 @@ void Automaton::apply(Slot const& slot) {
         note(session, slot.number, session.time);
     session.time += slot.cycles;
     session.entered |= slot.entered;
-    if (slot.number >= session.uses.size())
-        session.uses.resize(store_.size());
+    make_room_for_uses(session);
     ++session.uses[slot.number];
+}
+
+/// Of all transitions so far.
+void Automaton::make_room_for_uses(Session& session) const {
+    if (session.uses.size() < store_.size())
+        session.uses.resize(2 * store_.size());
 }
 
 /// Of a transition that is remembered, and notable.

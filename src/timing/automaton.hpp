@@ -98,6 +98,7 @@ class Automaton {
     bool find_outlooks(Group const& group, Script const* script, RelativeState& real);
     void end(Group const& group, Script* script = nullptr);
     void apply(Slot const& slot);
+    void make_room_for_uses(Session& session) const;
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);

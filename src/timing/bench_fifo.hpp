@@ -147,17 +147,22 @@ struct BenchFifo {
   private:
     /// Of reads before start().
     std::uint64_t largest_behind_writes(std::uint64_t largest) const {
-        std::uint64_t const known = free.all_count() - free.appended();
+        std::uint64_t const writes = free.consumed(), known = free.all_count() - free.appended();
+        if (known == 0)
+            return largest;
         BenchLine::Cycle const* const freed = free.all();
         BenchLine::Cycle const* const written = readable.fresh();  // each readable read_latency later
-        for (std::uint64_t w = 0; w < free.consumed() && largest < capacity; ++w) {
-            BenchLine::Cycle const until = written[w] - read_latency + 1;
-            if (known == 0 || freed[known - 1] <= until)
-                break;  // nor do later ones: times never fall
+        BenchLine::Cycle const earlier = read_latency - 1;
+        // Neither does a later write find one of those reads behind it: times never fall.
+        BenchLine::Cycle const last = freed[known - 1] + earlier;
+        for (std::uint64_t w = 0; w < writes && written[w] < last; ++w) {
+            BenchLine::Cycle const until = written[w] - earlier;
             // The oldest of the m tokens before this one was read a cycle before freed[w + room - m].
             std::uint64_t m = std::max(largest, w + room + 1 - known);
             for (; m < capacity && freed[w + room - m] > until; largest = m)
                 ++m;
+            if (largest == capacity)
+                break;
         }
         return largest;
     }
@@ -166,15 +171,14 @@ struct BenchFifo {
         std::uint64_t const reads = readable.consumed(), known = readable.all_count();
         BenchLine::Cycle const* const readable_from = readable.all();
         BenchLine::Cycle const* const read = free.fresh();  // each a cycle later
-        for (std::uint64_t r = 0; r < reads; ++r) {
-            std::uint64_t const most = std::min(known - r, capacity);
-            if (largest >= most || readable_from[r + largest] >= read[reads - 1] - 1 + read_latency)
-                break;  // times never fall
+        std::uint64_t token = largest;                      // the first that is not written before a read
+        for (std::uint64_t r = 0; r < reads && token < known; ++r, ++token) {
             BenchLine::Cycle const until = read[r] - 1 + read_latency;
-            if (readable_from[r + most - 1] < until)
-                largest = most;
-            while (largest < most && readable_from[r + largest] < until)
-                ++largest;
+            for (; readable_from[token] < until; largest = token - r) {
+                ++token;
+                if (token - r == capacity || token == known)
+                    return token - r;
+            }
         }
         return largest;
     }

@@ -52,18 +52,11 @@ void BenchProcess::clear_delay_line() {
     delay_line_.assign(size, 0);
 }
 
-void BenchProcess::start() {
-    iterations_before_ = iterations_;
-    entered_ = false;
-    counted_ = 0;
-    constexpr std::size_t long_gone = 256;
-    if (finished()) {
-        log_front_ = log_end_ = 0;
-    } else if (log_front_ > long_gone) {
-        std::copy(log_.data() + log_front_, log_.data() + log_end_, log_.data());
-        log_end_ -= log_front_;
-        log_front_ = 0;
-    }
+/// To its begin, over what is done.
+void BenchProcess::move_log_back() {
+    std::copy(log_.data() + log_front_, log_.data() + log_end_, log_.data());
+    log_end_ -= log_front_;
+    log_front_ = 0;
 }
 
 StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
@@ -82,6 +75,13 @@ StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
     for (std::size_t i = log_front_; i < log_end_; ++i)
         words = put_code(log_[i].code(), words);
     return words;
+}
+
+std::size_t BenchProcess::most_words() const {
+    std::uint64_t longest_lag = 0;
+    for (Loop const& loop : loops_)
+        longest_lag = std::max<std::uint64_t>(longest_lag, loop.plan->longest_lag);
+    return 1 + ProcessFlags::words + longest_lag;
 }
 
 void BenchProcess::leave_trail(unsigned number) {
@@ -139,9 +139,12 @@ bool BenchProcess::take(Operation& operation) {
 
 /// All accesses of a step together, if they are known: waits for each in program order.
 bool BenchProcess::perform(std::uint8_t ports) {
-    for (std::uint32_t mask = ports; mask != 0; mask &= mask - 1)
-        if (ports_[static_cast<unsigned>(__builtin_ctz(mask))].consumes->known() == 0)
+    for (std::uint32_t mask = ports; mask != 0; mask &= mask - 1) {
+        Port const& port = ports_[static_cast<unsigned>(__builtin_ctz(mask))];
+        blocked_at_ = port.fifo;
+        if (port.consumes->known() == 0)
             return false;
+    }
     unsigned waited_at = no_port;
     for_each_bit(ports, [&](unsigned number) {
         std::int64_t const before = time_;
@@ -300,8 +303,11 @@ template <class Stride> std::uint32_t BenchProcess::run(std::uint8_t mask, std::
     if (trail_ != nullptr)
         return run_by_steps(mask, wanted, stride);
     PortSet const& set = port_set(mask);
-    for (unsigned i = 0; i < set.size; ++i)
-        wanted = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, set.ports[i]->consumes->known()));
+    for (unsigned i = 0; i < set.size; ++i) {
+        std::uint64_t const known = set.ports[i]->consumes->known();
+        blocked_at_ = known < wanted ? set.ports[i]->fifo : blocked_at_;
+        wanted = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, known));
+    }
     if (wanted == 0)
         return 0;
     accessed_ |= set.fifos;

@@ -38,12 +38,20 @@ class BenchProcess {
     /// Returns the words behind its own.
     StateWord const* load(StateWord const* words);
     /// A transition begins.
-    void start();
+    void start() {
+        iterations_before_ = iterations_;
+        entered_ = false;
+        counted_ = waited_ = 0;
+        if (finished())
+            log_front_ = log_end_ = 0;
+        else if (log_front_ > long_gone)
+            move_log_back();
+    }
     /// Puts down its words, with times since `base`. Returns what is behind.
     StateWord* save(StateWord* words, std::int64_t base) const;
-    std::size_t most_words() const {
-        return 1 + ProcessFlags::words + delay_line_.size() + words_of_operation * (log_end_ - log_front_);
-    }
+    /// That it puts down, but for those of the operations that are left.
+    std::size_t most_words() const;
+    std::size_t left() const { return log_end_ - log_front_; }
 
     void append(Operation const& operation) {
         if (log_end_ == log_.size())
@@ -53,6 +61,8 @@ class BenchProcess {
     bool finished() const { return log_front_ == log_end_; }
     /// Takes steps as long as it can. The FIFOs that it accessed, a bit each.
     std::uint32_t advance();
+    /// The FIFO that it could not access last, as a bit.
+    std::uint32_t blocked_at() const { return blocked_at_; }
 
     std::int64_t time() const { return time_; }
     /// No further access is before this cycle, see RelativeState.
@@ -66,6 +76,7 @@ class BenchProcess {
         if (cycle <= time_)
             return;
         figures_[ports_[number].stalls] += static_cast<std::uint32_t>(cycle - time_);
+        waited_ |= ports_[number].fifo;
         time_ = cycle;
     }
     void leave_trail(unsigned number);
@@ -87,6 +98,8 @@ class BenchProcess {
                 visit(number);
         });
     }
+    /// FIFOs that it may have waited for since start(), besides those that it accessed, a bit each.
+    std::uint32_t waited() const { return waited_; }
     bool has_entered() const { return entered_; }
     /// Iterations since start(), or since it entered the loop it is in, or left.
     std::uint64_t iterations() const { return iterations_ - (entered_ ? 0 : iterations_before_); }
@@ -114,6 +127,9 @@ class BenchProcess {
         std::uint64_t drain_left = 0;
     };
 
+    static constexpr std::size_t long_gone = 256;  // operations
+
+    void move_log_back();
     bool perform(std::uint8_t ports);
     bool take(Operation& operation);
     void enter(unsigned loop);
@@ -163,6 +179,8 @@ class BenchProcess {
     bool entered_ = false;
     std::uint32_t counted_ = 0;   ///< loops with figures, a bit each
     std::uint32_t accessed_ = 0;  ///< FIFOs in advance(), a bit each
+    std::uint32_t blocked_at_ = 0;
+    std::uint32_t waited_ = 0;
     std::uint8_t outlook_ports_ = 0;
     bool frozen_ = false;
     unsigned parked_at_ = no_port;

@@ -119,15 +119,19 @@ inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Plac
 /// So many rounds, unless a place has to stop: which, or the end.
 inline Automaton::Place* Automaton::take_turns(NumberedTransitions::Reader const& transitions, Place* first, Place* end,
                                                std::size_t rounds) {
-    std::size_t round = 0;
-    Place* stopped = end;
-    for (; round < rounds && stopped == end; ++round)
-        for (Place* place = first; place != end && stopped == end; ++place)
-            if (!step(transitions, *place, round))
-                stopped = place;
-    for (Place* place = first; place != end; ++place)
-        place->advance(stopped == end || place < stopped ? round : round - 1);
-    return stopped;
+    auto const advance = [](Place* from, Place* to, std::size_t done) {
+        for (; from != to; ++from)
+            from->advance(done);
+    };
+    for (std::size_t round = 0; round < rounds; ++round)
+        for (Place* place = first; place != end; ++place)
+            if (!step(transitions, *place, round)) {
+                advance(first, place, round + 1);
+                advance(place, end, round);
+                return place;
+            }
+    advance(first, end, rounds);
+    return end;
 }
 
 /// All places in turns, as many rounds at a time as none of them comes to its end. Where one had to stop.
@@ -139,6 +143,12 @@ std::size_t Automaton::walk_on(NumberedTransitions::Reader const& transitions) {
         Place* const shortest = std::min_element(first, end, is_shorter);
         if (shortest->left == 0)
             return static_cast<std::size_t>(shortest - first);
+        if (places_.size() == 1) {
+            Place alone = *first;  // in registers
+            take_turns(transitions, &alone, &alone + 1, alone.left);
+            *first = alone;
+            return 0;
+        }
         Place* const stopped = take_turns(transitions, first, end, shortest->left);
         if (stopped != end)
             return static_cast<std::size_t>(stopped - first);
@@ -150,7 +160,7 @@ void Automaton::count_up(Walk& walk) {
     Session& session = *walk.session;
     Number const* const from = session.history.data() + (walk.counted - walk.begin);
     Number const* const to = session.history.data() + (walk.script->next - walk.begin);
-    session.uses.resize(std::max(session.uses.size(), store_.size()));
+    make_room_for_uses(session);
     std::uint32_t* const uses = session.uses.data();
     Cycles time = session.time;
     std::uint32_t entered = session.entered;

@@ -35,7 +35,7 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    std::vector<Figure> figures;  ///< sums first
+    std::vector<Figure> figures;                           ///< sums first
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;

@@ -1,6 +1,7 @@
 #include "timing/transition_bench.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/each_bit.hpp"
 #include "timing/core_timing.hpp"
@@ -11,13 +12,14 @@ namespace faster::timing {
 TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails)
     : shape_(core.blank_copy()), trail_(leaves_trails ? std::make_unique<Trail>(Trail::any_length) : nullptr) {
     Group const group(*shape_, lead);
-    most_words_of_fifos_ = BenchLine::slack;
+    most_words_ = BenchLine::slack;
     for (Group::Inner const& inner : group.fifos())
         fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader});
     for (Fifo const& fifo : fifos_)
-        most_words_of_fifos_ += FifoCounts::words + fifo.fifo.room;
+        most_words_ += FifoCounts::words + fifo.fifo.room;
     for (Group::Member const& member : group.members()) {
-        members_.push_back({BenchProcess(*member.process, of_loops_, trail_.get()), 0, 0, 0});
+        members_.push_back({BenchProcess(*member.process, of_loops_, trail_.get()), 0, 0});
+        most_words_ += members_.back().process.most_words();
         of_loops_ += RelativeState::figures_of(*member.process);
     }
     supplier_ = group.supplier();
@@ -46,7 +48,6 @@ void TransitionBench::connect(Group const& group) {
             port.fifo = 1U << f;
             port.stalls = of_loops_ + RelativeState::sums_of_fifo * f + (writes ? 1 : 2);
             members_[m].process.connect(number, port);
-            members_[m].neighbours |= 1U << port.other;
         });
 }
 
@@ -73,19 +74,22 @@ void TransitionBench::start() {
     accessed_ = 0;
 }
 
-/// Until nobody can do anything. Those who are told later, who mostly come later on the way of a token, first.
+/// Until nobody can do anything. Those who are told first, who mostly come first on the way of a token, first; again
+/// those who were waiting for what somebody has done.
 void TransitionBench::settle() {
-    std::uint32_t waiting = 0;  // with something to do
+    std::uint32_t runnable = 0;
+    std::uint32_t awaited = 0;  // FIFOs
     for (unsigned m = 0; m < members_.size(); ++m)
-        waiting |= members_[m].process.finished() ? 0 : 1U << m;
-    for (std::uint32_t runnable = waiting; runnable != 0;) {
-        auto const m = 31U - static_cast<unsigned>(__builtin_clz(runnable));
+        runnable |= members_[m].process.finished() ? 0 : 1U << m;
+    while (runnable != 0) {
+        auto const m = static_cast<unsigned>(__builtin_ctz(runnable));
         runnable &= ~(1U << m);
         BenchProcess& process = members_[m].process;
         std::uint32_t const accessed = process.advance();
         accessed_ |= accessed;
-        waiting &= ~(process.finished() ? 1U << m : 0U);
-        runnable |= accessed != 0 ? members_[m].neighbours & waiting : 0;
+        for_each_bit(accessed & awaited, [&](unsigned f) { runnable |= 1U << fifos_[f].other_end(m); });
+        awaited &= ~accessed;
+        awaited |= process.finished() ? 0 : process.blocked_at();
     }
 }
 
@@ -171,19 +175,12 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     at_ = nullptr;
     tell(task, transition);
     settle();
-    if (!members_.front().process.finished() || is_too_long()) {
+    std::int64_t const begin = base_;
+    if (!members_.front().process.finished() || !describe(transition)) {
         take_trail(0);  // it came to nothing
         std::fill(figures_.begin(), figures_.end(), 0);
         return false;
     }
-    std::int64_t const begin = base_;
-    base_ = members_.front().process.time();
-    transition.cycles = static_cast<Cycles>(base_ - begin);
-    for (unsigned m = 0; m < members_.size(); ++m) {
-        transition.entered |= members_[m].process.has_entered() ? 1U << m : 0U;
-        transition.iterations[m] = members_[m].process.iterations();
-    }
-    describe_rooms(transition);
     describe_stands(task.active, transition);
     take_figures(transition.figures);
     transition.trail = take_trail(begin);
@@ -191,11 +188,24 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     return true;
 }
 
-/// Times are no longer sure to fit into words.
-bool TransitionBench::is_too_long() const {
-    return std::any_of(members_.begin(), members_.end(), [this](Member const& member) {
-        return std::abs(member.process.time() - base_) > furthest_apart;
-    });
+/// What it takes, and of loops. False if times are no longer sure to fit into words.
+bool TransitionBench::describe(Transition& transition) {
+    std::int64_t furthest = 0;
+    bool froze = false;
+    for (unsigned m = 0; m < members_.size(); ++m) {
+        BenchProcess const& process = members_[m].process;
+        furthest = std::max(furthest, std::abs(process.time() - base_));
+        transition.entered |= process.has_entered() ? 1U << m : 0U;
+        transition.iterations[m] = process.iterations();
+        froze = froze || process.is_frozen();
+    }
+    if (furthest > furthest_apart)
+        return false;
+    transition.cycles = static_cast<Cycles>(members_.front().process.time() - base_);
+    base_ = members_.front().process.time();
+    if (froze)
+        describe_rooms(transition);
+    return true;
 }
 
 /// For the driver alone, as before the transition, in which it did nothing.
@@ -224,8 +234,6 @@ void TransitionBench::describe_stands(std::uint32_t actives, Transition& transit
 /// All a frozen writer needs to know later, which its state does not say: room from before it froze is room when it
 /// froze.
 void TransitionBench::describe_rooms(Transition& transition) {
-    if (std::none_of(members_.begin(), members_.end(), [](Member const& member) { return member.process.is_frozen(); }))
-        return;
     for (unsigned f = 0; f < fifos_.size(); ++f) {
         BenchProcess const& writer = members_[fifos_[f].writer].process;
         if (!writer.is_frozen())
@@ -253,49 +261,54 @@ void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
         put(number, figures_[number]);
         figures_[number] = 0;
     };
-    for (Member const& member : members_)
+    std::uint32_t touched = accessed_;
+    for (Member const& member : members_) {
         member.process.each_figure(take);
-    std::uint32_t const of_fifos = RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
-    for (std::uint32_t first = of_loops_; first < of_loops_ + of_fifos; first += RelativeState::sums_of_fifo)
-        if ((figures_[first + 1] | figures_[first + 2]) != 0) {
-            take(first + 1);
-            take(first + 2);
-        }
-    for_each_bit(accessed_, [&](unsigned f) {
-        put(of_loops_ + RelativeState::sums_of_fifo * f, fifos_[f].fifo.readable.consumed());
+        touched |= member.process.waited();
+    }
+    for_each_bit(touched, [&](unsigned f) {
+        std::uint32_t const first = of_loops_ + RelativeState::sums_of_fifo * f;
+        put(first, fifos_[f].fifo.readable.consumed());
+        take(first + 1);
+        take(first + 2);
     });
-    for_each_bit(accessed_, [&](unsigned f) { put(of_loops_ + of_fifos + f, fifos_[f].fifo.largest_occupancy()); });
+    std::uint32_t const largest = of_loops_ + RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
+    for_each_bit(accessed_, [&](unsigned f) { put(largest + f, fifos_[f].fifo.largest_occupancy()); });
     figures.assign(list_.data(), next);
 }
 
 void TransitionBench::save() {
-    std::size_t most = most_words_of_fifos_;
+    std::size_t most = most_words_;
     for (Member const& member : members_)
-        most += member.process.most_words();
+        most += words_of_operation * member.process.left();
     if (page_.size() < most)
         page_.resize(2 * most);
     StateWord* words = page_.data();
-    reach_ = 0;
-    for (Member const& member : members_) {
+    Floors readers{}, writers{};
+    lowest_ = highest_ = 0;
+    for (unsigned m = 0; m < members_.size(); ++m) {
+        BenchProcess const& process = members_[m].process;
         StateWord const* const time = words;
-        words = member.process.save(words, base_);
-        look_at(*time);
+        words = process.save(words, base_);
+        look_at(*time, *time);
+        readers[m] = process.not_before();
+        writers[m] = process.is_frozen() ? std::numeric_limits<std::int64_t>::max() : readers[m];
     }
     for (Fifo const& fifo : fifos_)
-        words = save_fifo(fifo, words);
+        words = save_fifo(fifo, readers[fifo.reader], writers[fifo.writer], words);
     size_ = static_cast<std::size_t>(words - page_.data());
 }
 
-/// Of its times only those that are not over, see RelativeState. Where a frozen writer finds room, rooms tell.
-StateWord* TransitionBench::save_fifo(Fifo const& fifo, StateWord* words) {
-    BenchProcess const& reader = members_[fifo.reader].process;
-    BenchProcess const& writer = members_[fifo.writer].process;
+/// Of its times only those that are not over when its ends go on, see RelativeState. Where a frozen writer finds room,
+/// rooms tell.
+inline StateWord* TransitionBench::save_fifo(Fifo const& fifo, std::int64_t reads_until, std::int64_t writes_until,
+                                             StateWord* words) {
     BenchLine const& readable = fifo.fifo.readable;
     BenchLine const& free = fifo.fifo.free;
     FifoCounts counts;
     counts.tokens = readable.known();
-    counts.tokens_over = readable.count_until(reader.not_before());
-    counts.room_over = writer.is_frozen() ? free.known() : free.count_until(writer.not_before());
+    counts.tokens_over = readable.count_until(reads_until);
+    counts.room_over = free.count_until(writes_until);
     words = counts.put(words);
     words = save_line(readable, counts.tokens_over, words);
     return save_line(free, counts.room_over, words);
@@ -312,8 +325,7 @@ inline StateWord* TransitionBench::save_line(BenchLine const& line, std::uint64_
     for (std::uint64_t i = 0; i < count; i += BenchLine::slack)
         for (std::uint64_t k = 0; k < BenchLine::slack; ++k)
             words[i + k] = cycles[i + k] - base;
-    look_at(words[0]);  // they never fall
-    look_at(words[count - 1]);
+    look_at(words[0], words[count - 1]);  // they never fall
     return words + count;
 }
 

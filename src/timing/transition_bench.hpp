@@ -1,6 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -53,13 +54,13 @@ class TransitionBench {
 
     /// The state that the last call led to, and the largest distance in time in it.
     StateView state() const { return {page_.data(), size_}; }
-    std::int64_t reach() const { return reach_; }
+    std::int64_t reach() const { return std::max(-std::int64_t{lowest_}, std::int64_t{highest_}); }
 
   private:
     void connect(Group const& group);
     void start();
     void settle();
-    bool is_too_long() const;
+    bool describe(Transition& transition);
     void tell(Task const& task, Transition& transition);
     unsigned blocked_port(unsigned member) const;
     bool waits_for_driver(unsigned member, unsigned port, unsigned depth = 0) const;
@@ -69,22 +70,28 @@ class TransitionBench {
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
     void take_figures(std::vector<Transition::Figure>& figures);
-    void look_at(std::int64_t time) { reach_ = std::max(reach_, std::abs(time)); }
+    void look_at(StateWord earliest, StateWord latest) {
+        lowest_ = std::min(lowest_, earliest);
+        highest_ = std::max(highest_, latest);
+    }
 
     struct Fifo {
         BenchFifo fifo;
         unsigned writer = 0;
         unsigned reader = 0;
+
+        unsigned other_end(unsigned member) const { return member == writer ? reader : writer; }
     };
     struct Member {
         BenchProcess process;
-        std::uint32_t neighbours = 0;  ///< members, a bit each
         // Where it stood before a transition.
         std::int64_t time_before = 0;
         unsigned port_before = BenchProcess::no_port;
     };
 
-    StateWord* save_fifo(Fifo const& fifo, StateWord* words);
+    using Floors = std::array<std::int64_t, Transition::most_members>;  ///< by member
+
+    StateWord* save_fifo(Fifo const& fifo, std::int64_t reads_until, std::int64_t writes_until, StateWord* words);
     StateWord* save_line(BenchLine const& line, std::uint64_t over, StateWord* words);
 
     std::unique_ptr<CoreTiming> shape_;
@@ -92,7 +99,7 @@ class TransitionBench {
     std::vector<Fifo> fifos_;
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
-    std::size_t most_words_of_fifos_ = 0;
+    std::size_t most_words_ = 0;            ///< of a state, but for operations
     std::uint32_t of_loops_ = 0;            ///< figures
     std::vector<std::uint32_t> figures_;    ///< by number: zero between transitions
     std::vector<Transition::Figure> list_;  ///< to write on: room for all
@@ -100,8 +107,8 @@ class TransitionBench {
     std::int64_t base_ = 0;                 ///< the driver's time there
     std::uint32_t accessed_ = 0;            ///< FIFOs in the last transition, a bit each
     StateWords page_;
-    std::size_t size_ = 0;  ///< words on it
-    std::int64_t reach_ = 0;
+    std::size_t size_ = 0;                ///< words on it
+    StateWord lowest_ = 0, highest_ = 0;  ///< times on it
 };
 
 }  // namespace faster::timing

@@ -183,7 +183,12 @@ struct Automaton::Session {
     std::uint32_t frozen = 0;
     History history;                ///< of transitions; in a walk, room for all
     std::vector<Transition> loose;  ///< not worth remembering; numbers from first_loose on
-    std::vector<Stand> entry;       ///< of each follower, in absolute cycles
+    struct Entry {
+        std::int64_t since;
+        std::int64_t arrival;
+        unsigned port;
+    };
+    std::vector<Entry> entry;  ///< where each follower stood, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
 

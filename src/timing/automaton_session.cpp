@@ -192,7 +192,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
         auto const since =
             is_frozen(m) ? static_cast<std::int64_t>(own) : waiting.since + static_cast<std::int64_t>(session_->time);
         session_->entry.push_back(
-            {m, since, static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port, true});
+            {since, static_cast<std::int64_t>(group.members()[m].process->waiting_since()), waiting.port});
     }
     charge_parking(group, real);
     keep_words(*session_);
@@ -270,26 +270,29 @@ template <class Visit> void Automaton::go_back(Session const& session, Visit vis
 
 /// A follower's own time is that of the last transition that moved it; it only waited since.
 void Automaton::restore_stands(RelativeState& real) {
-    std::vector<Stand> found = session_->entry;
+    std::vector<Session::Entry> found = session_->entry;
     std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
     std::uint32_t missing_arrival = missing_since;
     go_back(*session_, [&](Number number, Cycles time) {
         for (Stand const& stand : stands(*session_, number)) {
             std::uint32_t const bit = 1U << stand.member;
+            Session::Entry& entry = found[stand.member - 1U];
             if ((missing_since & bit) != 0) {
-                found[stand.member - 1].since = stand.since + static_cast<std::int64_t>(time);
-                found[stand.member - 1].port = stand.port;
+                entry.since = stand.since + static_cast<std::int64_t>(time);
+                entry.port = static_cast<unsigned>(stand.port);
             }
             missing_since &= ~bit;
             if (stand.arrived && (missing_arrival & bit) != 0)
-                found[stand.member - 1].arrival = stand.arrival + static_cast<std::int64_t>(time);
+                entry.arrival = stand.arrival + static_cast<std::int64_t>(time);
             if (stand.arrived)
                 missing_arrival &= ~bit;
         }
         return missing_arrival != 0;
     });
-    for (Stand const& stand : found)
-        real.unpark(stand.member, stand.port, static_cast<Cycles>(stand.arrival), static_cast<Cycles>(stand.since));
+    for (unsigned m = 1; m <= found.size(); ++m) {
+        Session::Entry const& entry = found[m - 1];
+        real.unpark(m, entry.port, static_cast<Cycles>(entry.arrival), static_cast<Cycles>(entry.since));
+    }
 }
 
 }  // namespace faster::timing

@@ -19,10 +19,10 @@ struct Transition {
         std::uint32_t amount;  ///< not 0
     };
     struct Stand {  ///< of a follower, at the end
-        unsigned member;
-        std::int64_t since;
-        std::int64_t arrival;
-        unsigned port;  ///< waited for since then
+        std::int32_t since;
+        std::int32_t arrival;
+        std::uint8_t member;
+        std::int8_t port;  ///< waited for since then; -1: none
         bool arrived;
     };
     struct Room {  ///< cycles from which a frozen writer will find room

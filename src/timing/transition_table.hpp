@@ -39,7 +39,7 @@ class TransitionTable {
     void grow();
 
     std::size_t size_ = 0;
-    std::vector<Slot> slots_ = std::vector<Slot>(1U << 12);
+    std::vector<Slot> slots_ = std::vector<Slot>(1U << 8);
 };
 
 }  // namespace faster::timing

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -52,7 +53,7 @@ class BenchLine {
     void consume(std::uint64_t count) { front_ += count; }
     /// Makes sure that so many can be appended.
     void reserve(std::uint64_t count) {
-        if (count > static_cast<std::uint64_t>(limit_ - end_))
+        if (limit_ - end_ < static_cast<std::ptrdiff_t>(count))
             grow(count);
     }
     Cycle* end() { return end_; }

@@ -42,6 +42,7 @@ void BenchProcess::be_in_loop(unsigned number) {
     if (in_loop_)
         loop_ = number - 1;
     early_ = in_loop_ ? std::min<std::int64_t>(plan().drain, 0) : 0;
+    counting_ = in_loop_ ? plan().counting : 0;
 }
 
 /// Its size is a power of two, so that nothing need be divided.
@@ -63,7 +64,7 @@ StateWord* BenchProcess::save(StateWord* words, std::int64_t base) const {
     *words++ = frozen_ ? 0 : static_cast<StateWord>(time_ - base);
     ProcessFlags flags;
     flags.loop = in_loop_ ? loop_ + 1 : 0;
-    flags.begun = in_loop_ ? std::min(iterations_, plan().counting) : 0;
+    flags.begun = std::min(iterations_, counting_);
     flags.next_ports = outlook_ports_;
     flags.frozen = frozen_;
     flags.waits_at = parked_at_ + 1;
@@ -228,7 +229,8 @@ bool BenchProcess::iterate_mix(Operation& operation) {
                                    [interval, gaps](std::uint32_t i) { return interval << ((gaps >> i) & 1U); });
     if (done == 0)
         return false;
-    count(done + static_cast<std::uint64_t>(__builtin_popcount(gaps & Operation::gap_bits(1, done))));
+    std::uint32_t const silent = gaps & Operation::gap_bits(1, done);
+    count(done + (silent != 0 ? static_cast<std::uint64_t>(__builtin_popcount(silent)) : 0));
     bool const is_over = done == operation.length();
     if (is_over)
         ++log_front_;
@@ -323,18 +325,16 @@ template <class Stride> std::uint32_t BenchProcess::run(std::uint8_t mask, std::
     }
 }
 
-/// Of a few that a process has.
-BenchProcess::PortSet const& BenchProcess::port_set(std::uint8_t mask) {
-    for (PortSet const& set : port_sets_)
-        if (set.mask == mask)
-            return set;
+/// One of a few that a process has.
+BenchProcess::PortSet const& BenchProcess::make_port_set(std::uint8_t mask) {
     PortSet set;
-    set.mask = mask;
     for_each_bit(mask, [&](unsigned number) {
         set.fifos |= ports_[number].fifo;
         set.ports.at(set.size++) = &ports_[number];
     });
-    return port_sets_.emplace_back(set);
+    port_sets_.push_back(set);
+    port_set_of_[mask] = static_cast<std::uint8_t>(port_sets_.size());
+    return port_sets_.back();
 }
 
 template <unsigned N, class Stride>

@@ -113,7 +113,6 @@ class BenchProcess {
     };
     /// The ports of a mask, which an iteration of an aligned loop accesses.
     struct PortSet {
-        std::uint8_t mask = 0;
         unsigned size = 0;
         std::uint32_t fifos = 0;
         std::array<Port*, ProcessTiming::most_accesses> ports{};
@@ -155,7 +154,10 @@ class BenchProcess {
     template <class Stride> std::uint32_t run(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
     template <unsigned N, class Stride>
     std::uint32_t run(PortSet const& set, std::uint32_t wanted, Stride const& stride);
-    PortSet const& port_set(std::uint8_t mask);
+    PortSet const& port_set(std::uint8_t mask) {
+        return port_set_of_[mask] != 0 ? port_sets_[port_set_of_[mask] - 1U] : make_port_set(mask);
+    }
+    PortSet const& make_port_set(std::uint8_t mask);
     template <class Stride> std::uint32_t run_by_steps(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
     void mark(Region region) {
         if (trail_ != nullptr)
@@ -168,12 +170,14 @@ class BenchProcess {
     std::vector<Loop> loops_;
     Trail* trail_;
     std::array<Port, 8> ports_{};
-    std::vector<PortSet> port_sets_;  ///< made when first needed
+    std::vector<PortSet> port_sets_;               ///< made when first needed
+    std::array<std::uint8_t, 256> port_set_of_{};  ///< by mask: from 1 on; 0: not made yet
 
     std::int64_t time_ = 0;
     std::int64_t early_ = 0;  ///< what it may go back when it leaves the loop it is in, not above 0
     bool in_loop_ = false;
     unsigned loop_ = 0;
+    std::uint64_t counting_ = 0;    ///< iterations of it that states tell; 0: in none
     std::uint64_t iterations_ = 0;  ///< of the loop entry at hand, up to as many before load() as count
     std::uint64_t iterations_before_ = 0;
     bool entered_ = false;

@@ -213,8 +213,12 @@ void Automaton::describe(Slot& slot) const {
     slot.notable = brief.notable();
 }
 
-/// The state at which the bench is is likely to come again: times further apart hardly ever do.
-bool Automaton::is_recurring() const { return bench_->reach() <= static_cast<std::int64_t>(longest_reach); }
+/// The state at which the bench is is likely to come again: times further apart hardly ever do. And there is a number
+/// for it; the last one stands for those without.
+bool Automaton::is_recurring() const {
+    return bench_->reach() <= static_cast<std::int64_t>(longest_reach) &&
+           states_.size() + 1 < NumberedTransitions::numbers;
+}
 
 StateView Automaton::state_of(Session const& session) const {
     return session.state == none ? StateView(session.words) : states_[session.state];

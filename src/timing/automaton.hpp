@@ -114,7 +114,7 @@ class Automaton {
         PhraseBook::Number const* phrases;  ///< that are left
         Number* history;                    ///< for their transitions
         std::size_t left;
-        Number state;
+        NumberedTransitions::Row row;  ///< of its state
 
         void advance(std::size_t count) {
             phrases += count;

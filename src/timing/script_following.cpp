@@ -55,7 +55,8 @@ bool Automaton::set_out(Walk& walk) {
     session_ = walk.session;
     walk.begin = walk.counted = walk.script->next;
     find_regular_part(walk);
-    if (walk.begin == walk.end || is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
+    bool const has_numbers = walk.script->book->size() <= NumberedTransitions::numbers;
+    if (walk.begin == walk.end || !has_numbers || is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
         return false;
     if (!is_worthwhile()) {
         walk.end = walk.begin;
@@ -81,12 +82,12 @@ void Automaton::find_regular_part(Walk& walk) {
 Automaton::Place Automaton::place_of(Walk const& walk) {
     auto const done = walk.script->next - walk.begin;
     return {walk.script->next, walk.session->history.data() + done,
-            static_cast<std::size_t>(walk.end - walk.script->next), walk.session->state};
+            static_cast<std::size_t>(walk.end - walk.script->next), NumberedTransitions::row_of(walk.session->state)};
 }
 
 void Automaton::move_to(Place const& place, Walk& walk) {
     walk.script->next = walk.end - place.left;
-    walk.session->state = place.state;
+    walk.session->state = NumberedTransitions::state_of(place.row);
 }
 
 std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
@@ -108,11 +109,10 @@ std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
 /// By the transition so many phrases ahead; the place's pointers stay. False if it is not known.
 inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place, std::size_t ahead) {
     __builtin_prefetch(place.phrases + ahead + soon);
-    NumberedTransitions::Known const known = transitions.find(place.state, place.phrases[ahead]);
-    if (!known)
+    Number const number = transitions.move(place.row, place.phrases[ahead]);
+    if (number == NumberedTransitions::Known::none)
         return false;
-    place.history[ahead] = known.number;
-    place.state = known.next;
+    place.history[ahead] = number;
     return true;
 }
 

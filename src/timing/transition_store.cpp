@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "timing/numbered_transitions.hpp"
+
 namespace faster::timing {
 
 namespace {
-constexpr std::size_t most_transitions = 1U << 18;  // about 100 MB with the states between them
+constexpr std::size_t most_transitions = NumberedTransitions::numbers;  // about 100 MB with the states between them
 constexpr std::uint64_t most_iterations = 0xFFFF;
 }  // namespace
 

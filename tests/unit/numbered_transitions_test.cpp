@@ -8,11 +8,21 @@
 namespace faster::timing {
 
 namespace {
-constexpr NumberedTransitions::Number numbers = 1U << 18;
+constexpr NumberedTransitions::Number numbers = NumberedTransitions::numbers;
 
 NumberedTransitions::Known find(NumberedTransitions const& table, NumberedTransitions::Number state,
                                 NumberedTransitions::Number phrase) {
     return NumberedTransitions::Reader(table).find(state, phrase);
+}
+
+/// The state and the phrase that have that hash, of 36 bits, of which the upper ones are the place.
+std::pair<std::uint32_t, std::uint32_t> key_with(std::uint64_t hash) {
+    constexpr std::uint64_t hashes = std::uint64_t{numbers} * numbers, factor = 0x9E3779B97;
+    std::uint64_t inverse = 1;  // by Newton's method
+    for (int i = 0; i < 6; ++i)
+        inverse *= 2 - factor * inverse;
+    std::uint64_t const key = hash * inverse % hashes;
+    return {static_cast<std::uint32_t>(key / numbers), static_cast<std::uint32_t>(key % numbers)};
 }
 }  // namespace
 
@@ -53,20 +63,44 @@ TEST_CASE("Numbered transitions hold dense rows of states and of phrases", "[num
     }
 }
 
-TEST_CASE("Numbers that no slot can tell are not remembered, nor taken for others", "[numbered_transitions]") {
+TEST_CASE("Numbered transitions whose hashes are alike are told from each other", "[numbered_transitions]") {
+    // So many hashes apart: of 8192 places, hundreds are for the same few, far more than may be behind them.
+    auto const apart = GENERATE(std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{1} << 10, std::uint64_t{1} << 20);
     NumberedTransitions table;
-    table.add(1, 0, {2, 3});
-    table.add(numbers, 1, {2, 3});
-    table.add(4, numbers, {2, 3});
-    table.add(5, 1, {numbers, 3});
-    table.add(6, 1, {2, numbers});
-    CHECK(find(table, 1, 0));
-    CHECK_FALSE(find(table, 0, numbers));  // the same bits
-    CHECK_FALSE(find(table, numbers, 1));
-    CHECK_FALSE(find(table, 0, 1));
-    CHECK_FALSE(find(table, 4, numbers));
-    CHECK_FALSE(find(table, 5, 1));
-    CHECK_FALSE(find(table, 6, 1));
+    auto const key_at = [apart](std::uint64_t i) { return key_with(i * apart - 1000 * apart); };
+    for (std::uint32_t i = 0; i < 2000; ++i)
+        if (i % 3 != 0)
+            table.add(key_at(i).first, key_at(i).second, {i, numbers - 1});
+    std::uint64_t found = 0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        NumberedTransitions::Known const known = find(table, key_at(i).first, key_at(i).second);
+        if (!known)
+            continue;  // forgotten: too many of them
+        ++found;
+        REQUIRE(i % 3 != 0);
+        REQUIRE(known.next == i);
+        REQUIRE(known.number == numbers - 1);
+    }
+    CHECK(found > 0);
+}
+
+TEST_CASE("A look-up for what is not there ends behind a long row of others", "[numbered_transitions]") {
+    constexpr std::uint64_t a_place = 1U << 23, first = 100 * a_place;
+    NumberedTransitions table;
+    auto const add = [&table](std::uint64_t hash) { table.add(key_with(hash).first, key_with(hash).second, {1, 2}); };
+    auto const is_known = [&table](std::uint64_t hash) {
+        return static_cast<bool>(find(table, key_with(hash).first, key_with(hash).second));
+    };
+    for (std::uint64_t tag = 0; tag < 31; ++tag)
+        add(first + tag);
+    CHECK(is_known(first + 30));
+    for (std::uint64_t tag = 31; tag < a_place; tag += tag < 1000 ? 1 : 1023)
+        REQUIRE_FALSE(is_known(first + tag));
+    CHECK_FALSE(is_known(first + a_place - 1));  // the free slot behind them looks like it
+    for (std::uint64_t place = 31; place < 40; ++place)
+        add(first + place * a_place + 1000);
+    for (std::uint64_t tag = 31; tag < 2000; ++tag)
+        REQUIRE_FALSE(is_known(first + tag));  // one of them looks like one so far behind
 }
 
 }  // namespace faster::timing

@@ -7,9 +7,7 @@ namespace faster {
 
 /// An allocator whose containers leave new elements of trivial types as they are: for what is written over anyway.
 template <class Element> struct Uninitialized : std::allocator<Element> {
-    template <class Other> struct rebind {
-        using other = Uninitialized<Other>;
-    };
+    template <class Other> struct rebind { using other = Uninitialized<Other>; };
 
     Uninitialized() = default;
     template <class Other> explicit Uninitialized(Uninitialized<Other> const& /*other*/) noexcept {}

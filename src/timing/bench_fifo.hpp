@@ -173,7 +173,7 @@ struct BenchFifo {
         BenchLine::Cycle const* const readable_from = readable.all();
         BenchLine::Cycle const* const read = free.fresh();  // each a cycle later
         std::uint64_t token = largest;                      // the first that is not written before a read
-        for (std::uint64_t r = 0; r < reads && token < known; ++r, ++token) {
+        for (std::uint64_t r = 0; r < reads && token < known && largest < capacity; ++r, ++token) {
             BenchLine::Cycle const until = read[r] - 1 + read_latency;
             for (; readable_from[token] < until; largest = token - r) {
                 ++token;

@@ -12,35 +12,36 @@ namespace {
 struct Accesses {
     std::vector<StateWord> writes, reads;
 
-    Accesses(std::mt19937& random, unsigned capacity, StateWord read_latency, unsigned count) {
+    /// `room`: writes that may be ahead of reads; `latency`: from a write to when its token can be read.
+    Accesses(std::mt19937& random, unsigned room, StateWord latency, unsigned count) {
         auto const pause = [&random] { return static_cast<StateWord>(random() % 4 == 0 ? random() % 12 : 1); };
         StateWord write = 0, read = 0;
         for (unsigned n = 0; n < count; ++n) {
-            write = std::max(write + pause(), n >= capacity ? reads[n - capacity] + 1 : 0);
+            write = std::max(write + pause(), n >= room ? reads[n - room] + 1 : 0);
             writes.push_back(write);
-            read = std::max(read + pause(), write + read_latency);
+            read = std::max(read + pause(), write + latency);
             reads.push_back(read);
         }
     }
 
-    /// Of all pairs of a write and a read, one of which is not among the first.
-    std::uint64_t largest_occupancy(unsigned first_writes, unsigned first_reads, unsigned all_reads) const {
+    /// Of all pairs of a write and a read, one of which is not among the first. A write takes effect so much later.
+    std::uint64_t largest_occupancy(unsigned first_writes, unsigned first_reads, unsigned all_reads,
+                                    StateWord later) const {
         std::uint64_t largest = writes.size() > first_writes ? 1 : 0;
         for (unsigned n = 0; n < writes.size(); ++n)
             for (unsigned k = 0; k < std::min(n + 1, all_reads); ++k)
-                if ((n >= first_writes || k >= first_reads) && reads[k] > writes[n])
+                if ((n >= first_writes || k >= first_reads) && reads[k] > writes[n] + later)
                     largest = std::max<std::uint64_t>(largest, n - k + 1);
         return largest;
     }
 };
 
-StateWords words_of(Accesses const& accesses, unsigned capacity, StateWord read_latency, unsigned writes,
-                    unsigned reads) {
+StateWords words_of(Accesses const& accesses, unsigned room, StateWord latency, unsigned writes, unsigned reads) {
     StateWords words(FifoCounts::words);
     for (unsigned n = reads; n < writes; ++n)
-        words.push_back(accesses.writes[n] + read_latency);
-    unsigned const over = writes < capacity ? std::min(capacity - writes, capacity - (writes - reads)) : 0;
-    for (unsigned n = std::max(writes, capacity) - capacity; n < reads; ++n)
+        words.push_back(accesses.writes[n] + latency);
+    unsigned const over = writes < room ? std::min(room - writes, room - (writes - reads)) : 0;
+    for (unsigned n = std::max(writes, room) - room; n < reads; ++n)
         words.push_back(accesses.reads[n] + 1);
     FifoCounts counts;
     counts.tokens = writes - reads;
@@ -65,26 +66,31 @@ TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[b
         auto const below = [&random](unsigned limit) { return static_cast<unsigned>(random() % limit); };
         unsigned const capacity = 1 + below(12), count = 2 + below(60);
         StateWord const read_latency = 1 + static_cast<StateWord>(below(2));
-        Accesses const accesses(random, capacity, read_latency, count);
+        StateWord const issue_latency = static_cast<StateWord>(below(4));
+        unsigned const room = capacity + static_cast<unsigned>(issue_latency);
+        StateWord const latency = issue_latency + read_latency;
+        Accesses const accesses(random, room, latency, count);
         unsigned const first_reads = below(count);
-        unsigned const first_writes = std::min(count, first_reads + below(capacity + 1));
+        unsigned const first_writes = std::min(count, first_reads + below(room + 1));
         unsigned const all_reads = first_reads + below(count - first_reads + 1);
-        if (all_reads + capacity < count)
+        if (all_reads + room < count)
             continue;
         FifoShape shape;
         shape.capacity = capacity;
+        shape.issue_latency = static_cast<Cycles>(issue_latency);
         shape.read_latency = static_cast<Cycles>(read_latency);
         BenchFifo fifo(shape);
-        StateWords const words = words_of(accesses, capacity, read_latency, first_writes, first_reads);
+        StateWords const words = words_of(accesses, room, latency, first_writes, first_reads);
         REQUIRE(fifo.load(words.data()) == words.data() + words.size());
         unsigned write = first_writes;
         for (unsigned read = first_reads; read < all_reads || write < count;) {
             if (write < count && fifo.free.known() > 0 && (read == all_reads || below(2) == 0))
-                put(fifo.free, fifo.readable, accesses.writes[write++] + read_latency);
+                put(fifo.free, fifo.readable, accesses.writes[write++] + latency);
             else if (read < all_reads && fifo.readable.known() > 0)
                 put(fifo.readable, fifo.free, accesses.reads[read++] + 1);
         }
-        CHECK(fifo.largest_occupancy() == accesses.largest_occupancy(first_writes, first_reads, all_reads));
+        std::uint64_t const largest = accesses.largest_occupancy(first_writes, first_reads, all_reads, issue_latency);
+        CHECK(fifo.largest_occupancy() == std::min<std::uint64_t>(largest, capacity));
     }
 }
 

@@ -21,8 +21,8 @@ struct Transition {
     struct Stand {  ///< of a follower, at the end
         std::int32_t since;
         std::int32_t arrival;
+        std::int16_t port;  ///< waited for since then; -1: none
         std::uint8_t member;
-        std::int8_t port;  ///< waited for since then; -1: none
         bool arrived;
     };
     struct Room {  ///< cycles from which a frozen writer will find room

@@ -227,9 +227,9 @@ void TransitionBench::describe_stands(std::uint32_t actives, Transition& transit
         Waiting const waiting = park_follower(m);
         bool const waits_anew = waiting.waits && waiting.port != members_[m].port_before;
         if (active || waits_anew || waiting.since != members_[m].time_before)
-            transition.stands.push_back({static_cast<std::int32_t>(waiting.since - base_),
-                                         static_cast<std::int32_t>(waiting.arrival - base_),
-                                         static_cast<std::uint8_t>(m), static_cast<std::int8_t>(waiting.port), active});
+            transition.stands.push_back(
+                {static_cast<std::int32_t>(waiting.since - base_), static_cast<std::int32_t>(waiting.arrival - base_),
+                 static_cast<std::int16_t>(waiting.port), static_cast<std::uint8_t>(m), active});
     }
 }
 

@@ -179,10 +179,11 @@ bool Automaton::perform(StateView from) {
     return bench_->work_out(task_, worked_on_);
 }
 
-/// Of the state at which the bench is.
+/// Of the state at which the bench is. None if it hardly comes again, or there are too many.
 Automaton::Number Automaton::number_of_state() {
-    Number const number = states_.number_of(bench_->state());
-    bench_->is_at(states_[number]);
+    Number const number = is_recurring() ? states_.number_of(bench_->state()) : none;
+    if (number != none)
+        bench_->is_at(states_[number]);
     return number;
 }
 
@@ -190,12 +191,10 @@ Automaton::Number Automaton::number_of_state() {
 bool Automaton::work_out(Slot& slot) {
     if (!perform(state_of(*session_)))
         return false;
-    bool const recurring = is_recurring();
-    bool const remembered = recurring && session_->state != none && store_.accepts(worked_on_);
-    slot.next = recurring ? number_of_state() : none;
+    slot.next = number_of_state();
     if (slot.next == none)
         keep_words(*session_);
-    if (!remembered) {
+    if (slot.next == none || session_->state == none || !store_.accepts(worked_on_)) {
         slot.number = first_loose + static_cast<Number>(session_->loose.size());
         session_->loose.push_back(worked_on_);
         return true;
@@ -213,12 +212,8 @@ void Automaton::describe(Slot& slot) const {
     slot.notable = brief.notable();
 }
 
-/// The state at which the bench is is likely to come again: times further apart hardly ever do. And there is a number
-/// for it; the last one stands for those without.
-bool Automaton::is_recurring() const {
-    return bench_->reach() <= static_cast<std::int64_t>(longest_reach) &&
-           states_.size() + 1 < NumberedTransitions::numbers;
-}
+/// The state at which the bench is is likely to come again: times further apart hardly ever do.
+bool Automaton::is_recurring() const { return bench_->reach() <= static_cast<std::int64_t>(longest_reach); }
 
 StateView Automaton::state_of(Session const& session) const {
     return session.state == none ? StateView(session.words) : states_[session.state];

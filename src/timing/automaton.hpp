@@ -28,7 +28,7 @@ class Automaton {
   public:
     struct Progress {
         bool moved = false;  ///< took some phrases
-        bool later = false;  ///< stopped where some process has not said yet what it does, not at something foreign
+        bool later = false;  ///< stopped where some process has not said yet what it does
     };
 
     Automaton();
@@ -131,6 +131,7 @@ class Automaton {
     bool find_out(Walk& walk);
     void count_up(Walk& walk);
     static void find_regular_part(Walk& walk);
+    static void find_numbered_part(Walk& walk);
     bool is_frozen(unsigned member) const;
     void charge_parking(Group const& group, RelativeState& real);
     Cycles cycles(Session const& session, Number number) const;
@@ -157,7 +158,7 @@ class Automaton {
     bool leaves_trails_ = false;
     std::unique_ptr<TransitionBench> bench_;
 
-    StateTable states_;
+    StateTable states_{NumberedTransitions::numbers - 1};  ///< the last number stands for those without
     TransitionStore store_;
     Transition worked_on_;
     TransitionTable table_;

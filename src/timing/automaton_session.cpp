@@ -196,7 +196,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     }
     charge_parking(group, real);
     keep_words(*session_);
-    session_->state = is_recurring() ? number_of_state() : none;
+    session_->state = number_of_state();
     session_->loose.clear();
     return true;
 }

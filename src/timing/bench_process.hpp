@@ -61,7 +61,7 @@ class BenchProcess {
     bool finished() const { return log_front_ == log_end_; }
     /// Takes steps as long as it can. The FIFOs that it accessed, a bit each.
     std::uint32_t advance();
-    /// The FIFO that it could not access last, as a bit.
+    /// After advance(), if it is not finished: a FIFO that it cannot access, as a bit.
     std::uint32_t blocked_at() const { return blocked_at_; }
 
     std::int64_t time() const { return time_; }

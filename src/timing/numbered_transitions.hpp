@@ -74,7 +74,7 @@ class NumberedTransitions {
     static constexpr std::size_t furthest = (std::size_t{1} << (tag_at - mark_at)) - 2;  // no slot is all ones
     static constexpr Row row_mask = Row{numbers - 1} << number_bits;
     static constexpr Slot empty = ~Slot{0};
-    static constexpr std::size_t sparse = 64;  // slots for each transition: more would not help
+    static constexpr std::size_t sparse = 8;  // slots for each transition: more would not help
 
     /// Of a key, in the upper bits: multiplied with an odd number, modulo a power of two, so that no two are equal.
     static std::uint64_t hash_of(std::uint64_t key) { return key * (std::uint64_t{0x9E3779B97} << (64 - key_bits)); }

@@ -6,6 +6,7 @@ namespace faster::timing {
 
 namespace {
 constexpr std::size_t most_left_over = 8;  // operations that a follower may be behind
+constexpr std::size_t most_loose = 4096;   // transitions in one walk
 constexpr std::size_t soon = 128;          // phrases: long enough to fetch one from far away
 
 bool can_be_left_over(Operation const& operation, Group::Member const& member) {
@@ -55,8 +56,8 @@ bool Automaton::set_out(Walk& walk) {
     session_ = walk.session;
     walk.begin = walk.counted = walk.script->next;
     find_regular_part(walk);
-    bool const has_numbers = walk.script->book->size() <= NumberedTransitions::numbers;
-    if (walk.begin == walk.end || !has_numbers || is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
+    find_numbered_part(walk);
+    if (walk.begin == walk.end || is_far_apart(*walk.group) || !begin(*walk.group, walk.script))
         return false;
     if (!is_worthwhile()) {
         walk.end = walk.begin;
@@ -104,6 +105,17 @@ std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
     for (std::size_t i = 0; i < walks.size(); ++i)
         move_to(places_[i], *walks[i]);
     return stopped;
+}
+
+/// The phrases before one whose number is too large for the table of transitions.
+void Automaton::find_numbered_part(Walk& walk) {
+    PhraseBook const& book = *walk.script->book;
+    if (book.size() <= NumberedTransitions::numbers)
+        return;
+    auto const is_too_large = [](PhraseBook::Number number) { return number >= NumberedTransitions::numbers; };
+    PhraseBook::Number const* const end = std::find_if(walk.begin, walk.end, is_too_large);
+    while (walk.end != end)
+        walk.due_behind += book[*--walk.end].due;
 }
 
 /// By the transition so many phrases ahead; the place's pointers stay. False if it is not known.
@@ -180,7 +192,7 @@ void Automaton::count_up(Walk& walk) {
 
 bool Automaton::find_out(Walk& walk) {
     Script& script = *walk.script;
-    if (script.next == walk.end)
+    if (script.next == walk.end || walk.session->loose.size() >= most_loose)
         return false;
     session_ = walk.session;
     count_up(walk);
@@ -243,9 +255,12 @@ NumberedTransitions::Known Automaton::work_out_piece(Walk const& walk, Number st
     if (!take_up(walk, piece))
         return {};
     cut_trial_.worked_out_piece();
-    if (!perform(states_[state]) || !is_recurring() || !store_.accepts(worked_on_))
+    if (!perform(states_[state]) || !store_.accepts(worked_on_))
         return {};
-    NumberedTransitions::Known const known = {number_of_state(), store_.add(worked_on_)};
+    Number const next = number_of_state();
+    if (next == none)
+        return {};
+    NumberedTransitions::Known const known = {next, store_.add(worked_on_)};
     pieces_.add(state, piece, known);
     return known;
 }

@@ -47,6 +47,8 @@ StateTable::Number StateTable::number_of(StateView state) {
     for (; places_[i].number != none; i = (i + 1) & mask)
         if (places_[i].hash == hash && equal(states_[places_[i].number], state))
             return places_[i].number;
+    if (states_.size() >= most_)
+        return none;
     auto const number = static_cast<Number>(states_.size());
     states_.emplace_back(words_.keep(state.words, state.size), state.size);
     places_[i] = {hash, number};

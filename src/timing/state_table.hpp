@@ -12,12 +12,16 @@ class StateTable {
   public:
     using Number = std::uint32_t;
 
+    static constexpr Number none = ~Number{0};
+
+    /// May have as many as `most`; then none for one that is not known.
+    explicit StateTable(std::size_t most = none) : most_(most) {}
+
     Number number_of(StateView state);
     StateView operator[](Number number) const { return states_[number]; }
     std::size_t size() const { return states_.size(); }
 
   private:
-    static constexpr Number none = ~Number{0};
     struct Place {
         std::uint64_t hash = 0;
         Number number = none;
@@ -27,8 +31,9 @@ class StateTable {
     static bool equal(StateView one, StateView other);
     void grow();
 
+    std::size_t most_;
     std::vector<StateView> states_;
-    std::vector<Place> places_ = std::vector<Place>(256);  ///< by hash: open addressing, a power of two
+    std::vector<Place> places_ = std::vector<Place>(2048);  ///< by hash: open addressing, a power of two
     WordArena<StateWord> words_;
 };
 

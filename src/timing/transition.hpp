@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/cycles.hpp"
+#include "common/uninitialized.hpp"
 #include "timing/lead.hpp"
 #include "timing/trail.hpp"
 
@@ -18,6 +19,7 @@ struct Transition {
         std::uint32_t number;  ///< see RelativeState::enter()
         std::uint32_t amount;  ///< not 0
     };
+    using Figures = std::vector<Figure, Uninitialized<Figure>>;
     struct Stand {  ///< of a follower, at the end
         std::int32_t since;
         std::int32_t arrival;
@@ -35,7 +37,7 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    std::vector<Figure> figures;                           ///< sums first
+    Figures figures;                                       ///< sums first
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;

@@ -26,7 +26,6 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
     supplier_port_ = group.members()[supplier_].anchor_port;
     connect(group);
     figures_.resize(RelativeState(group).figures());
-    list_.resize(figures_.size() + 1);
     for (Member& member : members_)
         member.process.set_figures(figures_.data());
 }
@@ -139,7 +138,7 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     return waiting;
 }
 
-std::vector<TransitionBench::Waiting> TransitionBench::park(std::vector<Transition::Figure>& figures) {
+std::vector<TransitionBench::Waiting> TransitionBench::park(Transition::Figures& figures) {
     start();
     at_ = nullptr;
     std::vector<Waiting> waitings;
@@ -253,8 +252,9 @@ void TransitionBench::describe_rooms(Transition& transition) {
 }
 
 /// Those that are not zero, which they are behind this.
-void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
-    Transition::Figure* next = list_.data();
+void TransitionBench::take_figures(Transition::Figures& figures) {
+    figures.resize(figures_.size() + 1);  // room for all, and to write one that is zero
+    Transition::Figure* next = figures.data();
     auto const put = [&next](std::uint32_t number, std::uint64_t amount) {
         *next = {number, static_cast<std::uint32_t>(amount)};
         next += amount != 0 ? 1 : 0;
@@ -276,7 +276,7 @@ void TransitionBench::take_figures(std::vector<Transition::Figure>& figures) {
     });
     std::uint32_t const largest = of_loops_ + RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
     for_each_bit(accessed_, [&](unsigned f) { put(largest + f, fifos_[f].fifo.largest_occupancy()); });
-    figures.assign(list_.data(), next);
+    figures.resize(static_cast<std::size_t>(next - figures.data()));
 }
 
 void TransitionBench::save() {

@@ -38,7 +38,7 @@ class TransitionBench {
 
     /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
     /// those of Transition.
-    std::vector<Waiting> park(std::vector<Transition::Figure>& figures);
+    std::vector<Waiting> park(Transition::Figures& figures);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
@@ -69,7 +69,7 @@ class TransitionBench {
     void save();
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
-    void take_figures(std::vector<Transition::Figure>& figures);
+    void take_figures(Transition::Figures& figures);
     void look_at(StateWord earliest, StateWord latest) {
         lowest_ = std::min(lowest_, earliest);
         highest_ = std::max(highest_, latest);
@@ -99,13 +99,12 @@ class TransitionBench {
     std::vector<Fifo> fifos_;
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
-    std::size_t most_words_ = 0;            ///< of a state, but for operations
-    std::uint32_t of_loops_ = 0;            ///< figures
-    std::vector<std::uint32_t> figures_;    ///< by number: zero between transitions
-    std::vector<Transition::Figure> list_;  ///< to write on: room for all
-    StateWord const* at_ = nullptr;         ///< the state where it is, if that is known
-    std::int64_t base_ = 0;                 ///< the driver's time there
-    std::uint32_t accessed_ = 0;            ///< FIFOs in the last transition, a bit each
+    std::size_t most_words_ = 0;          ///< of a state, but for operations
+    std::uint32_t of_loops_ = 0;          ///< figures
+    std::vector<std::uint32_t> figures_;  ///< by number: zero between transitions
+    StateWord const* at_ = nullptr;       ///< the state where it is, if that is known
+    std::int64_t base_ = 0;               ///< the driver's time there
+    std::uint32_t accessed_ = 0;          ///< FIFOs in the last transition, a bit each
     StateWords page_;
     std::size_t size_ = 0;                ///< words on it
     StateWord lowest_ = 0, highest_ = 0;  ///< times on it

@@ -10,7 +10,17 @@ namespace faster::timing {
 namespace {
 constexpr std::size_t most_transitions = NumberedTransitions::numbers;  // about 100 MB with the states between them
 constexpr std::uint64_t most_iterations = 0xFFFF;
+constexpr std::size_t of_a_sample = 2048;  // transitions, about
 }  // namespace
+
+TransitionStore::TransitionStore() {
+    briefs_.reserve(of_a_sample);
+    tallies_.reserve(of_a_sample);
+    ends_.reserve(of_a_sample);
+    pieces_.reserve(2 * of_a_sample);
+    figures_.reserve(of_a_sample);
+    stands_.reserve(4 * of_a_sample);
+}
 
 bool TransitionStore::accepts(Transition const& transition) const {
     auto const fits = [](std::uint64_t iterations) { return iterations <= most_iterations; };

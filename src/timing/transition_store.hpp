@@ -58,6 +58,8 @@ class TransitionStore {
         std::size_t size() const { return static_cast<std::size_t>(last - first); }
     };
 
+    TransitionStore();
+
     /// Whether there is room for it, and for its figures.
     bool accepts(Transition const& transition) const;
     Number add(Transition const& transition);

@@ -31,6 +31,15 @@ TEST_CASE("Equal states have one number, and stay where they are", "[state_table
     CHECK(table.number_of(longer) == 3000);
 }
 
+TEST_CASE("A table of states that is full still knows those it has", "[state_table]") {
+    StateTable table(2);
+    CHECK(table.number_of(StateWords{1, 2}) == 0);
+    CHECK(table.number_of(StateWords{3}) == 1);
+    CHECK(table.number_of(StateWords{4}) == StateTable::none);
+    CHECK(table.number_of(StateWords{3}) == 1);
+    CHECK(table.size() == 2);
+}
+
 TEST_CASE("What the words of a state say is what was put there", "[state_table]") {
     ProcessFlags flags;
     flags.loop = 5;

@@ -89,11 +89,13 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
     Progress progress;
     session_ = &session;
     phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
-    if (phrase_.read(group, 0) == Phrase::Reading::logs_end)
+    Phrase::Reading reading = phrase_.read(group, 0);
+    if (reading == Phrase::Reading::logs_end)
         return {false, true};
     if (is_far_apart(group))
         return progress;
-    Phrase::Reading reading = phrase_.read(group, going_on_elsewhere(group));
+    if (std::uint32_t const elsewhere = going_on_elsewhere(group); elsewhere != 0)
+        reading = phrase_.read(group, elsewhere);
     progress.later = reading == Phrase::Reading::logs_end;
     if (reading != Phrase::Reading::complete || !begin(group))
         return progress;

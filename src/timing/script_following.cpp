@@ -95,8 +95,9 @@ std::size_t Automaton::go_on(std::vector<Walk*> const& walks) {
     places_.clear();
     for (Walk const* const walk : walks)
         places_.push_back(place_of(*walk));
-    std::size_t stopped = walk_on(NumberedTransitions::Reader(numbered_));
-    for (;; stopped = walk_on(NumberedTransitions::Reader(numbered_))) {
+    std::size_t stopped = 0;
+    for (;;) {
+        stopped = walk_on(NumberedTransitions::Reader(numbered_));
         move_to(places_[stopped], *walks[stopped]);
         if (!find_out(*walks[stopped]))
             break;

@@ -1,6 +1,7 @@
 #include "timing/transition_bench.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "common/each_bit.hpp"

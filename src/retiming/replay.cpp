@@ -18,7 +18,7 @@ Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing:
 bool Replay::go_on() {
     if (is_walking_)
         core_.arrive();
-    for (; fed_ < share_.count; ++fed_) {
+    for (; fed_ < share_.count && !is_over_; ++fed_) {
         is_walking_ = is_walking_ || begin_script(share_.first + fed_);
         is_walking_ = is_walking_ && core_.set_out();
         if (is_walking_)
@@ -32,7 +32,7 @@ bool Replay::go_on() {
 }
 
 void Replay::go_on_to(std::size_t sample) {
-    for (; fed_ < share_.count && share_.first + fed_ < sample; ++fed_) {
+    for (; fed_ < share_.count && share_.first + fed_ < sample && !is_over_; ++fed_) {
         if (begin_script(share_.first + fed_))
             core_.walk_through();
         end_sample(share_.first + fed_);
@@ -43,6 +43,7 @@ bool Replay::is_stuck() const { return std::find(is_stuck_.begin(), is_stuck_.en
 
 /// False if the sample has none that could be followed.
 bool Replay::begin_script(std::size_t sample) {
+    times_before_ = all_times();
     is_scripted_ = sample < source_.size() && !is_stuck();
     if (is_scripted_)
         take_up(source_[sample], sample);
@@ -52,7 +53,7 @@ bool Replay::begin_script(std::size_t sample) {
 void Replay::end_sample(std::size_t sample) {
     is_scripted_ ? feed_rest(source_[sample]) : feed_plain(sample);
     core_.resolve(false);
-    if (backlog() > usual_backlog)
+    if (all_times() == times_before_ || backlog() > usual_backlog)
         find_stuck();
 }
 
@@ -95,12 +96,22 @@ std::size_t Replay::backlog() {
     return operations;
 }
 
+/// Together they tell whether anybody has moved.
+Cycles Replay::all_times() const {
+    Cycles sum = 0;
+    for (timing::ProcessTiming const& process : core_.processes())
+        sum += process.local_time();
+    return sum;
+}
+
 /// All that samples so far want done has been logged. So what cannot be done now never will be, and what comes after it
 /// would only fill the memory. The supplier, which may be ahead, never has much of that.
 void Replay::find_stuck() {
     core_.resolve();
     for (std::size_t i = 0; i < is_stuck_.size(); ++i)
         is_stuck_[i] = i != supplier && !core_.processes()[i].finished();
+    auto const is_left = [](timing::ProcessTiming const& process) { return !process.finished(); };
+    is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
 }
 
 }  // namespace faster::retiming

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "common/cycles.hpp"
 #include "config/core_share.hpp"
 #include "config/machine.hpp"
 #include "retiming/retime.hpp"
@@ -21,7 +22,7 @@ class Replay {
     /// but `plain` and `leaves`.
     Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, Leaves leaves = nullptr);
 
-    /// As far as a walk of the core, or a walk further; false: all is done, or left.
+    /// As far as a walk of the core, or a walk further; false: all is done, or left, or nothing can be done any more.
     bool go_on();
     timing::Automaton::Walk& walk() { return core_.walk(); }
 
@@ -41,6 +42,7 @@ class Replay {
     void feed_rest(ScriptedSample const& scripted);
     void supply(std::size_t end);
     std::size_t backlog();
+    Cycles all_times() const;
     void find_stuck();
 
     ScriptSource const& source_;
@@ -49,6 +51,8 @@ class Replay {
     timing::CoreTiming& core_;
     Leaves leaves_;
     std::vector<bool> is_stuck_;  ///< by process
+    Cycles times_before_ = 0;     ///< the sample at hand
+    bool is_over_ = false;        ///< nobody will do anything any more
     std::size_t supplied_ = 0;    ///< samples whose vertices have been asked for
     std::size_t fed_ = 0;         ///< samples done
     bool is_scripted_ = false;    ///< the sample at hand

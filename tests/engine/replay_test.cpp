@@ -1,0 +1,100 @@
+#include "retiming/replay.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstddef>
+
+#include "events/event_file.hpp"
+#include "modules/core_shapes.hpp"
+#include "retiming/core_variant.hpp"
+#include "retiming/plain_reader.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/temp_folder.hpp"
+
+namespace faster::testing {
+namespace {
+
+constexpr int samples = 40;
+
+events::EventFile recorded_run(test::TempFolder const& folder) {
+    RandomStimulusOptions options;
+    options.samples = {samples, samples};
+    options.triangles = {1, 12};
+    ForkOptions fork;
+    fork.events = folder / "events";
+    run_forked(AcceleratorConfig(), random_stimulus(9400, options), Engine::decoupled, fork);
+    return events::read_event_file(fork.events);
+}
+
+/// What somebody asks of a run.
+class Watched : public retiming::ScriptSource {
+  public:
+    explicit Watched(retiming::ScriptedRun const& run) : run_(run) {}
+
+    timing::PhraseBook const& book() const override { return run_.book(); }
+    std::size_t size() const override { return run_.size(); }
+    retiming::ScriptedSample const& operator[](std::size_t sample) const override {
+        furthest = std::max(furthest, sample + 1);
+        return run_[sample];
+    }
+
+    mutable std::size_t furthest = 0;  ///< samples up to the last that was asked for
+
+  private:
+    retiming::ScriptedRun const& run_;
+};
+
+/// In which the inlier unit waits for commands of a rasterizer that has no room for a fragment.
+AcceleratorConfig deadlocking(AcceleratorConfig config) {
+    config.fifo(FifoId::fragment_depth).depth = 1;
+    return config;
+}
+
+struct Asked {
+    std::size_t plain = 0;  ///< samples
+    bool is_stuck = false;
+};
+
+/// What one core asks for that does all samples.
+Asked replay_all(retiming::ScriptSource const& source, retiming::ScriptedRun const& run,
+                 AcceleratorConfig const& config) {
+    Asked asked;
+    auto const core = retiming::core_variant(*run.run().blueprint, config);
+    core->let_follow(rasterizer_and_followers(Parts(config)), std::make_shared<timing::Automaton>());
+    retiming::PlainReader reader(run.run(), run.parts());
+    auto const plain = [&](std::size_t sample) {
+        ++asked.plain;
+        return reader.read(sample);
+    };
+    retiming::Replay replay(source, plain, {0, samples}, *core);
+    replay.go_on_to(samples);
+    core->resolve();
+    asked.is_stuck = !core->waits().empty();
+    return asked;
+}
+
+}  // namespace
+
+TEST_CASE("Where nobody can go on any more, no further samples are read", "[replay]") {
+    test::TempFolder const folder;
+    events::EventFile const file = recorded_run(folder);
+    AcceleratorConfig const recorded = file.loaded.config.accelerator;
+    retiming::ScriptedRun const run(file.run, Parts(recorded));
+    for (bool const scripted : {false, true}) {
+        CAPTURE(scripted);
+        Watched const watched(run);
+        retiming::NoScripts const none;
+        retiming::ScriptSource const& source = scripted ? static_cast<retiming::ScriptSource const&>(watched) : none;
+        Asked const stuck = replay_all(source, run, deadlocking(recorded));
+        CHECK(stuck.is_stuck);
+        CHECK(stuck.plain + watched.furthest < 8);
+
+        watched.furthest = 0;
+        Asked const done = replay_all(source, run, recorded);
+        CHECK_FALSE(done.is_stuck);
+        CHECK(done.plain + watched.furthest == samples);
+    }
+}
+
+}  // namespace faster::testing

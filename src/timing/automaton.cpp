@@ -40,7 +40,7 @@ bool can_follow(Group const& group) {
 }
 }  // namespace
 
-Automaton::Automaton() = default;
+Automaton::Automaton(Use use) : use_(use) {}
 Automaton::~Automaton() = default;
 
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
@@ -170,7 +170,15 @@ Automaton::Slot const* Automaton::work_out(Print const& print) {
     task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
     if (!work_out(once_))
         return nullptr;
+    leave_out_occupancies(once_);
     return once_.number < first_loose ? table_.add(once_) : &once_;
+}
+
+/// Of a transition that is now taken: the only core there is knows of its occupancies.
+void Automaton::leave_out_occupancies(Slot const& slot) {
+    if (use_ == Use::by_one_core && slot.number < first_loose)
+        for (Number const piece : store_.pieces(slot.number))
+            bench_->leave_out_occupancies(store_.figures(piece));
 }
 
 /// Performs the task on the bench. False if the driver cannot finish it.

@@ -31,7 +31,10 @@ class Automaton {
         bool later = false;  ///< stopped where some process has not said yet what it does
     };
 
-    Automaton();
+    enum class Use { by_one_core, by_many };
+    static Use use_by(std::size_t cores) { return cores == 1 ? Use::by_one_core : Use::by_many; }
+
+    explicit Automaton(Use use = Use::by_many);
     ~Automaton();
 
     /// Whether a core can be followed at all. The first core asked about gives the shape.
@@ -102,6 +105,7 @@ class Automaton {
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
+    void leave_out_occupancies(Slot const& slot);
     bool perform(StateView from);
     Number number_of_state();
     bool work_out(Slot& slot);
@@ -152,6 +156,7 @@ class Automaton {
     Phrase phrase_;
     TransitionBench::Task task_;
     Session* session_ = nullptr;  ///< at hand
+    Use use_;
     bool decided_ = false;
     bool usable_ = false;
     bool driver_is_regular_ = false;

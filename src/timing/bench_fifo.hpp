@@ -131,10 +131,13 @@ struct BenchFifo {
         free.start();
     }
 
-    /// The largest occupancy that shows in what happened since start(): of pairs of a write and a read, one of which
-    /// happened since.
-    std::uint64_t largest_occupancy() const {
-        std::uint64_t const largest = free.consumed() > 0 ? largest_behind_writes(1) : 0;
+    /// The largest occupancy that shows in what happened since start(), of pairs of a write and a read, one of which
+    /// happened since; or `known`, if that is larger.
+    std::uint64_t largest_occupancy(std::uint64_t known = 0) const {
+        if (known >= capacity)
+            return known;
+        std::uint64_t const largest =
+            free.consumed() > 0 ? largest_behind_writes(std::max<std::uint64_t>(known, 1)) : known;
         return readable.consumed() > 0 ? largest_before_reads(largest) : largest;
     }
 

@@ -305,14 +305,6 @@ template <class Stride> std::uint32_t BenchProcess::run(std::uint8_t mask, std::
     if (trail_ != nullptr)
         return run_by_steps(mask, wanted, stride);
     PortSet const& set = port_set(mask);
-    for (unsigned i = 0; i < set.size; ++i) {
-        std::uint64_t const known = set.ports[i]->consumes->known();
-        blocked_at_ = known < wanted ? set.ports[i]->fifo : blocked_at_;
-        wanted = static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, known));
-    }
-    if (wanted == 0)
-        return 0;
-    accessed_ |= set.fifos;
     switch (set.size) {
         case 1:
             return run<1>(set, wanted, stride);
@@ -330,7 +322,7 @@ BenchProcess::PortSet const& BenchProcess::make_port_set(std::uint8_t mask) {
     PortSet set;
     for_each_bit(mask, [&](unsigned number) {
         set.fifos |= ports_[number].fifo;
-        set.ports.at(set.size++) = &ports_[number];
+        set.ports.at(set.size++) = ports_[number];
     });
     port_sets_.push_back(set);
     port_set_of_[mask] = static_cast<std::uint8_t>(port_sets_.size());
@@ -339,12 +331,22 @@ BenchProcess::PortSet const& BenchProcess::make_port_set(std::uint8_t mask) {
 
 template <unsigned N, class Stride>
 std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride const& stride) {
+    std::uint64_t known = set.ports[0].consumes->known();
+    for (unsigned i = 1; i < N; ++i)
+        known = std::min(known, set.ports[i].consumes->known());
+    if (known < wanted) {
+        blocked_at_ = set.blocks_after(known);
+        if (known == 0)
+            return 0;
+        wanted = static_cast<std::uint32_t>(known);
+    }
+    accessed_ |= set.fifos;
     BenchLine::Cycle const* earliest[N];
     BenchLine::Cycle* appended[N];
     std::int64_t later[N];
     std::int64_t stalls[N] = {};
     for (unsigned i = 0; i < N; ++i) {
-        Port const& port = *set.ports[i];
+        Port const& port = set.ports[i];
         port.appends->reserve(wanted);
         earliest[i] = port.consumes->cycles();
         appended[i] = port.appends->end();
@@ -363,7 +365,7 @@ std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride
     }
     time_ = time;
     for (unsigned i = 0; i < N; ++i) {
-        Port const& port = *set.ports[i];
+        Port const& port = set.ports[i];
         port.consumes->consume(wanted);
         port.appends->append(wanted);
         figures_[port.stalls] += static_cast<std::uint32_t>(stalls[i]);

@@ -115,7 +115,15 @@ class BenchProcess {
     struct PortSet {
         unsigned size = 0;
         std::uint32_t fifos = 0;
-        std::array<Port*, ProcessTiming::most_accesses> ports{};
+        std::array<Port, ProcessTiming::most_accesses> ports{};  // copies: one place less to look at
+
+        /// The first of which no more than so many are known: its FIFO.
+        std::uint32_t blocks_after(std::uint64_t known) const {
+            unsigned i = 0;
+            while (ports[i].consumes->known() > known)
+                ++i;
+            return ports[i].fifo;
+        }
     };
     struct Pipeline {  ///< of a loop whose tokens leave in different stages
         std::uint64_t iteration = 0;

@@ -204,6 +204,7 @@ bool Automaton::find_out(Walk& walk) {
     if (slot.number < first_loose)
         numbered_.add(from, *script.next, {slot.next, slot.number});
     session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
+    leave_out_occupancies(slot);
     apply(slot);
     walk.counted = script.next;
     return true;

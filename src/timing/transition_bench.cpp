@@ -15,7 +15,7 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
     Group const group(*shape_, lead);
     most_words_ = BenchLine::slack;
     for (Group::Inner const& inner : group.fifos())
-        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader});
+        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader, 0});
     for (Fifo const& fifo : fifos_)
         most_words_ += FifoCounts::words + fifo.fifo.room;
     for (Group::Member const& member : group.members()) {
@@ -275,8 +275,10 @@ void TransitionBench::take_figures(Transition::Figures& figures) {
         take(first + 1);
         take(first + 2);
     });
-    std::uint32_t const largest = of_loops_ + RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
-    for_each_bit(accessed_, [&](unsigned f) { put(largest + f, fifos_[f].fifo.largest_occupancy()); });
+    for_each_bit(accessed_, [&](unsigned f) {
+        std::uint64_t const told = fifos_[f].told, largest = fifos_[f].fifo.largest_occupancy(told);
+        put(first_occupancy() + f, largest > told ? largest : 0);
+    });
     figures.resize(static_cast<std::size_t>(next - figures.data()));
 }
 

@@ -40,6 +40,14 @@ class TransitionBench {
     /// those of Transition.
     std::vector<Waiting> park(Transition::Figures& figures);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
+    /// From now on, figures tell of occupancies only above those among these.
+    template <class Figures> void leave_out_occupancies(Figures const& figures) {
+        for (auto figure = figures.end(); figure != figures.begin() && figure[-1].number >= first_occupancy();
+             --figure) {
+            std::uint64_t& told = fifos_[figure[-1].number - first_occupancy()].told;
+            told = std::max<std::uint64_t>(told, figure[-1].amount);
+        }
+    }
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
     /// more.
@@ -70,6 +78,10 @@ class TransitionBench {
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
     void take_figures(Transition::Figures& figures);
+    /// The number of its figure.
+    std::uint32_t first_occupancy() const {
+        return of_loops_ + RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
+    }
     void look_at(StateWord earliest, StateWord latest) {
         lowest_ = std::min(lowest_, earliest);
         highest_ = std::max(highest_, latest);
@@ -79,6 +91,7 @@ class TransitionBench {
         BenchFifo fifo;
         unsigned writer = 0;
         unsigned reader = 0;
+        std::uint64_t told = 0;  ///< occupancy, see leave_out_occupancies()
 
         unsigned other_end(unsigned member) const { return member == writer ? reader : writer; }
     };

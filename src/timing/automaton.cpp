@@ -167,18 +167,18 @@ void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> co
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     once_ = Slot();
     once_.print = print;
+    bench_->forget_told();
     task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
     if (!work_out(once_))
         return nullptr;
-    leave_out_occupancies(once_);
+    leave_out_told();
     return once_.number < first_loose ? table_.add(once_) : &once_;
 }
 
-/// Of a transition that is now taken: the only core there is knows of its occupancies.
-void Automaton::leave_out_occupancies(Slot const& slot) {
-    if (use_ == Use::by_one_core && slot.number < first_loose)
-        for (Number const piece : store_.pieces(slot.number))
-            bench_->leave_out_occupancies(store_.figures(piece));
+/// The only core there is takes what has been worked out.
+void Automaton::leave_out_told() {
+    if (use_ == Use::by_one_core)
+        bench_->leave_out_told();
 }
 
 /// Performs the task on the bench. False if the driver cannot finish it.

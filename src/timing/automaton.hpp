@@ -105,7 +105,7 @@ class Automaton {
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
-    void leave_out_occupancies(Slot const& slot);
+    void leave_out_told();
     bool perform(StateView from);
     Number number_of_state();
     bool work_out(Slot& slot);

@@ -11,23 +11,22 @@ constexpr std::size_t longest_history = std::size_t{1} << 16;
 /// What transitions add to the figures of a group.
 class Figures {
   public:
-    explicit Figures(RelativeState& real) : real_(real), sums_(real.sums()), figures_(real.figures()) {}
+    explicit Figures(RelativeState& real) : real_(real), totals_(real.blocks()) {}
 
     /// Of one, done `uses` times.
-    template <class All> void add(All const& figures, std::uint64_t uses) {
-        Transition::Figure const* figure = figures.data();
-        Transition::Figure const* const end = figure + figures.size();
-        for (; figure != end && figure->number < sums_; ++figure)
-            figures_[figure->number] += uses * figure->amount;
-        for (; figure != end; ++figure)
-            figures_[figure->number] = std::max<std::uint64_t>(figures_[figure->number], figure->amount);
+    template <class Blocks> void add(Blocks const& blocks, std::uint64_t uses) {
+        for (FigureBlock const& block : blocks) {
+            FigureTotal& total = totals_[block.number];
+            for (std::size_t i = 0; i < total.sums.size(); ++i)
+                total.sums[i] += uses * block.sums[i];
+            total.largest = std::max<std::uint64_t>(total.largest, block.largest);
+        }
     }
-    void enter() { real_.enter(figures_); }
+    void enter() { real_.enter(totals_); }
 
   private:
     RelativeState& real_;
-    std::uint32_t sums_;
-    std::vector<std::uint64_t> figures_;
+    FigureTotals totals_;
 };
 }  // namespace
 

@@ -4,12 +4,12 @@
 
 namespace faster::timing {
 
-BenchProcess::BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail)
+BenchProcess::BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail)
     : process_(&process), trail_(trail), log_(64) {
-    std::uint32_t figure = first_figure;
     for (unsigned loop = 0; loop < process.loops().size(); ++loop) {
-        loops_.push_back({&process.plan(loop), &process.loops()[loop], figure});
-        figure += RelativeState::figures_of(process.loops()[loop]);
+        std::uint32_t const blocks = RelativeState::blocks_of(process.loops()[loop]);
+        loops_.push_back({&process.plan(loop), &process.loops()[loop], figures, blocks});
+        figures += blocks;
     }
 }
 
@@ -195,11 +195,12 @@ bool BenchProcess::leave() {
 void BenchProcess::count_end(Loop const& loop) {
     counted_ |= 1U << loop_;
     LoopEnd const end = loop_end(*loop.shape, iterations_);
-    figures_[loop.figure] += static_cast<std::uint32_t>(end.entries);
-    if (RelativeState::figures_of(*loop.shape) == 2)
+    loop.figures->sums[0] += static_cast<std::uint32_t>(end.entries);
+    if (loop.blocks == 1)
         return;
-    figures_[loop.figure + 2] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
-    figures_[loop.figure + 3] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
+    FigureBlock& beyond_end = loop.figures[1];
+    beyond_end.sums[0] += static_cast<std::uint32_t>(end.recurrence_beyond_end);
+    beyond_end.sums[1] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
 }
 
 /// Of an aligned loop.
@@ -341,6 +342,11 @@ std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride
         wanted = static_cast<std::uint32_t>(known);
     }
     accessed_ |= set.fifos;
+    if (wanted == 1) {
+        run_once<N>(set);
+        time_ += stride(0);
+        return 1;
+    }
     BenchLine::Cycle const* earliest[N];
     BenchLine::Cycle* appended[N];
     std::int64_t later[N];
@@ -368,9 +374,27 @@ std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride
         Port const& port = set.ports[i];
         port.consumes->consume(wanted);
         port.appends->append(wanted);
-        figures_[port.stalls] += static_cast<std::uint32_t>(stalls[i]);
+        *port.stalls += static_cast<std::uint32_t>(stalls[i]);
     }
     return wanted;
+}
+
+/// The accesses of one iteration, as most are on their own: nothing to be set up.
+template <unsigned N> void BenchProcess::run_once(PortSet const& set) {
+    std::int64_t time = time_;
+    for (unsigned i = 0; i < N; ++i) {
+        std::int64_t const until = std::max<std::int64_t>(time, *set.ports[i].consumes->cycles());
+        *set.ports[i].stalls += static_cast<std::uint32_t>(until - time);
+        time = until;
+    }
+    for (unsigned i = 0; i < N; ++i) {
+        Port const& port = set.ports[i];
+        port.consumes->consume(1);
+        port.appends->reserve(1);
+        *port.appends->end() = static_cast<BenchLine::Cycle>(time + port.later);
+        port.appends->append(1);
+    }
+    time_ = time;
 }
 
 /// With a trail.

@@ -23,16 +23,14 @@ class BenchProcess {
     struct Port {
         BenchLine* consumes = nullptr;
         BenchLine* appends = nullptr;
-        std::int64_t later = 0;    ///< than the access: what is appended
-        unsigned other = 0;        ///< member at the other end
-        std::uint32_t stalls = 0;  ///< number of the figure
-        std::uint32_t fifo = 0;    ///< of the group: its bit
+        std::int64_t later = 0;  ///< than the access: what is appended
+        unsigned other = 0;      ///< member at the other end
+        std::uint32_t fifo = 0;  ///< of the group: its bit
+        std::uint32_t* stalls = nullptr;
     };
 
-    /// With the number of its first figure, see RelativeState::enter().
-    BenchProcess(ProcessTiming const& process, std::uint32_t first_figure, Trail* trail);
-    /// Where figures are, by number: they grow.
-    void set_figures(std::uint32_t* figures) { figures_ = figures; }
+    /// `figures` are those of its loops, see RelativeState::enter(), which grow.
+    BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail);
     void connect(unsigned port, Port const& end) { ports_[port] = end; }
 
     /// Returns the words behind its own.
@@ -75,7 +73,7 @@ class BenchProcess {
     void wait(unsigned number, std::int64_t cycle) {
         if (cycle <= time_)
             return;
-        figures_[ports_[number].stalls] += static_cast<std::uint32_t>(cycle - time_);
+        *ports_[number].stalls += static_cast<std::uint32_t>(cycle - time_);
         waited_ |= ports_[number].fifo;
         time_ = cycle;
     }
@@ -89,13 +87,11 @@ class BenchProcess {
     unsigned parked_at() const { return parked_at_; }
     void set_parked_at(unsigned port) { parked_at_ = port; }
 
-    /// Visits the number of each figure of its loops that may have grown since start().
-    template <class Visit> void each_figure(Visit visit) const {
+    /// Visits the figures of its loops that may have grown since start().
+    template <class Visit> void each_figures(Visit visit) const {
         for_each_bit(counted_, [&](unsigned loop) {
-            std::uint32_t const first = loops_[loop].figure;
-            for (std::uint32_t number = first; number < first + RelativeState::figures_of(*loops_[loop].shape);
-                 ++number)
-                visit(number);
+            for (std::uint32_t i = 0; i < loops_[loop].blocks; ++i)
+                visit(loops_[loop].figures[i]);
         });
     }
     /// FIFOs that it may have waited for since start(), besides those that it accessed, a bit each.
@@ -109,7 +105,8 @@ class BenchProcess {
     struct Loop {
         ProcessTiming::LoopPlan const* plan;
         LoopShape const* shape;
-        std::uint32_t figure;  ///< number of its first
+        FigureBlock* figures;
+        std::uint32_t blocks;  ///< of them
     };
     /// The ports of a mask, which an iteration of an aligned loop accesses.
     struct PortSet {
@@ -156,12 +153,13 @@ class BenchProcess {
     void take_off(Operation& operation, std::uint32_t count);
     void count(std::uint64_t iterations) {
         iterations_ += iterations;
-        figures_[loops_[loop_].figure + 1] += static_cast<std::uint32_t>(iterations);
+        loops_[loop_].figures->sums[1] += static_cast<std::uint32_t>(iterations);
         counted_ |= 1U << loop_;
     }
     template <class Stride> std::uint32_t run(std::uint8_t ports, std::uint32_t wanted, Stride const& stride);
     template <unsigned N, class Stride>
     std::uint32_t run(PortSet const& set, std::uint32_t wanted, Stride const& stride);
+    template <unsigned N> void run_once(PortSet const& set);
     PortSet const& port_set(std::uint8_t mask) {
         return port_set_of_[mask] != 0 ? port_sets_[port_set_of_[mask] - 1U] : make_port_set(mask);
     }
@@ -200,7 +198,6 @@ class BenchProcess {
     std::vector<std::uint8_t> delay_line_;
     std::vector<Operation> log_;
     std::size_t log_front_ = 0, log_end_ = 0;
-    std::uint32_t* figures_ = nullptr;
 };
 
 }  // namespace faster::timing

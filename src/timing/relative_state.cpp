@@ -210,45 +210,48 @@ void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle
     fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
 }
 
-std::uint32_t RelativeState::figures_of(ProcessTiming const& process) {
-    std::uint32_t figures = 0;
+std::uint32_t RelativeState::blocks_of(ProcessTiming const& process) {
+    std::uint32_t blocks = 0;
     for (LoopShape const& loop : process.loops())
-        figures += figures_of(loop);
-    return figures;
+        blocks += blocks_of(loop);
+    return blocks;
 }
 
-std::uint32_t RelativeState::sums() const {
-    auto sums = sums_of_fifo * static_cast<std::uint32_t>(group_->fifos().size());
+std::uint32_t RelativeState::blocks_of_loops() const {
+    std::uint32_t blocks = 0;
     for (Group::Member const& member : group_->members())
-        sums += figures_of(*member.process);
-    return sums;
+        blocks += blocks_of(*member.process);
+    return blocks;
 }
 
-void RelativeState::enter(std::vector<std::uint64_t> const& figures) {
-    std::uint64_t const* next = figures.data();
+void RelativeState::enter(FigureTotals const& figures) {
+    auto next = figures.begin();
     for (Group::Member const& member : group_->members())
         next = enter(*member.process, next);
     for (Group::Inner const& inner : group_->fifos()) {
-        inner.fifo->passed_ += *next++;
-        inner.fifo->full_stall_cycles_ += *next;
-        process(inner.writer).full_stall_cycles_ += *next++;
-        inner.fifo->empty_stall_cycles_ += *next;
-        process(inner.reader).empty_stall_cycles_ += *next++;
+        auto const [tokens, full_stalls, empty_stalls] = next->sums;
+        inner.fifo->passed_ += tokens;
+        inner.fifo->full_stall_cycles_ += full_stalls;
+        process(inner.writer).full_stall_cycles_ += full_stalls;
+        inner.fifo->empty_stall_cycles_ += empty_stalls;
+        process(inner.reader).empty_stall_cycles_ += empty_stalls;
+        inner.fifo->max_occupancy_ = std::max(inner.fifo->max_occupancy_, next->largest);
+        ++next;
     }
-    for (Group::Inner const& inner : group_->fifos())
-        inner.fifo->max_occupancy_ = std::max(inner.fifo->max_occupancy_, *next++);
 }
 
 /// Returns what is behind its loops' figures.
-std::uint64_t const* RelativeState::enter(ProcessTiming& process, std::uint64_t const* figures) {
+FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, FigureTotals::const_iterator figures) {
     for (unsigned i = 0; i < process.loops_.size(); ++i) {
         LoopCounters& loop = process.loop_counters_[i];
-        loop.entries += *figures++;
-        loop.iterations += *figures++;
-        if (figures_of(process.loops_[i]) == 2)
+        loop.entries += figures->sums[0];
+        loop.iterations += figures->sums[1];
+        ++figures;
+        if (blocks_of(process.loops_[i]) == 1)
             continue;
-        loop.recurrence_beyond_end += *figures++;
-        loop.port_conflict_beyond_end += *figures++;
+        loop.recurrence_beyond_end += figures->sums[0];
+        loop.port_conflict_beyond_end += figures->sums[1];
+        ++figures;
     }
     return figures;
 }

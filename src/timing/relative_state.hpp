@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "timing/figure_block.hpp"
 #include "timing/group.hpp"
 #include "timing/state_words.hpp"
 #include "timing/transition.hpp"
@@ -29,15 +30,15 @@ class RelativeState {
     void clear_logs(std::uint32_t members);
     /// Puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
-    /// The figures of a group that only grow: those of each member's loops; of each FIFO between members its tokens
-    /// gone through, full stalls and empty stalls; of each FIFO its largest occupancy.
-    static constexpr std::uint32_t sums_of_fifo = 3;
-    static std::uint32_t figures_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 4 : 2; }
-    static std::uint32_t figures_of(ProcessTiming const& process);
-    std::uint32_t sums() const;  ///< that come before the largest occupancies
-    std::uint32_t figures() const { return sums() + static_cast<std::uint32_t>(group_->fifos().size()); }
+    /// The figures of a group that only grow, in blocks: of each loop of each member its entries and iterations, in a
+    /// second one, if there can be any, the cycles lost beyond its ends; of each FIFO between members its tokens gone
+    /// through, its full stalls, its empty stalls, and its largest occupancy.
+    static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
+    static std::uint32_t blocks_of(ProcessTiming const& process);
+    std::uint32_t blocks_of_loops() const;  ///< which come before those of FIFOs
+    std::uint32_t blocks() const { return blocks_of_loops() + static_cast<std::uint32_t>(group_->fifos().size()); }
     /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
-    void enter(std::vector<std::uint64_t> const& figures);
+    void enter(FigureTotals const& figures);
 
     bool is_in_loop(unsigned member) const { return process(member).in_loop_; }
     std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
@@ -55,7 +56,7 @@ class RelativeState {
     std::uint8_t next_ports(unsigned member) const;
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
-    static std::uint64_t const* enter(ProcessTiming& process, std::uint64_t const* figures);
+    static FigureTotals::const_iterator enter(ProcessTiming& process, FigureTotals::const_iterator figures);
     class Pen;
     void save_process(unsigned member, bool with_log, Pen& pen) const;
     void save_fifo(Group::Inner const& inner, Pen& pen) const;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/cycles.hpp"
-#include "common/uninitialized.hpp"
+#include "timing/figure_block.hpp"
 #include "timing/lead.hpp"
 #include "timing/trail.hpp"
 
@@ -15,11 +15,6 @@ namespace faster::timing {
 struct Transition {
     static constexpr unsigned most_members = Lead::most_members;
 
-    struct Figure {
-        std::uint32_t number;  ///< see RelativeState::enter()
-        std::uint32_t amount;  ///< not 0
-    };
-    using Figures = std::vector<Figure, Uninitialized<Figure>>;
     struct Stand {  ///< of a follower, at the end
         std::int32_t since;
         std::int32_t arrival;
@@ -37,7 +32,7 @@ struct Transition {
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     std::uint32_t froze = 0;
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
-    Figures figures;                                       ///< sums first
+    FigureBlocks figures;
     std::vector<Stand> stands;
     std::vector<Room> rooms;
     std::vector<TrailEvent> trail;

@@ -15,20 +15,19 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
     Group const group(*shape_, lead);
     most_words_ = BenchLine::slack;
     for (Group::Inner const& inner : group.fifos())
-        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader, 0});
+        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader, 0, 0});
     for (Fifo const& fifo : fifos_)
         most_words_ += FifoCounts::words + fifo.fifo.room;
+    for (std::uint32_t number = 0; number < RelativeState(group).blocks(); ++number)
+        figures_.push_back(FigureBlock::none(static_cast<std::uint16_t>(number)));
     for (Group::Member const& member : group.members()) {
-        members_.push_back({BenchProcess(*member.process, of_loops_, trail_.get()), 0, 0});
+        members_.push_back({BenchProcess(*member.process, figures_.data() + of_loops_, trail_.get()), 0, 0});
         most_words_ += members_.back().process.most_words();
-        of_loops_ += RelativeState::figures_of(*member.process);
+        of_loops_ += RelativeState::blocks_of(*member.process);
     }
     supplier_ = group.supplier();
     supplier_port_ = group.members()[supplier_].anchor_port;
     connect(group);
-    figures_.resize(RelativeState(group).figures());
-    for (Member& member : members_)
-        member.process.set_figures(figures_.data());
 }
 
 TransitionBench::~TransitionBench() = default;
@@ -46,7 +45,7 @@ void TransitionBench::connect(Group const& group) {
             port.later = writes ? fifo.fifo.later_than_write : 1;
             port.other = group.other_end(m, number);
             port.fifo = 1U << f;
-            port.stalls = of_loops_ + RelativeState::sums_of_fifo * f + (writes ? 1 : 2);
+            port.stalls = &figures_[of_loops_ + f].sums[writes ? 1 : 2];
             members_[m].process.connect(number, port);
         });
 }
@@ -139,7 +138,7 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     return waiting;
 }
 
-std::vector<TransitionBench::Waiting> TransitionBench::park(Transition::Figures& figures) {
+std::vector<TransitionBench::Waiting> TransitionBench::park(FigureBlocks& figures) {
     start();
     at_ = nullptr;
     std::vector<Waiting> waitings;
@@ -178,7 +177,8 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     std::int64_t const begin = base_;
     if (!members_.front().process.finished() || !describe(transition)) {
         take_trail(0);  // it came to nothing
-        std::fill(figures_.begin(), figures_.end(), 0);
+        for (FigureBlock& block : figures_)
+            block = FigureBlock::none(block.number);
         return false;
     }
     describe_stands(task.active, transition);
@@ -252,34 +252,42 @@ void TransitionBench::describe_rooms(Transition& transition) {
     }
 }
 
-/// Those that are not zero, which they are behind this.
-void TransitionBench::take_figures(Transition::Figures& figures) {
-    figures.resize(figures_.size() + 1);  // room for all, and to write one that is zero
-    Transition::Figure* next = figures.data();
-    auto const put = [&next](std::uint32_t number, std::uint64_t amount) {
-        *next = {number, static_cast<std::uint32_t>(amount)};
-        next += amount != 0 ? 1 : 0;
-    };
-    auto const take = [this, &put](std::uint32_t number) {
-        put(number, figures_[number]);
-        figures_[number] = 0;
+/// Those of whatever has done something, which are zero behind this.
+void TransitionBench::take_figures(FigureBlocks& figures) {
+    figures.resize(figures_.size());  // room for all
+    FigureBlock* next = figures.data();
+    auto const take = [&next](FigureBlock& block) {
+        *next++ = block;
+        block = FigureBlock::none(block.number);
     };
     std::uint32_t touched = accessed_;
     for (Member const& member : members_) {
-        member.process.each_figure(take);
+        member.process.each_figures(take);
         touched |= member.process.waited();
     }
     for_each_bit(touched, [&](unsigned f) {
-        std::uint32_t const first = of_loops_ + RelativeState::sums_of_fifo * f;
-        put(first, fifos_[f].fifo.readable.consumed());
-        take(first + 1);
-        take(first + 2);
-    });
-    for_each_bit(accessed_, [&](unsigned f) {
-        std::uint64_t const told = fifos_[f].told, largest = fifos_[f].fifo.largest_occupancy(told);
-        put(first_occupancy() + f, largest > told ? largest : 0);
+        Fifo& fifo = fifos_[f];
+        FigureBlock& block = figures_[of_loops_ + f];
+        block.sums[0] = static_cast<std::uint32_t>(fifo.fifo.readable.consumed());
+        std::uint64_t const largest = fifo.fifo.largest_occupancy(fifo.left_out);
+        if (largest > fifo.left_out) {
+            block.largest = static_cast<std::uint16_t>(largest);
+            fifo.told = std::max(fifo.told, largest);
+            told_ |= 1U << f;
+        }
+        take(block);
     });
     figures.resize(static_cast<std::size_t>(next - figures.data()));
+}
+
+void TransitionBench::forget_told() {
+    for_each_bit(told_, [this](unsigned f) { fifos_[f].told = 0; });
+    told_ = 0;
+}
+
+void TransitionBench::leave_out_told() {
+    for_each_bit(told_, [this](unsigned f) { fifos_[f].left_out = std::max(fifos_[f].left_out, fifos_[f].told); });
+    forget_told();
 }
 
 void TransitionBench::save() {

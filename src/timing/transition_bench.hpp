@@ -38,16 +38,11 @@ class TransitionBench {
 
     /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
     /// those of Transition.
-    std::vector<Waiting> park(Transition::Figures& figures);
+    std::vector<Waiting> park(FigureBlocks& figures);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
-    /// From now on, figures tell of occupancies only above those among these.
-    template <class Figures> void leave_out_occupancies(Figures const& figures) {
-        for (auto figure = figures.end(); figure != figures.begin() && figure[-1].number >= first_occupancy();
-             --figure) {
-            std::uint64_t& told = fifos_[figure[-1].number - first_occupancy()].told;
-            told = std::max<std::uint64_t>(told, figure[-1].amount);
-        }
-    }
+    /// From now on, figures tell of occupancies only above those told of since forget_told().
+    void leave_out_told();
+    void forget_told();
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
     /// more.
@@ -77,11 +72,7 @@ class TransitionBench {
     void save();
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
-    void take_figures(Transition::Figures& figures);
-    /// The number of its figure.
-    std::uint32_t first_occupancy() const {
-        return of_loops_ + RelativeState::sums_of_fifo * static_cast<std::uint32_t>(fifos_.size());
-    }
+    void take_figures(FigureBlocks& figures);
     void look_at(StateWord earliest, StateWord latest) {
         lowest_ = std::min(lowest_, earliest);
         highest_ = std::max(highest_, latest);
@@ -91,7 +82,8 @@ class TransitionBench {
         BenchFifo fifo;
         unsigned writer = 0;
         unsigned reader = 0;
-        std::uint64_t told = 0;  ///< occupancy, see leave_out_occupancies()
+        std::uint64_t told = 0;      ///< the largest occupancy that figures told of since forget_told()
+        std::uint64_t left_out = 0;  ///< an occupancy, up to which they do not
 
         unsigned other_end(unsigned member) const { return member == writer ? reader : writer; }
     };
@@ -112,12 +104,13 @@ class TransitionBench {
     std::vector<Fifo> fifos_;
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
-    std::size_t most_words_ = 0;          ///< of a state, but for operations
-    std::uint32_t of_loops_ = 0;          ///< figures
-    std::vector<std::uint32_t> figures_;  ///< by number: zero between transitions
-    StateWord const* at_ = nullptr;       ///< the state where it is, if that is known
-    std::int64_t base_ = 0;               ///< the driver's time there
-    std::uint32_t accessed_ = 0;          ///< FIFOs in the last transition, a bit each
+    std::size_t most_words_ = 0;        ///< of a state, but for operations
+    std::uint32_t of_loops_ = 0;        ///< blocks of figures; behind them, those of FIFOs
+    std::vector<FigureBlock> figures_;  ///< by number: zero between transitions
+    StateWord const* at_ = nullptr;     ///< the state where it is, if that is known
+    std::int64_t base_ = 0;             ///< the driver's time there
+    std::uint32_t accessed_ = 0;        ///< FIFOs in the last transition, a bit each
+    std::uint32_t told_ = 0;            ///< FIFOs of whose occupancies figures told since forget_told(), a bit each
     StateWords page_;
     std::size_t size_ = 0;                ///< words on it
     StateWord lowest_ = 0, highest_ = 0;  ///< times on it

@@ -38,7 +38,7 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     tallies_.push_back(tally);
     pieces_.push_back(number);
     std::size_t const figures = transition.figures.size();
-    Transition::Figure const* const kept = kept_figures_.keep(transition.figures.data(), figures);
+    FigureBlock const* const kept = kept_figures_.keep(transition.figures.data(), figures);
     figures_.push_back({kept, kept + figures});
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     end();

@@ -76,7 +76,7 @@ class TransitionStore {
     bool is_sequence(Number number) const { return *pieces(number).first != number; }
     Tally const& tally(Number number) const { return tallies_[number]; }
     /// Of no sequence: those of Transition.
-    Range<Transition::Figure> figures(Number number) const { return figures_[number]; }
+    Range<FigureBlock> figures(Number number) const { return figures_[number]; }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
     Notes const& notes(Number number) const { return notes_.at(number); }
     std::vector<TrailEvent> const& trail(Number number) const;
@@ -101,8 +101,8 @@ class TransitionStore {
     std::vector<Tally> tallies_;
     std::vector<Ends> ends_;
     std::vector<Number> pieces_;
-    WordArena<Transition::Figure> kept_figures_;
-    std::vector<Range<Transition::Figure>> figures_;  ///< of a sequence: none
+    WordArena<FigureBlock> kept_figures_;
+    std::vector<Range<FigureBlock>> figures_;  ///< of a sequence: none
     std::vector<Transition::Stand> stands_;
     std::unordered_map<Number, Notes> notes_;
     std::vector<std::vector<TrailEvent>> trails_;  ///< up to the last that left any

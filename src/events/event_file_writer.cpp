@@ -54,7 +54,7 @@ std::string index_of_file(std::string const& header, retiming::RecordedRun const
     return index.dump();
 }
 
-void put(std::string const& bytes, std::ostream& stream) {
+void put(std::string_view bytes, std::ostream& stream) {
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
@@ -68,13 +68,15 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, retim
         put(std::string(opening_mark) + little_endian(format_version), stream);
         put(little_endian(static_cast<std::uint32_t>(header.size())) + header, stream);
         std::uint64_t at = opening_bytes + header.size();
+        retiming::OperationTape::Bytes block;
         for (std::size_t i = 0; i < run.tape.samples(); ++i) {
-            put(run.tape.block(i), stream);
-            at += run.tape.blocks()[i].bytes;
+            run.tape.read_block(i, block);
+            put({block.data(), block.size()}, stream);
+            at += block.size();
         }
         std::string const index = press.frame(index_of_file(header, run, statistics, summary));
         put(index + little_endian(at) + little_endian(std::uint64_t{index.size()}), stream);
-        put(std::string(closing_mark), stream);
+        put(closing_mark, stream);
     });
 }
 

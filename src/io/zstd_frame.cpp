@@ -36,15 +36,34 @@ std::string ZstdPress::frame(std::string_view content) {
     return frame;
 }
 
-std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes) {
+struct ZstdReader::Context {
+    ZSTD_DCtx* context = ZSTD_createDCtx();
+
+    Context() = default;
+    Context(Context const&) = delete;
+    Context& operator=(Context const&) = delete;
+    ~Context() { ZSTD_freeDCtx(context); }
+};
+
+ZstdReader::ZstdReader() : context_(std::make_unique<Context>()) {}
+ZstdReader::~ZstdReader() = default;
+
+std::optional<std::string_view> ZstdReader::content(std::string_view frame, std::size_t most_bytes) {
     auto const content_bytes = ZSTD_getFrameContentSize(frame.data(), frame.size());  // huge if it is not known
     if (content_bytes > most_bytes || ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size())
         return std::nullopt;
-    std::string content(content_bytes, '\0');
-    std::size_t const size = ZSTD_decompress(content.data(), content.size(), frame.data(), frame.size());
+    content_.resize(content_bytes);
+    std::size_t const size =
+        ZSTD_decompressDCtx(context_->context, content_.data(), content_.size(), frame.data(), frame.size());
     if (ZSTD_isError(size) != 0 || size != content_bytes)
         return std::nullopt;
-    return content;
+    return std::string_view(content_.data(), content_.size());
+}
+
+std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes) {
+    ZstdReader reader;
+    std::optional<std::string_view> const content = reader.content(frame, most_bytes);
+    return content ? std::optional<std::string>(*content) : std::nullopt;
 }
 
 std::uint32_t checksum_of_zstd_frame(std::string_view frame) {

@@ -5,6 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "common/uninitialized.hpp"
 
 namespace faster::io {
 
@@ -21,7 +24,23 @@ class ZstdPress {
     std::unique_ptr<Context> context_;  ///< kept from frame to frame: it takes a megabyte to make
 };
 
-/// The content of a frame, which must not be longer than `most_bytes`; nothing if the frame is damaged.
+/// Reads zstd frames, one after the other.
+class ZstdReader {
+  public:
+    ZstdReader();
+    ~ZstdReader();
+
+    /// The content of a frame, until the next one is read; it must not be longer than `most_bytes`. Nothing if the
+    /// frame is damaged.
+    std::optional<std::string_view> content(std::string_view frame, std::size_t most_bytes);
+
+  private:
+    struct Context;
+    std::unique_ptr<Context> context_;  ///< kept from frame to frame, as is the room for contents
+    std::vector<char, Uninitialized<char>> content_;
+};
+
+/// The content of a single frame; otherwise as ZstdReader.
 std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::size_t most_bytes);
 
 /// The checksum that ends a frame: of its content, 32 bits of XXH64. 0 of what is too short for a frame.

@@ -43,8 +43,8 @@ void OperationTape::finish() {
         fail("write it");
 }
 
-std::string OperationTape::block(std::size_t sample) const {
-    std::string bytes(blocks_[sample].bytes, '\0');
+void OperationTape::read_block(std::size_t sample, Bytes& bytes) const {
+    bytes.resize(blocks_[sample].bytes);
     std::size_t done = 0;
     while (done < bytes.size()) {
         ssize_t const count = pread(fileno(file_.get()), bytes.data() + done, bytes.size() - done,
@@ -53,18 +53,6 @@ std::string OperationTape::block(std::size_t sample) const {
             throw InputError(name_ + ": cannot be read as far as it should go, expected all that was written");
         done += static_cast<std::size_t>(count);
     }
-    return bytes;
-}
-
-ScriptedSample OperationTape::read(std::size_t sample, KnownPhrases& known) const {
-    ScriptedSample scripted;
-    std::string const frame = block(sample);
-    auto const content = io::content_of_zstd_frame(frame, blocks_[sample].content_bytes);
-    if (!content || content->size() != blocks_[sample].content_bytes ||
-        io::checksum_of_zstd_frame(frame) != blocks_[sample].checksum || !decode(*content, known, scripted))
-        throw InputError(name_ + ": the operations of sample " + std::to_string(sample) +
-                         " are damaged, expected them as faster-sim run --events wrote them");
-    return scripted;
 }
 
 }  // namespace faster::retiming

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/uninitialized.hpp"
 #include "io/zstd_frame.hpp"
-#include "retiming/known_phrases.hpp"
 #include "retiming/scripted_sample.hpp"
 
 namespace faster::retiming {
@@ -36,11 +36,10 @@ class OperationTape {
 
     std::size_t samples() const { return blocks_.size(); }
     std::vector<Block> const& blocks() const { return blocks_; }
-    /// A sample, as processes of known.lead() can do it, with phrases of known.book(). InputError if the block is
-    /// damaged.
-    ScriptedSample read(std::size_t sample, KnownPhrases& known) const;
-    /// The compressed block of a sample.
-    std::string block(std::size_t sample) const;
+    /// The compressed block of a sample. InputError if it cannot be read.
+    using Bytes = std::vector<char, Uninitialized<char>>;
+    void read_block(std::size_t sample, Bytes& bytes) const;
+    std::string const& name() const { return name_; }
 
   private:
     struct Closer {

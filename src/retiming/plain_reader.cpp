@@ -5,10 +5,10 @@
 namespace faster::retiming {
 
 PlainReader::PlainReader(RecordedRun const& run, Parts const& parts)
-    : tape_(run.tape), known_(LeadCore(*run.blueprint, parts)) {}
+    : tape_(run.tape, LeadCore(*run.blueprint, parts)) {}
 
 SampleOperations PlainReader::read(std::size_t sample) {
-    return joined(tape_.read(sample, known_), known_.book(), known_.lead().group);
+    return joined(tape_.read(sample), tape_.known().book(), tape_.known().lead().group);
 }
 
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {

@@ -2,9 +2,9 @@
 #include <cstddef>
 
 #include "config/parts.hpp"
-#include "retiming/known_phrases.hpp"
 #include "retiming/recorded_run.hpp"
 #include "retiming/sample_operations.hpp"
+#include "retiming/tape_reader.hpp"
 
 namespace faster::retiming {
 
@@ -15,8 +15,7 @@ class PlainReader {
     SampleOperations read(std::size_t sample);
 
   private:
-    OperationTape const& tape_;
-    KnownPhrases known_;
+    TapeReader tape_;
 };
 
 /// Appends what a process does for a sample. It may begin with a wait on from where the last sample ended: one wait

@@ -48,8 +48,14 @@ void put_phrases(ScriptedSample const& sample, PhraseBook const& book, std::stri
     with_width_for(book.size(), put);
 }
 
-/// Of the phrases that occur in a sample: their numbers in the book of all.
-bool read_book(ByteReader& bytes, KnownPhrases& known, std::vector<PhraseBook::Number>& numbers) {
+/// A phrase of a sample, with all that is asked about it each time it occurs.
+struct OwnPhrase {
+    PhraseBook::Number number;  ///< in the book of all
+    std::uint32_t due;
+    KnownPhrases::Effect effect;
+};
+
+bool read_book(ByteReader& bytes, KnownPhrases& known, std::vector<OwnPhrase>& phrases) {
     std::uint64_t const count = bytes.number();
     if (count > bytes.left())
         return false;
@@ -66,24 +72,24 @@ bool read_book(ByteReader& bytes, KnownPhrases& known, std::vector<PhraseBook::N
         std::optional<PhraseBook::Number> const number = known.number_of(codes.data(), coded.size() / sizeof(Code));
         if (!number)
             return false;
-        numbers.push_back(*number);
+        phrases.push_back({*number, known.book()[*number].due, known[*number]});
     }
     return true;
 }
 
 /// Each phrase must be one that begins where the ones before it left the processes.
 template <std::size_t width>
-bool read_numbers(std::string_view bytes, std::vector<PhraseBook::Number> const& numbers, KnownPhrases const& known,
-                  PhraseCheck& check, ScriptedSample& sample) {
+bool read_numbers(std::string_view bytes, std::vector<OwnPhrase> const& phrases, PhraseCheck& check,
+                  ScriptedSample& sample) {
     char const* at = bytes.data();
     std::uint64_t due = 0;
     for (PhraseBook::Number& phrase : sample.phrases) {
         std::uint64_t const number = little_endian_at<width>(at);
         at += width;
-        if (number >= numbers.size() || !check.accepts(known[numbers[number]]))
+        if (number >= phrases.size() || !check.accepts(phrases[number].effect))
             return false;
-        phrase = numbers[number];
-        due += known.book()[phrase].due;
+        phrase = phrases[number].number;
+        due += phrases[number].due;
     }
     sample.script.due = due;
     return true;
@@ -102,16 +108,16 @@ bool read_next_ports(ByteReader& bytes, timing::Group const& group, timing::Scri
 }
 
 bool read_phrases(ByteReader& bytes, KnownPhrases& known, PhraseCheck& check, ScriptedSample& sample) {
-    std::vector<PhraseBook::Number> numbers;
-    if (!read_next_ports(bytes, known.lead().group, sample.script) || !read_book(bytes, known, numbers))
+    std::vector<OwnPhrase> phrases;
+    if (!read_next_ports(bytes, known.lead().group, sample.script) || !read_book(bytes, known, phrases))
         return false;
     std::uint64_t const count = bytes.number();
     if (count > bytes.left() || count > ScriptedSample::most_phrases)
         return false;
     sample.phrases.resize(count);
-    return with_width_for(numbers.size(), [&](auto width) {
+    return with_width_for(phrases.size(), [&](auto width) {
         std::string_view const coded = bytes.bytes(count * width);
-        return bytes.good() && read_numbers<decltype(width)::value>(coded, numbers, known, check, sample);
+        return bytes.good() && read_numbers<decltype(width)::value>(coded, phrases, check, sample);
     });
 }
 

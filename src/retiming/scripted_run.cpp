@@ -5,6 +5,7 @@
 
 #include "common/on_threads.hpp"
 #include "modules/core_shapes.hpp"
+#include "retiming/tape_reader.hpp"
 #include "timing/phrase_cutter.hpp"
 
 namespace faster::retiming {
@@ -33,15 +34,15 @@ std::size_t bytes_of(ScriptedSample const& sample) {
 
 Share read_share(RecordedRun const& run, Parts const& parts, std::size_t first, std::size_t end,
                  std::size_t most_bytes) {
-    KnownPhrases known(LeadCore(*run.blueprint, parts));
+    TapeReader reader(run.tape, LeadCore(*run.blueprint, parts));
     Share share;
     std::size_t bytes = 0;
     for (; first < end && bytes < most_bytes; ++first) {
-        share.samples.push_back(run.tape.read(first, known));
+        share.samples.push_back(reader.read(first));
         bytes += bytes_of(share.samples.back());
     }
     share.is_whole = first == end;
-    share.book = std::move(known).take_book();
+    share.book = std::move(reader).take_book();
     return share;
 }
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "common/uninitialized.hpp"
 #include "retiming/sample_operations.hpp"
 #include "timing/phrase_book.hpp"
 
@@ -13,7 +14,9 @@ struct ScriptedSample {
     static constexpr std::size_t most_phrases = std::size_t{1} << 24;  ///< all others stay operations
 
     SampleOperations before;  ///< by process
-    std::vector<timing::PhraseBook::Number> phrases;
+    using Phrases = std::vector<timing::PhraseBook::Number, Uninitialized<timing::PhraseBook::Number>>;
+
+    Phrases phrases;
     SampleOperations after;  ///< by process
     timing::Script script;   ///< of the phrases; without pointers
 

@@ -14,6 +14,7 @@
 #include "retiming/sample_cutter.hpp"
 #include "retiming/sensitivities.hpp"
 #include "retiming/slack.hpp"
+#include "retiming/tape_reader.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
@@ -117,15 +118,18 @@ struct Samples {
         : file(its_file),
           parts(file.loaded.config.accelerator),
           cutter(*file.run.blueprint, parts),
+          tape(file.run.tape, retiming::LeadCore(*file.run.blueprint, parts)),
           known(retiming::LeadCore(*file.run.blueprint, parts)) {}
 
     std::size_t count() const { return file.run.tape.samples(); }
     retiming::SampleOperations operations(std::size_t sample) {
-        return retiming::joined(file.run.tape.read(sample, known), known.book(), known.lead().group);
+        return retiming::joined(tape.read(sample), tape.known().book(), tape.known().lead().group);
     }
     /// What the frame of a sample holds.
     std::string content(std::size_t sample) const {
-        return *io::content_of_zstd_frame(file.run.tape.block(sample), file.run.tape.blocks()[sample].content_bytes);
+        retiming::OperationTape::Bytes frame;
+        file.run.tape.read_block(sample, frame);
+        return *io::content_of_zstd_frame({frame.data(), frame.size()}, file.run.tape.blocks()[sample].content_bytes);
     }
     /// A run of one sample, whatever comes of it.
     RunStatistics retime(retiming::ScriptedSample const& sample) const {
@@ -151,6 +155,7 @@ struct Samples {
     events::EventFile const& file;
     Parts parts;
     retiming::SampleCutter cutter;
+    retiming::TapeReader tape;
     retiming::KnownPhrases known;
 };
 
@@ -376,7 +381,8 @@ TEST_CASE("A sample that goes on with what is not its own is refused", "[events]
     test::TempFolder const folder;
     events::EventFile const file = events::read_event_file(small_file(folder));
     Samples samples(file);
-    retiming::ScriptedSample const original = file.run.tape.read(0, samples.known);
+    retiming::ScriptedSample original;
+    REQUIRE(retiming::decode(samples.content(0), samples.known, original));
     auto const is_refused = [&](auto change) {
         retiming::ScriptedSample changed = original;
         change(changed);

@@ -148,7 +148,7 @@ inline Automaton::Place* Automaton::take_turns(NumberedTransitions::Reader const
 }
 
 /// All places in turns, as many rounds at a time as none of them comes to its end. Where one had to stop.
-std::size_t Automaton::walk_on(NumberedTransitions::Reader const& transitions) {
+[[gnu::noinline]] std::size_t Automaton::walk_on(NumberedTransitions::Reader const& transitions) {
     auto const is_shorter = [](Place const& one, Place const& other) { return one.left < other.left; };
     Place* const first = places_.data();
     Place* const end = first + places_.size();

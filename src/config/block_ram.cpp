@@ -103,4 +103,11 @@ double ramb36_count(MemoryShape const& memory) {
     return static_cast<double>(memory.buffers) * banks * ramb36_of_bank(words, memory.bits);
 }
 
+double ramb36_of_core(AcceleratorConfig const& config) {
+    double sum = ramb36_count(line_buffer_shape(config));
+    for (std::size_t i = 0; i < bram_count; ++i)
+        sum += ramb36_count(memory_shape(static_cast<BramId>(i), config));
+    return sum;
+}
+
 }  // namespace faster

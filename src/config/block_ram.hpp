@@ -28,5 +28,9 @@ MemoryShape line_buffer_shape(AcceleratorConfig const& config);
 /// fewer than `ports`, the whole memory is there several times. Each buffer is a memory of its own. Source: AMD UG573
 /// (shapes); thesis Table 6.2 (whole RAMB36: two maps of 40,000 x 1 on ten cores make 40).
 double ramb36_count(MemoryShape const& memory);
+/// Of all memories of a core, line buffers included; without FIFOs.
+double ramb36_of_core(AcceleratorConfig const& config);
+/// That the ZCU102's XCZU9EG has.
+constexpr double ramb36_of_device = 912;
 
 }  // namespace faster

@@ -17,13 +17,6 @@ namespace {
 using Json = nlohmann::json;
 using Rows = std::vector<ArchitectureRow>;
 
-double ramb36_of_core(AcceleratorConfig const& config) {
-    double sum = ramb36_count(line_buffer_shape(config));
-    for (std::size_t i = 0; i < bram_count; ++i)
-        sum += ramb36_count(memory_shape(static_cast<BramId>(i), config));
-    return sum;
-}
-
 /// The rows from `begin` on that are of one architecture.
 Rows::const_iterator end_of_architecture(Rows const& rows, Rows::const_iterator begin) {
     return std::find_if(begin, rows.end(),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "config/block_ram.hpp"
 #include "config/parts.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/csv.hpp"
@@ -81,7 +82,7 @@ void loop_table(std::string& text, RunStatistics const& run) {
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {
-    line(text, "\nFIFOs: stalls in lane-cycles; occupancy is the largest of any core [tokens]");
+    line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
     line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
          "full stall", "empty stall");
     for (std::size_t const i : fifos_of(run.parts)) {
@@ -94,6 +95,28 @@ void fifo_table(std::string& text, RunStatistics const& run) {
              over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].full_stall_cycles; }),
              over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].empty_stall_cycles; }));
     }
+}
+
+void bram_line(std::string& text, std::string_view name, MemoryShape const& memory, std::size_t cores,
+               std::uint64_t port_conflicts) {
+    line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", name, memory.words, memory.bits,
+         memory.partition, memory.buffers, memory.ports, ramb36_count(memory) * static_cast<double>(cores),
+         port_conflicts);
+}
+
+void bram_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
+    std::size_t const cores = run.cores.size();
+    line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
+         ramb36_of_core(config) * static_cast<double>(cores), ramb36_of_device);
+    line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
+         "ports", "RAMB36", "port conflict");
+    for (std::size_t const i : brams_of(run.parts)) {
+        auto const id = static_cast<BramId>(i);
+        bram_line(text, name_of(id), memory_shape(id, config), cores,
+                  over_cores(run, [id](CoreStatistics const& core) { return port_conflict_cycles(core, id); }));
+    }
+    if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
+        bram_line(text, "line_buffers", memory, cores, 0);
 }
 
 void latency_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
@@ -132,6 +155,7 @@ std::string text_report(AcceleratorConfig const& config, RunStatistics const& ru
     module_table(text, run);
     loop_table(text, run);
     fifo_table(text, run);
+    bram_table(text, config, run);
     latency_table(text, config, run);
     host_speed(text, run, host);
     return text;

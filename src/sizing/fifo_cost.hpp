@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "config/accelerator_config.hpp"
+#include "config/block_ram.hpp"
 
 namespace faster::sizing {
 
@@ -15,8 +15,8 @@ struct Primitives {
 
 /// What one thing is worth in another, so that costs can be compared.
 struct CostWeights {
-    /// LUTs that a RAMB36 is worth: by default as many as the XCZU9EG has for each of its 912.
-    double luts_per_ramb36 = 274080.0 / 912.0;
+    /// LUTs that a RAMB36 is worth: by default as many as the ZCU102's XCZU9EG has for each.
+    double luts_per_ramb36 = 274080.0 / ramb36_of_device;
 };
 
 /// In LUTs.

@@ -159,6 +159,22 @@ TEST_CASE("A run prints its report and without --out writes nothing") {
     CHECK(workspace.tree() == before);
 }
 
+TEST_CASE("A run's report says how many block RAMs it takes, as summary.json does") {
+    Workspace const workspace;
+    CommandResult const result = workspace.run(small + Words{"--out", "out"});
+    require_done(result);
+    double sum = 0;
+    nlohmann::ordered_json const summary = workspace.json("out/summary.json");
+    for (auto const& bram : summary.at("brams"))
+        sum += bram.at("ramb36").get<double>();
+    CHECK(sum > 0);
+    std::ostringstream line;
+    line << "\nBlock RAMs: " << sum << " RAMB36 in all";
+    CHECK_THAT(result.out, Contains(line.str()));
+    for (char const* const name : {"edge_map ", "object_map ", "depth_buffer "})
+        CHECK_THAT(result.out, Contains(std::string("\n  ") + name));
+}
+
 TEST_CASE("A run writes exactly its four files with their headers and rows in order") {
     Workspace const workspace;
     CommandResult const result = workspace.run(small + Words{"--out", "new/out"});

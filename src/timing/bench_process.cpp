@@ -379,7 +379,7 @@ std::uint32_t BenchProcess::run(PortSet const& set, std::uint32_t wanted, Stride
     return wanted;
 }
 
-/// The accesses of one iteration, as most are on their own: nothing to be set up.
+/// A run of one iteration, as most are: nothing to be set up.
 template <unsigned N> void BenchProcess::run_once(PortSet const& set) {
     std::int64_t time = time_;
     for (unsigned i = 0; i < N; ++i) {

@@ -11,42 +11,24 @@ namespace {
 constexpr int level = 1;  // higher ones hardly make smaller frames, and take longer
 }
 
-struct ZstdPress::Context {
-    ZSTD_CCtx* context = ZSTD_createCCtx();
+void FreeZstdContext::operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+void FreeZstdContext::operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
 
-    Context() = default;
-    Context(Context const&) = delete;
-    Context& operator=(Context const&) = delete;
-    ~Context() { ZSTD_freeCCtx(context); }
-};
-
-ZstdPress::ZstdPress() : context_(std::make_unique<Context>()) {
-    ZSTD_CCtx_setParameter(context_->context, ZSTD_c_compressionLevel, level);
-    ZSTD_CCtx_setParameter(context_->context, ZSTD_c_checksumFlag, 1);
+ZstdPress::ZstdPress() : context_(ZSTD_createCCtx()) {
+    ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_checksumFlag, 1);
 }
-ZstdPress::~ZstdPress() = default;
 
 std::string ZstdPress::frame(std::string_view content) {
     std::string frame(ZSTD_compressBound(content.size()) + sizeof(std::uint32_t), '\0');
-    std::size_t const size =
-        ZSTD_compress2(context_->context, frame.data(), frame.size(), content.data(), content.size());
+    std::size_t const size = ZSTD_compress2(context_.get(), frame.data(), frame.size(), content.data(), content.size());
     if (ZSTD_isError(size) != 0)
         throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
     frame.resize(size);
     return frame;
 }
 
-struct ZstdReader::Context {
-    ZSTD_DCtx* context = ZSTD_createDCtx();
-
-    Context() = default;
-    Context(Context const&) = delete;
-    Context& operator=(Context const&) = delete;
-    ~Context() { ZSTD_freeDCtx(context); }
-};
-
-ZstdReader::ZstdReader() : context_(std::make_unique<Context>()) {}
-ZstdReader::~ZstdReader() = default;
+ZstdReader::ZstdReader() : context_(ZSTD_createDCtx()) {}
 
 std::optional<std::string_view> ZstdReader::content(std::string_view frame, std::size_t most_bytes) {
     auto const content_bytes = ZSTD_getFrameContentSize(frame.data(), frame.size());  // huge if it is not known
@@ -54,7 +36,7 @@ std::optional<std::string_view> ZstdReader::content(std::string_view frame, std:
         return std::nullopt;
     content_.resize(content_bytes);
     std::size_t const size =
-        ZSTD_decompressDCtx(context_->context, content_.data(), content_.size(), frame.data(), frame.size());
+        ZSTD_decompressDCtx(context_.get(), content_.data(), content_.size(), frame.data(), frame.size());
     if (ZSTD_isError(size) != 0 || size != content_bytes)
         return std::nullopt;
     return std::string_view(content_.data(), content_.size());

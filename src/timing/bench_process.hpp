@@ -150,7 +150,16 @@ class BenchProcess {
         return delay_line_[(pipeline_.iteration - lag) & (delay_line_.size() - 1)];
     }
     void split_flanked();
-    void take_off(Operation& operation, std::uint32_t count);
+    /// Of the front operation, which may become its tail; or the next is the front one.
+    void take_off(Operation& operation, std::uint32_t count) {
+        operation.subtract(count);
+        if (operation.count() > 0)
+            return;
+        if (operation.own_tail_ports() != 0)
+            operation.become_tail();
+        else
+            ++log_front_;
+    }
     void count(std::uint64_t iterations) {
         iterations_ += iterations;
         loops_[loop_].figures->sums[1] += static_cast<std::uint32_t>(iterations);

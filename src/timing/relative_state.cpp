@@ -217,8 +217,8 @@ std::uint32_t RelativeState::blocks_of(ProcessTiming const& process) {
     return blocks;
 }
 
-std::uint32_t RelativeState::blocks_of_loops() const {
-    std::uint32_t blocks = 0;
+std::uint32_t RelativeState::blocks() const {
+    auto blocks = static_cast<std::uint32_t>(group_->fifos().size());
     for (Group::Member const& member : group_->members())
         blocks += blocks_of(*member.process);
     return blocks;

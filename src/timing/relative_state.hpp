@@ -35,8 +35,7 @@ class RelativeState {
     /// through, its full stalls, its empty stalls, and its largest occupancy.
     static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
     static std::uint32_t blocks_of(ProcessTiming const& process);
-    std::uint32_t blocks_of_loops() const;  ///< which come before those of FIFOs
-    std::uint32_t blocks() const { return blocks_of_loops() + static_cast<std::uint32_t>(group_->fifos().size()); }
+    std::uint32_t blocks() const;
     /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
     void enter(FigureTotals const& figures);
 

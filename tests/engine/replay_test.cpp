@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
+#include <memory>
 
 #include "events/event_file.hpp"
 #include "modules/core_shapes.hpp"

@@ -14,10 +14,10 @@
 #include <systemc>
 #include <unistd.h>
 
-#include "config/load_config.hpp"
-#include "recording/vcd_trace.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/recording/vcd_trace.hpp"
 #include "reference/scorer.hpp"
-#include "simulation/simulate.hpp"
+#include "tb/simulation/simulate.hpp"
 #include "workload/build_stimulus.hpp"
 
 namespace {

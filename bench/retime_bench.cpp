@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "common/keep_memory.hpp"
-#include "events/event_file.hpp"
-#include "retiming/retime.hpp"
+#include "kernel/base/keep_memory.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "support/random_stimulus.hpp"
 
 namespace {

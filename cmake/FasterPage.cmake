@@ -5,7 +5,7 @@ if(NOT FASTER_CHART_JS)
   message(FATAL_ERROR "Chart.js not found: install libjs-chart.js, or set FASTER_CHART_JS to chart.min.js 3.9")
 endif()
 set(FASTER_PAGE_JOINER ${CMAKE_CURRENT_LIST_DIR}/JoinReportPage.cmake)
-set(FASTER_PAGE_FRAME ${PROJECT_SOURCE_DIR}/src/report_html/page/frame.html)
+set(FASTER_PAGE_FRAME ${PROJECT_SOURCE_DIR}/src/kernel/report/html/page/frame.html)
 
 # faster_join_page(OUTPUT TEMPLATE file STYLES files... SCRIPTS files... NAME namespace::variable HEADER header)
 # OUTPUT is set to the C++ source; HEADER declares the variable, of type char const* const.

@@ -13,6 +13,7 @@ function(faster_add_test_library name type)
   add_library(${name} ${type} ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PUBLIC faster_options Catch2::Catch2 ${ARG_LIBRARIES})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
 # faster_add_test(NAME LABEL <unit|golden|engine|cli|browser|budget> TIMEOUT seconds SOURCES... LIBRARIES...)
@@ -30,6 +31,9 @@ function(faster_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Each file has helpers of its own, so they stay apart; what takes the compiler longest they share.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  target_precompile_headers(${name} PRIVATE <catch2/catch.hpp>)
   faster_compile_quickly(${name})  # what takes time in a test is in the libraries
   target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})
   catch_discover_tests(${name} TEST_PREFIX "${name}." EXTRA_ARGS --warn NoTests PROPERTIES

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "channels/token_tap.hpp"
-#include "timing/fifo_timing.hpp"
+#include "kernel/timing/fifo_timing.hpp"
 
 namespace faster {
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "common/cycles.hpp"
-#include "common/source_site.hpp"
-#include "config/run_config.hpp"
-#include "timing/core_timing.hpp"
+#include "faster/run_config.hpp"
+#include "kernel/base/cycles.hpp"
+#include "kernel/base/source_site.hpp"
+#include "kernel/timing/core_timing.hpp"
 
 namespace faster {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "common/cycles.hpp"
 #include "common/inlier_unit_config.hpp"
+#include "kernel/base/cycles.hpp"
 
 namespace faster {
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "config/run_config.hpp"
+#include "faster/run_config.hpp"
 #include "modules/raster_core.hpp"
 
 namespace faster {

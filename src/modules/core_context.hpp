@@ -6,9 +6,9 @@
 
 #include "channels/process_clock.hpp"
 #include "common/stimulus.hpp"
-#include "config/accelerator_config.hpp"
-#include "config/lane_rows.hpp"
-#include "timing/core_timing.hpp"
+#include "faster/accelerator_config.hpp"
+#include "faster/lane_rows.hpp"
+#include "kernel/timing/core_timing.hpp"
 
 namespace faster {
 

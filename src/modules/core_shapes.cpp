@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "config/bank_partition.hpp"
-#include "config/edge_map_design.hpp"
-#include "config/loop_accesses.hpp"
-#include "config/parts.hpp"
+#include "faster/edge_map_design.hpp"
+#include "faster/loop_accesses.hpp"
+#include "faster/parts.hpp"
+#include "kernel/machine/bank_partition.hpp"
 
 namespace faster {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "config/parts.hpp"
-#include "timing/lead.hpp"
-#include "timing/process_timing.hpp"
+#include "faster/parts.hpp"
+#include "kernel/timing/lead.hpp"
+#include "kernel/timing/process_timing.hpp"
 
 namespace faster {
 

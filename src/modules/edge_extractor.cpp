@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/extract_design.hpp"
+#include "faster/extract_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {

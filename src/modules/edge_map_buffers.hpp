@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "config/accelerator_config.hpp"
 #include "datapath/edge_map/edge_map_policy.hpp"
+#include "faster/accelerator_config.hpp"
 #include "modules/ping_pong.hpp"
 
 namespace faster {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/clear_design.hpp"
+#include "faster/clear_design.hpp"
 #include "modules/core_shapes.hpp"
 #include "modules/read_corners.hpp"
 

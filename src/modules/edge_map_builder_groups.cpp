@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "common/each_bit.hpp"
+#include "kernel/base/each_bit.hpp"
 #include "modules/edge_map_builder.hpp"
 
 namespace faster {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "common/each_bit.hpp"
+#include "kernel/base/each_bit.hpp"
 #include "modules/inlier_unit.hpp"
 
 namespace faster {

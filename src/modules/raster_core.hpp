@@ -2,8 +2,8 @@
 #include <memory>
 #include <systemc>
 
-#include "config/core_share.hpp"
-#include "config/parts.hpp"
+#include "faster/parts.hpp"
+#include "kernel/machine/core_share.hpp"
 #include "modules/area_reciprocal.hpp"
 #include "modules/edge_map_builder.hpp"
 #include "modules/edge_map_output.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "config/rasterizer_design.hpp"
-#include "config/sweep_design.hpp"
+#include "faster/rasterizer_design.hpp"
+#include "faster/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 #include "modules/rasterizer_scan.hpp"
 

@@ -1,6 +1,6 @@
-#include "common/each_bit.hpp"
 #include "datapath/early_exit_scan.hpp"
 #include "datapath/span_scan.hpp"
+#include "kernel/base/each_bit.hpp"
 #include "modules/rasterizer_scan.hpp"
 
 namespace faster {

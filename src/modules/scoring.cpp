@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/sweep_design.hpp"
+#include "faster/sweep_design.hpp"
 #include "modules/core_shapes.hpp"
 
 namespace faster {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 
 namespace faster::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 #include "reference/edge_extraction.hpp"
 #include "reference/edge_map/bounded.hpp"
 #include "reference/edge_map/dual_map.hpp"

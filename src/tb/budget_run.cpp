@@ -7,14 +7,14 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "budgets/configuration_hash.hpp"
-#include "budgets/run_figures.hpp"
-#include "common/input_error.hpp"
-#include "config/load_config.hpp"
-#include "config/resolved_config.hpp"
-#include "report/text_report.hpp"
-#include "simulation/simulate.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/budgets/configuration_hash.hpp"
+#include "kernel/budgets/run_figures.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/report/text_report.hpp"
 #include "tb/progress_line.hpp"
+#include "tb/simulation/simulate.hpp"
 #include "tb/workload_source.hpp"
 
 namespace faster {

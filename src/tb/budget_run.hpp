@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "budgets/budget.hpp"
-#include "budgets/measurement.hpp"
-#include "processes/process_pool.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "kernel/budgets/budget.hpp"
+#include "kernel/budgets/measurement.hpp"
 #include "tb/check_command.hpp"
 
 namespace faster {

@@ -6,20 +6,20 @@
 #include <memory>
 #include <set>
 
-#include "common/input_error.hpp"
-#include "common/nearest_name.hpp"
-#include "config/keys.hpp"
-#include "config/load_config.hpp"
-#include "config/plain_value.hpp"
-#include "config/presets.hpp"
-#include "io/output_file.hpp"
-#include "processes/process_pool.hpp"
-#include "report/architecture_table.hpp"
-#include "report_html/architectures_html.hpp"
-#include "simulation/simulate.hpp"
+#include "faster/presets.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/plain_value.hpp"
+#include "kernel/report/architecture_table.hpp"
+#include "kernel/report/html/architectures_html.hpp"
 #include "tb/edge_map_judge.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
+#include "tb/simulation/simulate.hpp"
 #include "tb/workload_source.hpp"
 
 namespace faster {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "io/atomic_file.hpp"
-#include "runs/compare.hpp"
-#include "runs/comparison_json.hpp"
-#include "runs/comparison_text.hpp"
-#include "runs/read_run.hpp"
+#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/compare/compare.hpp"
+#include "kernel/compare/comparison_json.hpp"
+#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/read_run.hpp"
 #include "tb/exit_codes.hpp"
 
 namespace faster {

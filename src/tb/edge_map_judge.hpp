@@ -4,8 +4,8 @@
 
 #include "common/stimulus.hpp"
 #include "modules/core_context.hpp"
-#include "quality/quality_sums.hpp"
-#include "quality/sample_judge.hpp"
+#include "reference/quality/quality_sums.hpp"
+#include "reference/quality/sample_judge.hpp"
 
 namespace faster {
 

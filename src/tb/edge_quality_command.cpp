@@ -5,17 +5,17 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "common/input_error.hpp"
-#include "common/nearest_name.hpp"
-#include "config/enum_names.hpp"
-#include "io/atomic_folder.hpp"
-#include "io/colour_png.hpp"
-#include "io/text_file.hpp"
-#include "pictures/drawing.hpp"
-#include "pictures/overlay.hpp"
-#include "quality/survey_table.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "kernel/config/enum_names.hpp"
+#include "reference/quality/survey_table.hpp"
 #include "tb/exit_codes.hpp"
+#include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
+#include "workload/pictures/drawing.hpp"
+#include "workload/pictures/overlay.hpp"
 
 namespace faster {
 

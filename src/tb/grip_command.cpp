@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "common/input_error.hpp"
-#include "common/on_threads.hpp"
-#include "config/config_sources.hpp"
-#include "config/load_config.hpp"
-#include "io/atomic_folder.hpp"
-#include "io/text_file.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/config/config_sources.hpp"
+#include "kernel/config/load_config.hpp"
 #include "reference/scorer.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/grip_comparison.hpp"

@@ -4,14 +4,13 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "config/enum_names.hpp"
-#include "grip/rank_correlation.hpp"
+#include "kernel/config/enum_names.hpp"
+#include "reference/grip/rank_correlation.hpp"
 
 namespace faster {
 
 namespace {
 
-using Json = nlohmann::json;
 using Values = std::vector<double>;
 
 double ratio(std::uint64_t part, std::uint64_t whole) {
@@ -40,7 +39,7 @@ Best best(GripComparison const& comparison, Values const& weights) {
     return {sample, 1000 * comparison.add_m[sample]};
 }
 
-Json best_json(GripComparison const& comparison, Values const& weights) {
+nlohmann::json best_json(GripComparison const& comparison, Values const& weights) {
     Best const found = best(comparison, weights);
     return {{"sample", found.sample}, {"add_mm", found.add_mm}};
 }
@@ -114,10 +113,11 @@ std::string grip_csv(GripComparison const& comparison) {
 }
 
 std::string grip_json(GripComparison const& comparison) {
-    Json correlations = Json::object();
+    nlohmann::json correlations = nlohmann::json::object();
     for (Agreement const& row : agreements(comparison))
-        correlations[row.score] = row.rank_correlation ? Json(*row.rank_correlation) : Json(nullptr);
-    Json summary;
+        correlations[row.score] =
+            row.rank_correlation ? nlohmann::json(*row.rank_correlation) : nlohmann::json(nullptr);
+    nlohmann::json summary;
     summary["format"] = "faster-grip";
     summary["version"] = 1;
     summary["samples"] = comparison.grip.size();

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/tokens.hpp"
-#include "config/accelerator_config.hpp"
-#include "grip/score_poses.hpp"
+#include "faster/accelerator_config.hpp"
+#include "reference/grip/score_poses.hpp"
 
 namespace faster {
 

@@ -1,8 +1,8 @@
 #include "tb/recorded_events.hpp"
 
-#include "config/resolved_config.hpp"
-#include "events/event_file.hpp"
-#include "report/summary.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/report/summary.hpp"
 
 namespace faster {
 

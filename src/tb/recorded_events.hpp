@@ -1,8 +1,8 @@
 #pragma once
-#include "config/load_config.hpp"
-#include "io/output_file.hpp"
-#include "retiming/recorded_run.hpp"
-#include "stats/run_statistics.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/replay/recorded_run.hpp"
 
 namespace faster {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "common/input_error.hpp"
-#include "io/atomic_file.hpp"
+#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/recording/timeline_json.hpp"
+#include "kernel/recording/vcd_trace.hpp"
 #include "modules/accelerator.hpp"
-#include "recording/timeline_json.hpp"
-#include "recording/vcd_trace.hpp"
 
 namespace faster {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "config/accelerator_config.hpp"
-#include "simulation/simulate.hpp"
-#include "stats/sample_timeline.hpp"
+#include "faster/accelerator_config.hpp"
+#include "kernel/figures/sample_timeline.hpp"
+#include "tb/simulation/simulate.hpp"
 
 namespace CLI {
 class App;

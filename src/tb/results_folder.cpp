@@ -1,9 +1,9 @@
 #include "tb/results_folder.hpp"
 
-#include "config/resolved_config.hpp"
-#include "io/text_file.hpp"
-#include "report/csv.hpp"
-#include "report/sensitivity_report.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/report/csv.hpp"
+#include "kernel/report/sensitivity_report.hpp"
 
 namespace faster {
 

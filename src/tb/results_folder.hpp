@@ -2,10 +2,10 @@
 #include <filesystem>
 #include <functional>
 
-#include "config/run_config.hpp"
-#include "io/atomic_folder.hpp"
-#include "report/summary.hpp"
-#include "stats/run_statistics.hpp"
+#include "faster/run_config.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/report/summary.hpp"
 
 namespace faster {
 

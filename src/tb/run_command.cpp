@@ -6,22 +6,22 @@
 #include <memory>
 #include <stdexcept>
 
-#include "common/input_error.hpp"
-#include "config/load_config.hpp"
-#include "config/resolved_config.hpp"
-#include "io/output_file.hpp"
-#include "io/trace.hpp"
-#include "report/summary.hpp"
-#include "report/text_report.hpp"
-#include "report_html/html_report.hpp"
-#include "retiming/sensitivities.hpp"
-#include "simulation/simulate.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/html/html_report.hpp"
+#include "kernel/report/summary.hpp"
+#include "kernel/report/text_report.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
 #include "tb/recorded_events.hpp"
 #include "tb/results_folder.hpp"
 #include "tb/sample_pictures.hpp"
+#include "tb/simulation/simulate.hpp"
 #include "tb/workload_source.hpp"
+#include "workload/files/trace.hpp"
 
 namespace faster {
 

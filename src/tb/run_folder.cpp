@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "common/input_error.hpp"
-#include "io/csv_integers.hpp"
-#include "io/png_image.hpp"
-#include "io/sample_picture.hpp"
-#include "io/text_file.hpp"
+#include "kernel/base/files/csv_integers.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "workload/files/png_image.hpp"
+#include "workload/files/sample_picture.hpp"
 
 namespace faster {
 

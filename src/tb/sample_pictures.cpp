@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "io/colour_png.hpp"
-#include "io/png_image.hpp"
-#include "io/sample_picture.hpp"
-#include "pictures/contact_sheet.hpp"
-#include "pictures/depth_map.hpp"
-#include "pictures/drawing.hpp"
-#include "pictures/overlay.hpp"
+#include "workload/files/colour_png.hpp"
+#include "workload/files/png_image.hpp"
+#include "workload/files/sample_picture.hpp"
+#include "workload/pictures/contact_sheet.hpp"
+#include "workload/pictures/depth_map.hpp"
+#include "workload/pictures/drawing.hpp"
+#include "workload/pictures/overlay.hpp"
 
 namespace faster {
 

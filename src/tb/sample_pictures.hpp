@@ -3,11 +3,11 @@
 #include <map>
 #include <vector>
 
-#include "common/colour.hpp"
 #include "common/stimulus.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/report/html/html_report.hpp"
 #include "modules/core_context.hpp"
-#include "report_html/html_report.hpp"
-#include "stats/run_statistics.hpp"
+#include "workload/pictures/colour.hpp"
 
 namespace faster {
 

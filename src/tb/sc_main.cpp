@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <systemc>
 
-#include "common/input_error.hpp"
-#include "common/keep_memory.hpp"
-#include "common/nearest_name.hpp"
-#include "config/keys_as_markdown.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/keep_memory.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "kernel/config/keys_as_markdown.hpp"
 #include "tb/check_command.hpp"
 #include "tb/compare_architectures_command.hpp"
 #include "tb/compare_command.hpp"

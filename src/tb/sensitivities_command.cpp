@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "events/event_file.hpp"
-#include "io/output_file.hpp"
-#include "report/sensitivity_report.hpp"
-#include "retiming/sensitivities.hpp"
-#include "retiming/slack.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/replay/slack.hpp"
+#include "kernel/report/sensitivity_report.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
 

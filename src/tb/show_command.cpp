@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "pictures/depth_scale.hpp"
-#include "pictures/terminal_picture.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/run_folder.hpp"
 #include "tb/terminal.hpp"
+#include "workload/pictures/depth_scale.hpp"
+#include "workload/pictures/terminal_picture.hpp"
 
 namespace faster {
 

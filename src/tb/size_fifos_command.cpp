@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "common/input_error.hpp"
-#include "common/on_threads.hpp"
-#include "events/event_file.hpp"
-#include "events/retimed_config.hpp"
-#include "io/atomic_folder.hpp"
-#include "io/text_file.hpp"
-#include "report_html/sizing_html.hpp"
-#include "sizing/sizing_files.hpp"
-#include "sizing/sizing_text.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/retimed_config.hpp"
+#include "kernel/report/html/sizing_html.hpp"
+#include "kernel/sizing/sizing_files.hpp"
+#include "kernel/sizing/sizing_text.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/progress_line.hpp"
 

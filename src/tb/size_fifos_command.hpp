@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "sizing/fifo_cost.hpp"
+#include "kernel/sizing/fifo_cost.hpp"
 
 namespace faster {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "budgets/starting_budget.hpp"
-#include "common/input_error.hpp"
-#include "io/output_file.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/budgets/starting_budget.hpp"
 #include "tb/budget_run.hpp"
 #include "tb/exit_codes.hpp"
 

@@ -4,15 +4,15 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "common/input_error.hpp"
-#include "config/plain_text.hpp"
-#include "processes/process_pool.hpp"
-#include "sweeps/journal.hpp"
-#include "sweeps/manifest.hpp"
-#include "sweeps/point_identity.hpp"
-#include "sweeps/shard.hpp"
-#include "sweeps/sweep_file.hpp"
-#include "sweeps/sweep_folder.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "kernel/config/plain_text.hpp"
+#include "kernel/sweeps/journal.hpp"
+#include "kernel/sweeps/manifest.hpp"
+#include "kernel/sweeps/point_identity.hpp"
+#include "kernel/sweeps/shard.hpp"
+#include "kernel/sweeps/sweep_file.hpp"
+#include "kernel/sweeps/sweep_folder.hpp"
 #include "tb/sweep_outputs.hpp"
 #include "tb/sweeper.hpp"
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "io/durable_file.hpp"
-#include "sweeps/merge.hpp"
-#include "sweeps/sweep_folder.hpp"
+#include "kernel/base/files/durable_file.hpp"
+#include "kernel/sweeps/merge.hpp"
+#include "kernel/sweeps/sweep_folder.hpp"
 #include "tb/exit_codes.hpp"
 #include "tb/sweep_outputs.hpp"
 

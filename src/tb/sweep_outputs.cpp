@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "io/durable_file.hpp"
-#include "sweeps/results_table.hpp"
-#include "sweeps/sweep_page.hpp"
+#include "kernel/base/files/durable_file.hpp"
+#include "kernel/sweeps/results_table.hpp"
+#include "kernel/sweeps/sweep_page.hpp"
 #include "tb/exit_codes.hpp"
 
 namespace faster {

@@ -1,7 +1,7 @@
 #pragma once
-#include "sweeps/journal.hpp"
-#include "sweeps/manifest.hpp"
-#include "sweeps/sweep_folder.hpp"
+#include "kernel/sweeps/journal.hpp"
+#include "kernel/sweeps/manifest.hpp"
+#include "kernel/sweeps/sweep_folder.hpp"
 
 namespace faster {
 

@@ -1,22 +1,21 @@
 #include "tb/sweep_work.hpp"
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
-#include "common/input_error.hpp"
-#include "config/keys.hpp"
-#include "events/event_file.hpp"
-#include "io/output_file.hpp"
-#include "retiming/retime.hpp"
-#include "simulation/simulate.hpp"
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/json.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "tb/recorded_events.hpp"
+#include "tb/simulation/simulate.hpp"
 #include "tb/workload_source.hpp"
 
 namespace faster {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = sweeps::Assignment::Kind;
 using sweeps::PointResult;
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "sweeps/point_result.hpp"
-#include "sweeps/schedule.hpp"
-#include "sweeps/sweep.hpp"
+#include "kernel/sweeps/point_result.hpp"
+#include "kernel/sweeps/schedule.hpp"
+#include "kernel/sweeps/sweep.hpp"
 
 namespace faster {
 

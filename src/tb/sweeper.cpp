@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "common/input_error.hpp"
-#include "common/on_threads.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
 #include "tb/budget_run.hpp"
 
 namespace faster {

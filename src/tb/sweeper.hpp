@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "processes/process_pool.hpp"
-#include "sweeps/journal.hpp"
-#include "sweeps/point_identity.hpp"
-#include "sweeps/schedule.hpp"
-#include "sweeps/sweep.hpp"
-#include "sweeps/sweep_folder.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "kernel/sweeps/journal.hpp"
+#include "kernel/sweeps/point_identity.hpp"
+#include "kernel/sweeps/schedule.hpp"
+#include "kernel/sweeps/sweep.hpp"
+#include "kernel/sweeps/sweep_folder.hpp"
 #include "tb/progress_line.hpp"
 #include "tb/sweep_command.hpp"
 #include "tb/sweep_work.hpp"

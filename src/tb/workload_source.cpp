@@ -1,8 +1,8 @@
 #include "tb/workload_source.hpp"
 
 #include "datapath/vertex_transform.hpp"
-#include "io/trace.hpp"
 #include "workload/build_stimulus.hpp"
+#include "workload/files/trace.hpp"
 
 namespace faster {
 

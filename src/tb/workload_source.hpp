@@ -1,6 +1,6 @@
 #pragma once
 #include "common/stimulus.hpp"
-#include "config/load_config.hpp"
+#include "kernel/config/load_config.hpp"
 
 namespace faster {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 #include "workload/object_mesh.hpp"
 #include "workload/object_pose.hpp"
 #include "workload/observed_edges.hpp"

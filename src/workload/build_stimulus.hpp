@@ -1,6 +1,6 @@
 #pragma once
 #include "common/stimulus.hpp"
-#include "config/workload_config.hpp"
+#include "faster/workload_config.hpp"
 
 namespace faster::workload {
 

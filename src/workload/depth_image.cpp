@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/fixed_point.hpp"
-#include "io/png_image.hpp"
+#include "workload/files/png_image.hpp"
 
 namespace faster::workload {
 

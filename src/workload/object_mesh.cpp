@@ -5,9 +5,9 @@
 #include <meshoptimizer.h>
 #include <vector>
 
-#include "common/input_error.hpp"
-#include "common/nearest_name.hpp"
-#include "io/mesh_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "workload/files/mesh_file.hpp"
 #include "workload/models/builtin_models.hpp"
 
 namespace faster::workload {

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "common/camera.hpp"
-#include "config/workload_config.hpp"
+#include "faster/workload_config.hpp"
 #include "workload/depth_image.hpp"
 
 namespace faster::workload {

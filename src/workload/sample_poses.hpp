@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "common/mesh.hpp"
-#include "config/workload_config.hpp"
+#include "faster/workload_config.hpp"
 
 namespace faster::workload {
 

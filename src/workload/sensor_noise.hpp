@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "config/workload_config.hpp"
+#include "faster/workload_config.hpp"
 #include "workload/depth_image.hpp"
 
 namespace faster::workload {

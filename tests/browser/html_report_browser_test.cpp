@@ -4,8 +4,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "config/parts.hpp"
-#include "report_html/html_report.hpp"
+#include "faster/parts.hpp"
+#include "kernel/report/html/html_report.hpp"
 #include "support/browser.hpp"
 #include "support/example_run.hpp"
 #include "support/report_page.hpp"

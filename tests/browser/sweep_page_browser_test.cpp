@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "kernel/sweeps/sweep_page.hpp"
 #include "support/browser.hpp"
-#include "sweeps/sweep_page.hpp"
 
 using namespace faster;
 using namespace faster::test;

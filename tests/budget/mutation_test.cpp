@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "config/key_names.hpp"
-#include "config/load_config.hpp"
-#include "config/parts.hpp"
-#include "io/trace.hpp"
+#include "faster/parts.hpp"
+#include "kernel/config/key_names.hpp"
+#include "kernel/config/load_config.hpp"
 #include "support/command.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/temp_folder.hpp"
+#include "workload/files/trace.hpp"
 
 using namespace faster;
 using testing::run_forked;

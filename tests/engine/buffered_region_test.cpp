@@ -3,8 +3,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "events/event_file.hpp"
-#include "retiming/retime.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/recorded_accesses.hpp"

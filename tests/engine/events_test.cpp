@@ -3,18 +3,18 @@
 #include <cstdint>
 #include <random>
 
-#include "common/input_error.hpp"
-#include "config/keys.hpp"
-#include "events/event_file.hpp"
-#include "events/machine_json.hpp"
-#include "io/zstd_frame.hpp"
-#include "retiming/canonical_operations.hpp"
-#include "retiming/retime.hpp"
-#include "retiming/sample_codec.hpp"
-#include "retiming/sample_cutter.hpp"
-#include "retiming/sensitivities.hpp"
-#include "retiming/slack.hpp"
-#include "retiming/tape_reader.hpp"
+#include "kernel/base/files/zstd_frame.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/machine_json.hpp"
+#include "kernel/replay/canonical_operations.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/sample_codec.hpp"
+#include "kernel/replay/sample_cutter.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/replay/slack.hpp"
+#include "kernel/replay/tape_reader.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
@@ -409,25 +409,25 @@ TEST_CASE("A machine that no core is like is refused", "[events]") {
     test::TempFolder const folder;
     events::EventFile const file = events::read_event_file(small_file(folder));
     Parts const parts(file.loaded.config.accelerator);
-    events::Json const machine = events::machine_json(*file.run.blueprint);
-    auto const read = [&parts](events::Json const& changed) {
+    Json const machine = events::machine_json(*file.run.blueprint);
+    auto const read = [&parts](Json const& changed) {
         retiming::RecordedRun run;
         events::read_machine(changed, parts, run);
     };
     CHECK_NOTHROW(read(machine));
     auto const refused = [&](auto change) {
-        events::Json changed = machine;
+        Json changed = machine;
         change(changed);
         CHECK_THROWS_AS(read(changed), std::invalid_argument);
     };
-    refused([](events::Json& all) { all.erase(all.size() - 1); });
-    refused([](events::Json& all) { std::swap(all[0], all[1]); });
-    refused([](events::Json& all) { all[1]["ports"][0]["fifo"] = "result"; });
-    refused([](events::Json& all) { all[1]["ports"][0]["fifo"] = "nothing"; });
-    refused([](events::Json& all) { all[1]["ports"][0]["access"] = "write"; });
-    refused([](events::Json& all) { all[1]["ports"].push_back(all[1]["ports"][0]); });
-    refused([](events::Json& all) { all[1]["loops"][0]["loop"] = "sweep"; });
-    refused([](events::Json& all) { all[1]["loops"][0]["writes"].push_back(7); });
+    refused([](Json& all) { all.erase(all.size() - 1); });
+    refused([](Json& all) { std::swap(all[0], all[1]); });
+    refused([](Json& all) { all[1]["ports"][0]["fifo"] = "result"; });
+    refused([](Json& all) { all[1]["ports"][0]["fifo"] = "nothing"; });
+    refused([](Json& all) { all[1]["ports"][0]["access"] = "write"; });
+    refused([](Json& all) { all[1]["ports"].push_back(all[1]["ports"][0]); });
+    refused([](Json& all) { all[1]["loops"][0]["loop"] = "sweep"; });
+    refused([](Json& all) { all[1]["loops"][0]["writes"].push_back(7); });
 }
 
 TEST_CASE("How many iterations a process tells at once does not matter to what is recorded", "[events]") {

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "sizing/cheapest_choice.hpp"
-#include "sizing/token_bits.hpp"
+#include "kernel/sizing/cheapest_choice.hpp"
+#include "kernel/sizing/token_bits.hpp"
 
 namespace faster::sizing {
 namespace {

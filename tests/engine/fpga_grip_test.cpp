@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "config/block_ram.hpp"
-#include "config/parts.hpp"
-#include "events/event_file.hpp"
+#include "faster/block_ram.hpp"
+#include "faster/parts.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "modules/core_shapes.hpp"
-#include "retiming/retime.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"

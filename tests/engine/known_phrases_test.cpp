@@ -1,10 +1,10 @@
-#include "retiming/known_phrases.hpp"
+#include "kernel/replay/known_phrases.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>
 #include <vector>
 
-#include "timing/core_timing.hpp"
+#include "kernel/timing/core_timing.hpp"
 
 namespace faster::retiming {
 namespace {

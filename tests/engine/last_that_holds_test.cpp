@@ -1,4 +1,4 @@
-#include "sizing/last_that_holds.hpp"
+#include "kernel/sizing/last_that_holds.hpp"
 
 #include <algorithm>
 #include <atomic>

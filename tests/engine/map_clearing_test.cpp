@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "config/block_ram.hpp"
+#include "faster/block_ram.hpp"
 #include "modules/core_shapes.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/small_stimulus.hpp"

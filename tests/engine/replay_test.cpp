@@ -1,14 +1,14 @@
-#include "retiming/replay.hpp"
+#include "kernel/replay/replay.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <memory>
 
-#include "events/event_file.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/core_variant.hpp"
+#include "kernel/replay/plain_reader.hpp"
 #include "modules/core_shapes.hpp"
-#include "retiming/core_variant.hpp"
-#include "retiming/plain_reader.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/temp_folder.hpp"

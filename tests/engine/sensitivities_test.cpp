@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
-#include "config/keys.hpp"
+#include "kernel/config/keys.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 

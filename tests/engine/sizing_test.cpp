@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "events/event_file.hpp"
-#include "retiming/retime.hpp"
-#include "sizing/size_fifos.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/sizing/size_fifos.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/small_stimulus.hpp"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "config/parts.hpp"
+#include "faster/parts.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.hpp"
 #include "reference/scorer.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
+#include "workload/files/mesh_file.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/object_mesh.hpp"
 #include "workload/random.hpp"

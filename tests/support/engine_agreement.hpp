@@ -1,6 +1,6 @@
 #pragma once
 #include "common/stimulus.hpp"
-#include "config/accelerator_config.hpp"
+#include "faster/accelerator_config.hpp"
 
 namespace faster::testing {
 

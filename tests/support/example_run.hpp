@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "config/resolved_config.hpp"
-#include "stats/run_statistics.hpp"
-#include "stats/sample_timeline.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/figures/sample_timeline.hpp"
 
 namespace faster::test {
 

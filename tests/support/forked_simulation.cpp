@@ -9,12 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "config/resolved_config.hpp"
-#include "events/event_file.hpp"
-#include "report/summary.hpp"
-#include "retiming/sensitivities.hpp"
-#include "simulation/simulate.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/summary.hpp"
 #include "support/byte_stream.hpp"
+#include "tb/simulation/simulate.hpp"
 
 namespace faster::testing {
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "common/stimulus.hpp"
-#include "config/run_config.hpp"
-#include "simulation/simulate.hpp"
-#include "stats/run_statistics.hpp"
-#include "timing/trail.hpp"
+#include "faster/run_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/timing/trail.hpp"
+#include "tb/simulation/simulate.hpp"
 
 namespace faster::testing {
 

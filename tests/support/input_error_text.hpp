@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 
 namespace faster::test {
 

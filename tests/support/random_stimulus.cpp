@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "config/parts.hpp"
+#include "faster/parts.hpp"
 
 namespace faster::testing {
 namespace {

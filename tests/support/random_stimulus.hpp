@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/cycles.hpp"
 #include "common/stimulus.hpp"
-#include "config/accelerator_config.hpp"
+#include "faster/accelerator_config.hpp"
+#include "kernel/base/cycles.hpp"
 
 namespace faster::testing {
 

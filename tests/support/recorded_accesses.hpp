@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "recording/vcd_core.hpp"
+#include "kernel/recording/vcd_core.hpp"
 
 namespace faster::testing {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "stats/run_statistics.hpp"
+#include "kernel/figures/run_statistics.hpp"
 #include "support/cycle_twin.hpp"
 
 namespace faster::testing {

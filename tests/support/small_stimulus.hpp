@@ -2,7 +2,7 @@
 #include <cstddef>
 
 #include "common/stimulus.hpp"
-#include "config/accelerator_config.hpp"
+#include "faster/accelerator_config.hpp"
 
 namespace faster::testing {
 

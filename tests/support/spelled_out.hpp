@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "timing/operation.hpp"
+#include "kernel/timing/operation.hpp"
 
 namespace faster::testing {
 

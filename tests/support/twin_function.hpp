@@ -5,7 +5,7 @@
 
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
-#include "config/accelerator_config.hpp"
+#include "faster/accelerator_config.hpp"
 
 namespace faster::testing {
 

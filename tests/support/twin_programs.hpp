@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "common/cycles.hpp"
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
-#include "config/accelerator_config.hpp"
-#include "config/machine.hpp"
+#include "faster/accelerator_config.hpp"
+#include "faster/machine.hpp"
+#include "kernel/base/cycles.hpp"
 
 namespace faster::testing {
 

@@ -1,4 +1,4 @@
-#include "io/atomic_file.hpp"
+#include "kernel/base/files/atomic_file.hpp"
 
 #include <catch2/catch.hpp>
 

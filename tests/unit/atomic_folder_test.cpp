@@ -1,8 +1,8 @@
-#include "io/atomic_folder.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "io/text_file.hpp"
+#include "kernel/base/files/text_file.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "timing/automaton.hpp"
+#include "kernel/timing/automaton.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "timing/core_timing.hpp"
+#include "kernel/timing/core_timing.hpp"
 
 namespace faster::timing {
 namespace {

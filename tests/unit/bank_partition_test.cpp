@@ -1,11 +1,11 @@
-#include "config/bank_partition.hpp"
+#include "kernel/machine/bank_partition.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "config/block_ram.hpp"
-#include "config/loop_accesses.hpp"
+#include "faster/block_ram.hpp"
+#include "faster/loop_accesses.hpp"
 
 namespace faster {
 namespace {

@@ -1,4 +1,4 @@
-#include "timing/bench_fifo.hpp"
+#include "kernel/timing/bench_fifo.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "config/block_ram.hpp"
+#include "faster/block_ram.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

@@ -1,14 +1,14 @@
 #include <catch2/catch.hpp>
 
-#include "budgets/check_json.hpp"
-#include "budgets/check_text.hpp"
-#include "budgets/configuration_hash.hpp"
-#include "budgets/evaluate.hpp"
-#include "budgets/explain.hpp"
-#include "budgets/figure_pattern.hpp"
-#include "budgets/junit_xml.hpp"
-#include "budgets/limit_text.hpp"
-#include "budgets/run_figures.hpp"
+#include "kernel/budgets/check_json.hpp"
+#include "kernel/budgets/check_text.hpp"
+#include "kernel/budgets/configuration_hash.hpp"
+#include "kernel/budgets/evaluate.hpp"
+#include "kernel/budgets/explain.hpp"
+#include "kernel/budgets/figure_pattern.hpp"
+#include "kernel/budgets/junit_xml.hpp"
+#include "kernel/budgets/limit_text.hpp"
+#include "kernel/budgets/run_figures.hpp"
 #include "support/input_error_text.hpp"
 
 using namespace faster::budgets;

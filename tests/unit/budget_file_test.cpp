@@ -1,8 +1,8 @@
-#include "budgets/budget_file.hpp"
+#include "kernel/budgets/budget_file.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "budgets/baseline_text.hpp"
+#include "kernel/budgets/baseline_text.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

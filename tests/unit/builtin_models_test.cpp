@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 
 using faster::Mesh;
 namespace models = faster::models;

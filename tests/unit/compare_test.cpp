@@ -1,11 +1,11 @@
-#include "runs/compare.hpp"
+#include "kernel/compare/compare.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "runs/comparison_json.hpp"
-#include "runs/comparison_text.hpp"
+#include "kernel/compare/comparison_json.hpp"
+#include "kernel/compare/comparison_text.hpp"
 
 using namespace faster::runs;
 using Catch::Matchers::Contains;

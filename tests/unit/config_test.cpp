@@ -6,12 +6,12 @@
 #include <unistd.h>
 #include <vector>
 
-#include "common/input_error.hpp"
-#include "config/key_names.hpp"
-#include "config/keys.hpp"
-#include "config/keys_as_markdown.hpp"
-#include "config/load_config.hpp"
-#include "config/resolved_config.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/key_names.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/config/keys_as_markdown.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/resolved_config.hpp"
 
 using faster::LoadedConfig;
 using faster::RunConfig;

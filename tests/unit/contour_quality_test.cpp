@@ -1,11 +1,11 @@
-#include "quality/contour_quality.hpp"
+#include "reference/quality/contour_quality.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
-#include "quality/pose_survey.hpp"
-#include "quality/survey_table.hpp"
+#include "reference/quality/pose_survey.hpp"
+#include "reference/quality/survey_table.hpp"
 #include "workload/models/builtin_models.hpp"
 
 namespace faster::quality {

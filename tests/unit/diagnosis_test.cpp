@@ -1,8 +1,8 @@
-#include "stats/diagnosis.hpp"
+#include "kernel/figures/diagnosis.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "report/diagnosis_text.hpp"
+#include "kernel/report/diagnosis_text.hpp"
 
 namespace faster {
 namespace {

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "common/fixed_point.hpp"
-#include "grip/rank_correlation.hpp"
-#include "grip/score_poses.hpp"
+#include "reference/grip/rank_correlation.hpp"
+#include "reference/grip/score_poses.hpp"
 
 namespace faster::grip {
 namespace {

@@ -1,9 +1,9 @@
-#include "report_html/html_report.hpp"
+#include "kernel/report/html/html_report.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "config/parts.hpp"
+#include "faster/parts.hpp"
 #include "support/example_run.hpp"
 #include "support/report_page.hpp"
 

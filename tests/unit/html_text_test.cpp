@@ -1,9 +1,9 @@
-#include "report_html/html_text.hpp"
+#include "kernel/report/html/html_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "common/markup_text.hpp"
+#include "kernel/base/markup_text.hpp"
 
 namespace faster::report {
 

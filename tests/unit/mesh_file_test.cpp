@@ -1,4 +1,4 @@
-#include "io/mesh_file.hpp"
+#include "workload/files/mesh_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "common/nearest_name.hpp"
+#include "kernel/base/nearest_name.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -1,4 +1,4 @@
-#include "io/output_file.hpp"
+#include "kernel/base/files/output_file.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "report/critical_path_report.hpp"
-#include "report/sensitivity_report.hpp"
+#include "kernel/report/critical_path_report.hpp"
+#include "kernel/report/sensitivity_report.hpp"
 #include "support/example_run.hpp"
 
 namespace faster::report {

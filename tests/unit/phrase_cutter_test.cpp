@@ -1,14 +1,14 @@
-#include "timing/phrase_cutter.hpp"
+#include "kernel/timing/phrase_cutter.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 #include <vector>
 
+#include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/cut_trial.hpp"
+#include "kernel/timing/transition_store.hpp"
 #include "support/spelled_out.hpp"
-#include "timing/core_timing.hpp"
-#include "timing/cut_trial.hpp"
-#include "timing/transition_store.hpp"
 
 namespace faster::timing {
 namespace {

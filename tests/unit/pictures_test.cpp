@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "pictures/contact_layout.hpp"
-#include "pictures/contact_sheet.hpp"
-#include "pictures/depth_map.hpp"
-#include "pictures/depth_scale.hpp"
-#include "pictures/drawing.hpp"
-#include "pictures/overlay.hpp"
-#include "pictures/palette.hpp"
+#include "workload/pictures/contact_layout.hpp"
+#include "workload/pictures/contact_sheet.hpp"
+#include "workload/pictures/depth_map.hpp"
+#include "workload/pictures/depth_scale.hpp"
+#include "workload/pictures/drawing.hpp"
+#include "workload/pictures/overlay.hpp"
+#include "workload/pictures/palette.hpp"
 
 using namespace faster;
 using namespace faster::pictures;

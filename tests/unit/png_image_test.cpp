@@ -1,4 +1,4 @@
-#include "io/png_image.hpp"
+#include "workload/files/png_image.hpp"
 
 #include <catch2/catch.hpp>
 #include <opencv2/core.hpp>
@@ -6,9 +6,9 @@
 #include <random>
 #include <string>
 
-#include "io/colour_png.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
+#include "workload/files/colour_png.hpp"
 
 using faster::Image;
 using namespace faster::io;

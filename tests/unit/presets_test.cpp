@@ -1,13 +1,13 @@
-#include "config/presets.hpp"
+#include "faster/presets.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "common/input_error.hpp"
-#include "config/keys.hpp"
-#include "config/load_config.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/config/load_config.hpp"
 #include "support/temp_folder.hpp"
 
 using namespace faster;

@@ -1,4 +1,4 @@
-#include "processes/process_pool.hpp"
+#include "kernel/base/process_pool.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

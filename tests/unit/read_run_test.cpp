@@ -1,4 +1,4 @@
-#include "runs/read_run.hpp"
+#include "kernel/compare/read_run.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 #include "reference/depth_buffer.hpp"
 #include "reference/edge_map/dual_map.hpp"
 #include "reference/edge_tokens.hpp"

@@ -1,4 +1,4 @@
-#include "budgets/replace_baseline.hpp"
+#include "kernel/budgets/replace_baseline.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "report_html/latency_histogram.hpp"
-#include "report_html/timeline_view.hpp"
+#include "kernel/report/html/latency_histogram.hpp"
+#include "kernel/report/html/timeline_view.hpp"
 #include "support/example_run.hpp"
 
 namespace faster::report {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.hpp"
-#include "io/png_image.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 #include "workload/build_stimulus.hpp"
+#include "workload/files/mesh_file.hpp"
+#include "workload/files/png_image.hpp"
 #include "workload/object_mesh.hpp"
 #include "workload/object_pose.hpp"
 #include "workload/observed_edges.hpp"

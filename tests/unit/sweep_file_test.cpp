@@ -1,9 +1,9 @@
-#include "sweeps/sweep_file.hpp"
+#include "kernel/sweeps/sweep_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "config/keys.hpp"
+#include "kernel/config/keys.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

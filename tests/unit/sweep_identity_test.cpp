@@ -2,11 +2,11 @@
 #include <filesystem>
 #include <functional>
 
-#include "config/layered_config.hpp"
-#include "config/run_config.hpp"
+#include "faster/run_config.hpp"
+#include "kernel/config/layered_config.hpp"
+#include "kernel/sweeps/point_identity.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
-#include "sweeps/point_identity.hpp"
 
 using namespace faster;
 using namespace faster::test;

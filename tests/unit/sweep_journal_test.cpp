@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "kernel/sweeps/journal.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
-#include "sweeps/journal.hpp"
 
 using namespace faster;
 using namespace faster::test;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "kernel/sweeps/manifest.hpp"
 #include "support/input_error_text.hpp"
-#include "sweeps/manifest.hpp"
 
 using namespace faster::test;
 using Catch::Matchers::Contains;

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "sweeps/schedule.hpp"
-#include "sweeps/shard.hpp"
+#include "kernel/sweeps/schedule.hpp"
+#include "kernel/sweeps/shard.hpp"
 
 using faster::sweeps::Assignment;
 using faster::sweeps::Ending;

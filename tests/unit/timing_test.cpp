@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "timing/core_timing.hpp"
-#include "timing/fifo_timing.hpp"
-#include "timing/initiation_interval.hpp"
-#include "timing/process_timing.hpp"
+#include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/fifo_timing.hpp"
+#include "kernel/timing/initiation_interval.hpp"
+#include "kernel/timing/process_timing.hpp"
 
 namespace faster::timing {
 namespace {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "common/fixed_point.hpp"
-#include "config/lane_rows.hpp"
 #include "datapath/touched_box.hpp"
 #include "datapath/valid_depth_table.hpp"
+#include "faster/lane_rows.hpp"
 
 namespace faster {
 namespace {

@@ -1,12 +1,12 @@
-#include "io/trace.hpp"
+#include "workload/files/trace.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
 
-#include "io/png_image.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
+#include "workload/files/png_image.hpp"
 
 using namespace faster;
 using io::read_trace;

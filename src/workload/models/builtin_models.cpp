@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "common/input_error.hpp"
+#include "kernel/base/input_error.hpp"
 #include "workload/models/primitives/compose.hpp"
 #include "workload/models/shape.hpp"
 

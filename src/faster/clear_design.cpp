@@ -1,0 +1,42 @@
+#include "faster/clear_design.hpp"
+
+#include <algorithm>
+
+#include "faster/edge_map_design.hpp"
+#include "kernel/machine/bank_partition.hpp"
+
+namespace faster {
+namespace {
+
+/// All banks side by side, so the largest decides.
+std::size_t iterations(BramId bram, AcceleratorConfig const& config, int window) {
+    auto const side = static_cast<std::size_t>(window);
+    switch (clearing_of(bram, config)) {
+        case MapClearing::loop:
+            return side * side;
+        case MapClearing::on_read_out:
+            return 0;
+        case MapClearing::wide:
+            break;
+    }
+    return BankPartition(config.bram(bram).partition, window).bank_words();
+}
+
+}  // namespace
+
+MapClearing clearing_of(BramId bram, AcceleratorConfig const& config) {
+    return bram == BramId::depth_buffer ? config.inlier_unit.clearing : config.edge_map.clearing;
+}
+
+std::size_t edge_clear_iterations(AcceleratorConfig const& config, int window) {
+    PerMap const& bits = design_of(config.edge_map.algorithm).bits;
+    std::size_t const edge = bits.edge_map > 0 ? iterations(BramId::edge_map, config, window) : 0;
+    std::size_t const object = bits.object_map > 0 ? iterations(BramId::object_map, config, window) : 0;
+    return std::max(edge, object);
+}
+
+std::size_t depth_clear_iterations(AcceleratorConfig const& config, int window) {
+    return iterations(BramId::depth_buffer, config, window);
+}
+
+}  // namespace faster

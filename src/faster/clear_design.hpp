@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+
+#include "faster/accelerator_config.hpp"
+
+namespace faster {
+
+/// How a unit's maps are cleared before a sample.
+MapClearing clearing_of(BramId bram, AcceleratorConfig const& config);
+
+/// Iterations of edge_map_builder.clear and inlier_unit.clear; 0: the loop is not there. `window`: side of the maps
+/// [px].
+std::size_t edge_clear_iterations(AcceleratorConfig const& config, int window);
+std::size_t depth_clear_iterations(AcceleratorConfig const& config, int window);
+
+}  // namespace faster

@@ -1,0 +1,50 @@
+#include "kernel/base/files/durable_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/partial_file.hpp"
+#include "kernel/base/files/text_file.hpp"
+
+namespace faster::io {
+
+namespace {
+
+/// Some file systems cannot sync a folder, and need not: no reason to give up.
+bool sync(std::filesystem::path const& path, int flags) {
+    int const file = open(path.c_str(), flags | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    bool const done = fsync(file) == 0;
+    close(file);
+    return done;
+}
+
+}  // namespace
+
+void write_file_durably(std::filesystem::path const& path, std::string_view content) {
+    PartialFile const partial(path);
+    try {
+        write_file(partial.path(), content);
+    } catch (InputError const&) {  // names the partial file, which means nothing to anybody
+        fail_to_write(path, "no room for it, or not allowed");
+    }
+    if (!sync(partial.path(), O_RDONLY))
+        fail_to_write(path, std::strerror(errno));
+    std::error_code error;
+    std::filesystem::rename(partial.path(), path, error);
+    if (error)
+        fail_to_write(path, error.message());
+    sync_folder_of(path);
+}
+
+void sync_folder_of(std::filesystem::path const& file) {
+    std::filesystem::path const folder = file.parent_path();
+    sync(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+}
+
+}  // namespace faster::io

@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "kernel/base/input_error.hpp"
+
+namespace faster::io {
+
+/// Throws InputError "<path>: <what>", which is how every complaint about a file reads.
+[[noreturn]] inline void fail(std::filesystem::path const& path, std::string const& what) {
+    throw InputError(path.string() + ": " + what);
+}
+
+/// Throws InputError "<path>: cannot be written (<why>)".
+[[noreturn]] inline void fail_to_write(std::filesystem::path const& path, std::string const& why) {
+    fail(path, "cannot be written (" + why + ")");
+}
+
+}  // namespace faster::io

@@ -1,0 +1,206 @@
+#include "kernel/base/process_pool.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+#include "kernel/base/on_threads.hpp"
+
+namespace faster::processes {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A child that writes its result into a pipe. The destructor kills and buries one that still runs.
+class Child {
+  public:
+    Child(std::size_t number, Task const& task, SignalWatch const& watch)
+        : number_(number), time_limit_s_(task.time_limit_s) {
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0)
+            throw std::runtime_error("no pipe for another process");
+        pid_t const parent = getpid();
+        process_ = fork();
+        if (process_ == 0) {
+            close(ends[0]);
+            run(task, watch, parent, ends[1]);
+        }
+        close(ends[1]);
+        pipe_ = ends[0];
+        if (process_ < 0) {
+            close(pipe_);
+            throw std::runtime_error("no further process");
+        }
+    }
+    ~Child() {
+        if (process_ > 0) {
+            kill(process_, SIGKILL);
+            wait_for_end();
+        }
+        close(pipe_);
+    }
+    Child(Child const&) = delete;
+    Child& operator=(Child const&) = delete;
+
+    std::size_t number() const { return number_; }
+    int pipe_end() const { return pipe_; }
+    double seconds_left() const { return time_limit_s_ - seconds_since(start_); }
+
+    /// Takes what has come; true at the end.
+    bool read_some() {
+        std::array<char, 1U << 16U> buffer;
+        ssize_t const count = read(pipe_, buffer.data(), buffer.size());
+        if (count > 0)
+            outcome_.output.append(buffer.data(), static_cast<std::size_t>(count));
+        return count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN);
+    }
+
+    Outcome finish() {
+        int const status = wait_for_end();
+        if (WIFSIGNALED(status)) {
+            outcome_.kind = Outcome::Kind::crashed;
+            outcome_.signal = WTERMSIG(status);
+        } else if (WEXITSTATUS(status) != EXIT_SUCCESS) {
+            outcome_.kind = Outcome::Kind::failed;
+            outcome_.exit_code = WEXITSTATUS(status);
+        }
+        return outcome_;
+    }
+
+    Outcome end_at_time_limit() {
+        kill(process_, SIGKILL);
+        wait_for_end();
+        outcome_.kind = Outcome::Kind::timed_out;
+        return outcome_;
+    }
+
+  private:
+    [[noreturn]] static void run(Task const& task, SignalWatch const& watch, pid_t parent, int pipe) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != parent)
+            _exit(EXIT_FAILURE);
+        watch.release_in_child();
+        dup2(STDERR_FILENO, STDOUT_FILENO);  // what the work may print must not get into the parent's tables
+        try {
+            std::string const output = task.work();
+            _exit(send(output, pipe) ? EXIT_SUCCESS : EXIT_FAILURE);
+        } catch (...) {
+            _exit(EXIT_FAILURE);
+        }
+    }
+
+    static bool send(std::string const& bytes, int pipe) {
+        for (std::size_t done = 0; done < bytes.size();) {
+            ssize_t const count = write(pipe, bytes.data() + done, bytes.size() - done);
+            if (count < 0 && errno != EINTR)
+                return false;
+            done += count > 0 ? static_cast<std::size_t>(count) : 0;
+        }
+        return true;
+    }
+
+    int wait_for_end() {
+        int status = 0;
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = -1;
+        outcome_.seconds = seconds_since(start_);
+        return status;
+    }
+
+    std::size_t number_;
+    double time_limit_s_;
+    Clock::time_point start_ = Clock::now();
+    pid_t process_ = -1;
+    int pipe_ = -1;
+    Outcome outcome_;
+};
+
+using Children = std::vector<std::unique_ptr<Child>>;
+
+/// Until something happens or a time limit is reached. Which children have something to say.
+std::vector<bool> wait_for_news(Children const& children, SignalWatch const& watch) {
+    constexpr double longest_wait_s = 3600;
+    std::vector<pollfd> polled{{watch.descriptor(), POLLIN, 0}};
+    double shortest = longest_wait_s;
+    for (auto const& child : children) {
+        polled.push_back({child->pipe_end(), POLLIN, 0});
+        shortest = std::min(shortest, std::max(0.0, child->seconds_left()));
+    }
+    int const ready = poll(polled.data(), polled.size(), static_cast<int>(std::ceil(shortest * 1000)));
+    if (ready > 0 && polled.front().revents != 0)
+        throw Interrupted();
+    std::vector<bool> news;
+    for (std::size_t i = 1; i < polled.size(); ++i)
+        news.push_back(ready > 0 && polled[i].revents != 0);
+    return news;
+}
+
+using Ended = std::function<void(std::size_t, Outcome)>;
+
+void collect(Children& children, std::vector<bool> const& news, Ended const& ended) {
+    std::vector<std::pair<std::size_t, Outcome>> outcomes;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        Child& child = *children[i];
+        if (news[i] && child.read_some())
+            outcomes.emplace_back(child.number(), child.finish());
+        else if (child.seconds_left() <= 0)
+            outcomes.emplace_back(child.number(), child.end_at_time_limit());
+        else
+            continue;
+        children[i].reset();
+    }
+    children.erase(std::remove(children.begin(), children.end(), nullptr), children.end());
+    for (auto& [number, outcome] : outcomes)
+        ended(number, std::move(outcome));
+}
+
+}  // namespace
+
+void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& watch) {
+    Children children;
+    std::size_t next = 0;
+    while (true) {
+        while (children.size() < jobs_or_host_cores(jobs)) {
+            std::optional<Task> const task = stream.next(next);
+            if (!task)
+                break;
+            children.push_back(std::make_unique<Child>(next++, *task, watch));
+        }
+        if (children.empty())
+            return;
+        collect(children, wait_for_news(children, watch), stream.ended);
+    }
+}
+
+std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
+                             std::function<void(std::size_t, std::size_t)> const& progress) {
+    std::vector<Outcome> outcomes(tasks.size());
+    std::size_t done = 0;
+    TaskStream stream;
+    stream.next = [&](std::size_t number) {
+        return number < tasks.size() ? std::optional<Task>(tasks[number]) : std::nullopt;
+    };
+    stream.ended = [&](std::size_t number, Outcome outcome) {
+        outcomes[number] = std::move(outcome);
+        ++done;
+        if (progress)
+            progress(done, tasks.size());
+    };
+    run_stream(stream, jobs, watch);
+    return outcomes;
+}
+
+}  // namespace faster::processes

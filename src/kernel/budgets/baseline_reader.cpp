@@ -1,0 +1,104 @@
+#include "kernel/budgets/baseline_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/config/plain_text.hpp"
+#include "kernel/config/value_reader.hpp"
+
+namespace faster::budgets {
+
+namespace {
+
+constexpr char const* expected_keys = "expected date, reason, configuration, accelerator and figures";
+
+class BaselineReader {
+  public:
+    explicit BaselineReader(KeyFaults& faults) : faults_(faults) {}
+
+    Baseline read(YAML::Node const& node, int line) {
+        if (!node.IsMap()) {
+            faults_.push_back({line, "baseline", shown(node), expected_keys});
+            return baseline_;
+        }
+        std::vector<std::string> given;
+        for (MapEntry const& entry : read_entries(node, "baseline.", faults_)) {
+            read_entry(entry);
+            given.push_back(entry.name);
+        }
+        for (char const* const required : {"date", "reason", "configuration", "figures"})
+            if (std::find(given.begin(), given.end(), required) == given.end())
+                faults_.push_back(
+                    {line, "baseline", std::nullopt, std::string("no key ") + required + ", expected one"});
+        return baseline_;
+    }
+
+  private:
+    void read_entry(MapEntry const& entry) {
+        if (entry.name == "date")
+            read_text(entry, baseline_.date);
+        else if (entry.name == "reason")
+            read_text(entry, baseline_.reason);
+        else if (entry.name == "configuration")
+            read_text(entry, baseline_.configuration);
+        else if (entry.name == "accelerator")
+            read_settings(entry);
+        else if (entry.name == "figures")
+            read_figures(entry);
+        else
+            faults_.push_back(
+                {entry.line, "baseline." + entry.name, std::nullopt, std::string("unknown key, ") + expected_keys});
+    }
+
+    void read_text(MapEntry const& entry, std::string& text) {
+        if (!entry.value.IsScalar() || entry.value.Scalar().empty())
+            faults_.push_back({entry.line, "baseline." + entry.name, shown(entry.value), "expected text"});
+        else
+            text = entry.value.Scalar();
+    }
+
+    void read_settings(MapEntry const& entry) {
+        for (MapEntry const& setting : read_entries(entry.value, "baseline.accelerator.", faults_))
+            if (setting.value.IsScalar())
+                baseline_.accelerator.push_back({setting.name, setting.value.Scalar()});
+            else
+                faults_.push_back(
+                    {setting.line, "baseline.accelerator." + setting.name, shown(setting.value), "expected a value"});
+    }
+
+    void read_figures(MapEntry const& entry) {
+        if (!entry.value.IsMap()) {
+            faults_.push_back({entry.line, "baseline.figures", shown(entry.value), "expected a map of figures"});
+            return;
+        }
+        for (MapEntry const& row : read_entries(entry.value, "baseline.figures.", faults_)) {
+            if (!row.value.IsMap()) {
+                read_figure(row, row.name);
+                continue;
+            }
+            for (MapEntry const& figure : read_entries(row.value, "baseline.figures." + row.name + ".", faults_))
+                read_figure(figure, row.name + "." + figure.name);
+        }
+    }
+
+    void read_figure(MapEntry const& entry, std::string const& name) {
+        auto const value = entry.value.IsScalar() ? parse_integer(entry.value.Scalar()) : std::nullopt;
+        if (!value || *value < 0)
+            faults_.push_back({entry.line, "baseline.figures." + name, shown(entry.value), "expected a whole number"});
+        else if (baseline_.figures.find(name))
+            faults_.push_back({entry.line, "baseline.figures." + name, std::nullopt, "stands twice, expected once"});
+        else
+            baseline_.figures.set(name, static_cast<std::uint64_t>(*value));
+    }
+
+    KeyFaults& faults_;
+    Baseline baseline_;
+};
+
+}  // namespace
+
+Baseline read_baseline(YAML::Node const& node, int line, KeyFaults& faults) {
+    return BaselineReader(faults).read(node, line);
+}
+
+}  // namespace faster::budgets

@@ -1,0 +1,75 @@
+#include "kernel/budgets/starting_budget.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "kernel/budgets/baseline_text.hpp"
+
+namespace faster::budgets {
+
+namespace {
+
+constexpr double slack = 1.02;
+
+std::string quoted(std::string const& text) { return nlohmann::json(text).dump(); }
+
+std::string head(Budget const& budget, std::string const& date) {
+    std::string const name = budget.file.filename().string();
+    std::string text = fmt::format(
+        "# Latency budget, started from a run on {0} (faster-sim check --init).\n"
+        "#   faster-sim check {1}   exit code 1 if a limit is broken\n"
+        "#   faster-sim check {1} --update --reason \"why\"   takes today's figures as the baseline\n"
+        "# Figures, limits and wildcards: docs/budgets.md, \"What can be limited\".\n"
+        "format: faster-budget\nversion: 1\nconfiguration: {2}  # relative to this file\n",
+        date, name, quoted(budget.configuration));
+    if (!budget.trace.empty())
+        text += fmt::format("trace: {}  # replayed instead of the configured workload\n", quoted(budget.trace));
+    if (!budget.overrides.empty())
+        text += "set:  # wins over the configuration\n";
+    for (std::string const& setting : budget.overrides) {
+        std::size_t const equals = setting.find('=');
+        text += fmt::format("  {}: {}\n", setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    return text;
+}
+
+std::string limit_lines(Measurement const& measurement) {
+    auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
+    std::string text = fmt::format(
+        "\nlimits:\n"
+        "  # The whole run: {:.0f} cycles today, and 2 % to spare. A time counts at accelerator.clock_mhz.\n"
+        "  total_cycles: {{max: {:.0f} us}}\n",
+        total, std::ceil(total * slack / measurement.clock_mhz));
+    if (measurement.figures.find("samples").value_or(0) > 0)
+        text +=
+            "  # No sample later than it is today, and none may score differently.\n"
+            "  samples.*.latency_cycles: {max: baseline}\n"
+            "  samples.*.inlier: {exact: baseline}\n";
+    text +=
+        "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
+        "  loops.*.*.ii: {max: baseline}\n"
+        "  # Waiting may move a little. Figures without cores.N. are sums over all cores, occupancies the largest.\n"
+        "  modules.inlier_unit.empty_stall_cycles: {within: {of: baseline, percent: 5}}\n"
+        "  fifos.*.max_occupancy: {max: baseline}\n"
+        "  # To guard every cycle of every FIFO, loop and module instead:\n"
+        "  # fifos.*.*: {exact: baseline}\n"
+        "  # loops.*.*.*: {exact: baseline}\n"
+        "  # modules.*.*: {exact: baseline}\n\n";
+    return text;
+}
+
+}  // namespace
+
+std::string starting_budget(Budget const& budget, Measurement const& measurement, std::string const& date) {
+    // Figures of samples that limit_lines() compares with the baseline.
+    std::vector<Limit> compared(2);
+    compared[0].figure = "samples.*.latency_cycles";
+    compared[1].figure = "samples.*.inlier";
+    for (Limit& limit : compared)
+        limit.max = Quantity{Quantity::Kind::baseline, 0, "baseline"};
+    return head(budget, date) + limit_lines(measurement) +
+           baseline_block(baseline_of(measurement, compared, date, "first run"));
+}
+
+}  // namespace faster::budgets

@@ -1,0 +1,103 @@
+#include "kernel/compare/compare.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "kernel/compare/figure_changes.hpp"
+
+namespace faster::runs {
+
+namespace {
+
+RunHead head_of(RunRecord const& run) {
+    return {run.folder, run.samples.size(), run.raster_cores, run.total_cycles, run.milliseconds};
+}
+
+bool are_identical(RunRecord const& a, RunRecord const& b) {
+    return a.total_cycles == b.total_cycles && a.milliseconds == b.milliseconds && a.raster_cores == b.raster_cores &&
+           a.configuration == b.configuration && a.modules == b.modules && a.fifos == b.fifos && a.loops == b.loops &&
+           a.samples == b.samples;
+}
+
+std::vector<std::string> notes_on(RunRecord const& a, RunRecord const& b) {
+    std::vector<std::string> notes;
+    if (a.raster_cores != b.raster_cores)
+        notes.push_back(fmt::format("A has {} raster cores, B {}; figures are sums over all of them", a.raster_cores,
+                                    b.raster_cores));
+    if (a.samples.size() != b.samples.size())
+        notes.push_back(fmt::format("A has {} samples, B {}; results are compared for those that both have",
+                                    a.samples.size(), b.samples.size()));
+    return notes;
+}
+
+using Settings = std::vector<ConfigurationEntry>;
+
+std::map<std::string, std::string> by_key(Settings const& settings) {
+    std::map<std::string, std::string> values;
+    for (auto const& [key, value] : settings)
+        values[key] = value;
+    return values;
+}
+
+/// Keys of both runs: those of A in their order, with what B says, then those that only B has.
+std::vector<SettingChange> joined(Settings const& a, Settings const& b) {
+    auto const in_a = by_key(a);
+    auto const in_b = by_key(b);
+    std::vector<SettingChange> rows;
+    for (auto const& [key, value] : a) {
+        auto const other = in_b.find(key);
+        rows.push_back({key, value, other == in_b.end() ? std::nullopt : std::optional(other->second)});
+    }
+    for (auto const& [key, value] : b)
+        if (in_a.count(key) == 0)
+            rows.push_back({key, std::nullopt, value});
+    return rows;
+}
+
+std::vector<SettingChange> changed(std::vector<SettingChange> rows) {
+    auto const is_same = [](SettingChange const& row) { return row.a == row.b; };
+    rows.erase(std::remove_if(rows.begin(), rows.end(), is_same), rows.end());
+    return rows;
+}
+
+/// Every core is built alike, so core 0 speaks for all.
+Settings fifo_shapes_of(RunRecord const& run) {
+    Settings settings;
+    for (FifoRecord const& fifo : run.fifos) {
+        if (fifo.core != 0)
+            continue;
+        settings.push_back({fifo.name() + ".depth", std::to_string(fifo.depth)});
+        settings.push_back({fifo.name() + ".kind", nlohmann::json(fifo.kind).dump()});
+    }
+    return settings;
+}
+
+std::vector<SampleChange> sample_changes(RunRecord const& a, RunRecord const& b, std::size_t count) {
+    std::vector<SampleChange> changes;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!(a.samples[i].counters == b.samples[i].counters))
+            changes.push_back({i, a.samples[i].counters, b.samples[i].counters});
+    return changes;
+}
+
+}  // namespace
+
+Comparison compare(RunRecord const& a, RunRecord const& b) {
+    Comparison comparison;
+    comparison.a = head_of(a);
+    comparison.b = head_of(b);
+    comparison.identical = are_identical(a, b);
+    comparison.notes = notes_on(a, b);
+    std::vector<SettingChange> const keys = joined(a.configuration, b.configuration);
+    comparison.keys = keys.size();
+    comparison.configuration = changed(keys);
+    comparison.compared_samples = std::min(a.samples.size(), b.samples.size());
+    comparison.samples = sample_changes(a, b, comparison.compared_samples);
+    comparison.fifo_shapes = changed(joined(fifo_shapes_of(a), fifo_shapes_of(b)));
+    comparison.figures = figure_changes(a, b);
+    return comparison;
+}
+
+}  // namespace faster::runs

@@ -1,0 +1,155 @@
+#include "kernel/compare/comparison_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+
+#include "kernel/compare/sample_counters.hpp"
+
+namespace faster::runs {
+
+namespace {
+
+template <class... Arguments>
+void line(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
+    text += '\n';
+}
+
+void left_out(std::string& text, std::size_t rows, std::size_t top) {
+    if (rows > top)
+        line(text, "  ... and {} more (--top)", rows - top);
+}
+
+using Row = std::array<std::string, 5>;
+
+/// Names to the left, figures to the right, each column as wide as its widest cell.
+void table(std::string& text, std::vector<Row> const& rows) {
+    std::array<std::size_t, 5> widths{};
+    for (Row const& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    for (Row const& row : rows) {
+        text += fmt::format("  {:<{}}", row[0], widths[0]);
+        for (std::size_t i = 1; i < row.size(); ++i)
+            text += fmt::format("  {:>{}}", row[i], widths[i]);
+        text += '\n';
+    }
+}
+
+Row heading() { return {"", "A", "B", "difference", "percent"}; }
+
+std::string percent_text(double a, double b) {
+    std::optional<double> const percent = percent_of(a, b);
+    return percent ? fmt::format("{:+.2f}", *percent) : "-";
+}
+
+std::string figure_text(std::optional<std::uint64_t> figure) { return figure ? std::to_string(*figure) : "-"; }
+
+Row row_of(std::string const& name, Change const& change) {
+    return {name, figure_text(change.a), figure_text(change.b), fmt::format("{:+}", change.difference()),
+            percent_text(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)))};
+}
+
+void run_line(std::string& text, char const* name, RunHead const& run) {
+    line(text, "{}  {} ({} samples, {} raster cores)", name, run.folder, run.samples, run.raster_cores);
+}
+
+void heads(std::string& text, Comparison const& comparison) {
+    run_line(text, "A", comparison.a);
+    run_line(text, "B", comparison.b);
+    for (std::string const& note : comparison.notes)
+        line(text, "note: {}", note);
+}
+
+void settings(std::string& text, std::vector<SettingChange> const& changes, std::size_t top) {
+    for (std::size_t i = 0; i < std::min(top, changes.size()); ++i)
+        line(text, "  {}: {} -> {}", changes[i].key, changes[i].a.value_or("-"), changes[i].b.value_or("-"));
+    left_out(text, changes.size(), top);
+}
+
+void configuration(std::string& text, Comparison const& comparison, std::size_t top) {
+    if (comparison.configuration.empty()) {
+        line(text, "\nConfiguration: the same");
+        return;
+    }
+    line(text, "\nConfiguration: {} of {} keys differ", comparison.configuration.size(), comparison.keys);
+    settings(text, comparison.configuration, top);
+}
+
+void headline(std::string& text, RunHead const& a, RunHead const& b) {
+    line(text, "\nTotal");
+    table(text,
+          {heading(),
+           row_of("cycles", {"", "", a.total_cycles, b.total_cycles}),
+           {"ms", fmt::format("{:.3f}", a.milliseconds), fmt::format("{:.3f}", b.milliseconds),
+            fmt::format("{:+.3f}", b.milliseconds - a.milliseconds), percent_text(a.milliseconds, b.milliseconds)}});
+}
+
+std::string counter_changes(SampleChange const& change) {
+    std::string text;
+    for (NamedCounter const& counter : sample_counters)
+        if (change.a.*counter.value != change.b.*counter.value)
+            text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", counter.name, change.a.*counter.value,
+                                change.b.*counter.value);
+    return text;
+}
+
+void results(std::string& text, Comparison const& comparison, std::size_t top) {
+    std::size_t const different = comparison.samples.size();
+    if (different == 0) {
+        line(text, "\nResults: the same in all {} samples", comparison.compared_samples);
+        return;
+    }
+    line(text, "\nResults: {} of {} samples differ", different, comparison.compared_samples);
+    for (std::size_t i = 0; i < std::min(top, different); ++i)
+        line(text, "  sample {}: {}", comparison.samples[i].sample, counter_changes(comparison.samples[i]));
+    left_out(text, different, top);
+}
+
+void fifo_shapes(std::string& text, Comparison const& comparison, std::size_t top) {
+    if (comparison.fifo_shapes.empty())
+        return;
+    line(text, "\nFIFOs: depth and kind");
+    settings(text, comparison.fifo_shapes, top);
+}
+
+void figures(std::string& text, ChangeList const& list, std::size_t top) {
+    if (list.changes.empty())
+        return;
+    line(text, "\n{}", list.title);
+    std::vector<Row> rows{heading()};
+    for (std::size_t i = 0; i < std::min(top, list.changes.size()); ++i)
+        rows.push_back(row_of(list.changes[i].item + " " + list.changes[i].figure, list.changes[i]));
+    table(text, rows);
+    left_out(text, list.changes.size(), top);
+}
+
+bool has_figures(Comparison const& comparison) {
+    return std::any_of(comparison.figures.begin(), comparison.figures.end(),
+                       [](ChangeList const& list) { return !list.changes.empty(); });
+}
+
+}  // namespace
+
+std::string comparison_text(Comparison const& comparison, std::size_t top) {
+    std::string text;
+    if (comparison.identical) {
+        line(text, "identical: configuration, results and cycles of {} and {} ({} samples, {} cycles)",
+             comparison.a.folder, comparison.b.folder, comparison.a.samples, comparison.a.total_cycles);
+        return text;
+    }
+    heads(text, comparison);
+    configuration(text, comparison, top);
+    headline(text, comparison.a, comparison.b);
+    results(text, comparison, top);
+    fifo_shapes(text, comparison, top);
+    for (ChangeList const& list : comparison.figures)
+        figures(text, list, top);
+    if (!has_figures(comparison))
+        line(text, "\nFigures: the same, summed over cores");
+    return text;
+}
+
+}  // namespace faster::runs

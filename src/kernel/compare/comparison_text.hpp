@@ -1,0 +1,13 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "kernel/compare/comparison.hpp"
+
+namespace faster::runs {
+
+/// The comparison for people: configuration, headline, results, then what moved, a table per kind that has changes.
+/// Each list ends after `top` rows with a line that says how many were left out. Identical runs are one line.
+std::string comparison_text(Comparison const& comparison, std::size_t top);
+
+}  // namespace faster::runs

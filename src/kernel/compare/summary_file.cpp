@@ -1,0 +1,129 @@
+#include "kernel/compare/summary_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+
+namespace faster::runs {
+
+namespace {
+
+constexpr char const* format = "faster-summary";
+constexpr std::uint64_t version = 1;
+constexpr std::uint64_t most_cores = 1024;  // as accelerator.raster_cores
+
+std::vector<ConfigurationEntry> read_configuration(JsonSection const& configuration) {
+    std::vector<ConfigurationEntry> entries;
+    for (auto const& item : configuration.object().items())
+        entries.push_back({item.key(), configuration.section(item.key()).at("value").dump()});
+    return entries;
+}
+
+bool is_cycle_class(std::string_view name) {
+    constexpr std::string_view ending = "_cycles";
+    return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
+}
+
+/// Values of another type (a breakdown of a class, say) are for others to read.
+std::vector<CycleClass> read_classes(JsonSection const& row) {
+    std::vector<CycleClass> classes;
+    for (auto const& item : row.object().items())
+        if (is_cycle_class(item.key()) && !item.value().is_structured())
+            classes.push_back({item.key(), row.integer(item.key())});
+    return classes;
+}
+
+ModuleRecord read_module(JsonSection const& row, std::uint64_t core) {
+    return {core, row.text("module"), read_classes(row)};
+}
+
+FifoRecord read_fifo(JsonSection const& row, std::uint64_t core) {
+    return {core,
+            row.text("fifo"),
+            row.text("kind"),
+            row.integer("depth"),
+            row.integer("write_latency"),
+            row.integer("writes"),
+            row.integer("reads"),
+            row.integer("full_stall_cycles"),
+            row.integer("empty_stall_cycles"),
+            row.integer("max_occupancy")};
+}
+
+LoopRecord read_loop(JsonSection const& row, std::uint64_t core) {
+    return {core,
+            row.text("module"),
+            row.text("loop"),
+            row.integer("ii_target"),
+            row.integer("ii_recurrence"),
+            row.integer("ii"),
+            row.integer("depth"),
+            row.integer("entries"),
+            row.integer("iterations"),
+            row.integer("port_conflict_cycles"),
+            row.integer("recurrence_cycles"),
+            row.text("limited_by")};
+}
+
+/// Rows of a table with one row per core and item. Each (core, name) stands once, so that a table is complete exactly
+/// if it has cores times names rows.
+template <class Record>
+std::vector<Record> read_table(JsonSection const& summary, std::string const& table, std::uint64_t cores,
+                               Record (*read_row)(JsonSection const&, std::uint64_t core)) {
+    Json const& rows = summary.array_at(table);
+    std::vector<Record> records;
+    std::set<std::string> names;
+    std::set<std::pair<std::uint64_t, std::string>> seen;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        JsonSection const row = summary.row(table, rows, i);
+        std::uint64_t const core = row.integer("core", 0, cores - 1);
+        records.push_back(read_row(row, core));
+        std::string const name = records.back().name();
+        names.insert(name);
+        if (!seen.emplace(core, name).second)
+            row.fail("core", fmt::format("one row only for its {}", name));
+    }
+    if (records.empty() || records.size() != cores * names.size())
+        summary.fail(table, fmt::format("a row for each item of each of the {} raster cores", cores));
+    return records;
+}
+
+}  // namespace
+
+Json parse_summary(std::filesystem::path const& path) {
+    std::string const text = io::read_file(path);
+    try {
+        return Json::parse(text);
+    } catch (Json::parse_error const& error) {
+        auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected a summary of faster-sim run",
+                                     path.string(), std::count(text.begin(), end, '\n') + 1));
+    } catch (Json::exception const&) {  // no other is documented, and it is what a number like 1e999 gives
+        throw InputError(
+            fmt::format("{}: holds a number beyond all limits, expected a summary of faster-sim run", path.string()));
+    }
+}
+
+RunRecord read_summary(JsonSection const& summary) {
+    if (summary.text("format") != format)
+        summary.fail("format", format);
+    if (summary.at("version") != version)
+        summary.fail("version", std::to_string(version));
+    RunRecord run;
+    run.total_cycles = summary.integer("total_cycles");
+    run.milliseconds = summary.number("milliseconds");
+    run.raster_cores = summary.integer("raster_cores", 1, most_cores);
+    run.configuration = read_configuration(summary.section("configuration"));
+    run.modules = read_table<ModuleRecord>(summary, "modules", run.raster_cores, read_module);
+    run.fifos = read_table<FifoRecord>(summary, "fifos", run.raster_cores, read_fifo);
+    run.loops = read_table<LoopRecord>(summary, "loops", run.raster_cores, read_loop);
+    return run;
+}
+
+}  // namespace faster::runs

@@ -1,0 +1,95 @@
+#include "kernel/config/key.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace faster {
+namespace {
+
+bool is_open(IntegerRange const& range) { return range.max == std::numeric_limits<std::int64_t>::max(); }
+
+std::string expected_integer(IntegerRange const& range) {
+    if (is_open(range)) {
+        return fmt::format("an integer, {} or more", range.min);
+    }
+    return fmt::format("an integer from {} to {}", range.min, range.max);
+}
+
+std::string expected_number(NumberRange const& range) {
+    if (std::isinf(range.min)) {
+        return "a number";
+    }
+    if (std::isinf(range.max)) {
+        return range.excludes_min ? fmt::format("a number above {}", range.min)
+                                  : fmt::format("a number, {} or more", range.min);
+    }
+    return fmt::format("a number from {} to {}", range.min, range.max);
+}
+
+std::string integer_range(IntegerRange const& range) {
+    return is_open(range) ? fmt::format(">= {}", range.min) : fmt::format("{}..{}", range.min, range.max);
+}
+
+std::string number_range(NumberRange const& range) {
+    if (std::isinf(range.min)) {
+        return "any number";
+    }
+    if (std::isinf(range.max)) {
+        return fmt::format("{} {}", range.excludes_min ? ">" : ">=", range.min);
+    }
+    return fmt::format("{}..{}", range.min, range.max);
+}
+
+}  // namespace
+
+std::string expectation(Key const& key) {
+    switch (key.kind) {
+        case KeyKind::boolean:
+            return "true or false";
+        case KeyKind::integer:
+            return expected_integer(key.integers);
+        case KeyKind::number:
+            return expected_number(key.numbers);
+        case KeyKind::choice:
+            return fmt::format("one of {}", fmt::join(key.choices, ", "));
+        case KeyKind::path:
+            return "a path";
+        case KeyKind::object:
+            return "an object class or the path of a mesh file";
+        case KeyKind::vector:
+            return "a list of 3 numbers";
+        case KeyKind::objects:
+            return "a list of maps";
+    }
+    return {};
+}
+
+std::string range_text(Key const& key) {
+    switch (key.kind) {
+        case KeyKind::boolean:
+            return "true, false";
+        case KeyKind::integer:
+            return integer_range(key.integers);
+        case KeyKind::number:
+            return number_range(key.numbers);
+        case KeyKind::choice:
+            return fmt::format("{}", fmt::join(key.choices, ", "));
+        case KeyKind::path:
+            return "path";
+        case KeyKind::object:
+            return "class or path";
+        case KeyKind::vector:
+            return "3 numbers";
+        case KeyKind::objects:
+            return "list of maps";
+    }
+    return {};
+}
+
+bool accepts(IntegerRange const& range, std::int64_t value) { return value >= range.min && value <= range.max; }
+
+bool accepts(NumberRange const& range, double value) {
+    return (range.excludes_min ? value > range.min : value >= range.min) && value <= range.max;
+}
+
+}  // namespace faster

@@ -1,0 +1,46 @@
+#include "kernel/config/key_value.hpp"
+
+#include <fmt/format.h>
+
+namespace faster {
+namespace {
+
+std::string text_of(bool value) { return value ? "true" : "false"; }
+std::string text_of(std::int64_t value) { return fmt::format("{}", value); }
+std::string text_of(double value) { return fmt::format("{}", value); }
+
+std::string text_of(std::string const& value) {
+    std::string text = "\"";
+    for (char const letter : value) {
+        if (letter == '"' || letter == '\\') {
+            text += '\\';
+        }
+        text += letter;  // control characters do not get this far: no reader lets them pass
+    }
+    return text + '"';
+}
+
+std::string text_of(std::array<double, 3> const& value) {
+    return fmt::format("[{}, {}, {}]", value[0], value[1], value[2]);
+}
+
+std::string text_of(SceneObjectConfig const& value) {
+    return fmt::format(R"({{"object": {}, "translation_m": {}, "rotation_deg": {}}})", text_of(value.object),
+                       text_of(value.translation_m), text_of(value.rotation_deg));
+}
+
+std::string text_of(std::vector<SceneObjectConfig> const& value) {
+    std::string text = "[";
+    for (auto const& object : value) {
+        text += (text.size() > 1 ? ", " : "") + text_of(object);
+    }
+    return text + ']';
+}
+
+}  // namespace
+
+std::string json_text(KeyValue const& value) {
+    return std::visit([](auto const& held) { return text_of(held); }, value);
+}
+
+}  // namespace faster

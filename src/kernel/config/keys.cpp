@@ -1,0 +1,129 @@
+#include "kernel/config/keys.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
+
+#include "kernel/base/nearest_name.hpp"
+#include "kernel/config/key_builders.hpp"
+
+namespace faster {
+namespace {
+
+Keys simulation_keys() {
+    return {choice_key(
+        {"simulation.engine", "",
+         "How the SystemC kernel follows the processes: at every operation (lockstep, for waveforms) or "
+         "only when they must wait (decoupled); the results are the same.",
+         "SPEC 3"},
+        [](auto& config) -> auto& { return config.simulation.engine; })};
+}
+
+Keys make_all_keys() {
+    Keys all;
+    for (Keys part : {accelerator_keys(), workload_keys(), simulation_keys()}) {
+        std::move(part.begin(), part.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+bool ends_with(std::string_view text, std::string_view end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::string below(std::string_view section) { return section.empty() ? std::string{} : std::string(section) + '.'; }
+
+/// The sections and the part of a dotted name that exist, and the first part that does not.
+struct KnownPart {
+    std::string section;
+    std::string unknown;
+};
+
+KnownPart split_at_unknown(std::string_view name) {
+    KnownPart part;
+    std::string_view rest = name;
+    while (true) {
+        std::string const next(rest.substr(0, rest.find('.')));
+        std::string const longer = below(part.section) + next;
+        if (!is_section(longer) || next.size() == rest.size()) {
+            return {part.section, next};
+        }
+        part.section = longer;
+        rest.remove_prefix(next.size() + 1);
+    }
+}
+
+/// The only key that ends in `.name`: somebody left out the sections.
+std::string only_key_ending_in(std::string_view name) {
+    std::string found;
+    for (Key const& key : all_keys()) {
+        if (ends_with(key.name(), '.' + std::string(name))) {
+            if (!found.empty()) {
+                return {};
+            }
+            found = key.name();
+        }
+    }
+    return found;
+}
+
+std::string probable_key(std::string_view name, KnownPart const& part) {
+    std::string const sibling = nearest_name(part.unknown, names_in_section(part.section));
+    if (!sibling.empty() && sibling != part.unknown) {
+        std::string const replaced = below(part.section) + sibling;
+        std::string const whole = replaced + std::string(name.substr(below(part.section).size() + part.unknown.size()));
+        return find_key(whole) != nullptr ? whole : replaced;
+    }
+    return only_key_ending_in(name);
+}
+
+}  // namespace
+
+Keys const& all_keys() {
+    static Keys const all = make_all_keys();
+    return all;
+}
+
+Key const* find_key(std::string_view name) {
+    auto const found =
+        std::find_if(all_keys().begin(), all_keys().end(), [&](Key const& key) { return key.name() == name; });
+    return found == all_keys().end() ? nullptr : &*found;
+}
+
+bool is_section(std::string_view name) {
+    return std::any_of(all_keys().begin(), all_keys().end(),
+                       [&](Key const& key) { return starts_with(key.name(), below(name)); });
+}
+
+std::vector<std::string> names_in_section(std::string_view section) {
+    std::string const start = below(section);
+    std::vector<std::string> names;
+    for (Key const& key : all_keys()) {
+        if (starts_with(key.name(), start)) {
+            std::string const rest = key.name().substr(start.size());
+            std::string const name = rest.substr(0, rest.find('.'));
+            if (names.empty() || names.back() != name) {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
+}
+
+std::string unknown_key_problem(std::string_view name) {
+    KnownPart const part = split_at_unknown(name);
+    std::string const probable = probable_key(name, part);
+    if (!probable.empty()) {
+        return fmt::format("unknown key, did you mean {}?", probable);
+    }
+    if (Key const* const leaf = find_key(below(part.section) + part.unknown); leaf != nullptr) {
+        return fmt::format("unknown key, {} has one value and nothing below it", leaf->name());
+    }
+    std::string const where = part.section.empty() ? "at the top" : "in " + part.section;
+    return fmt::format("unknown key, expected {} one of {}", where, fmt::join(names_in_section(part.section), ", "));
+}
+
+}  // namespace faster

@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kernel/config/load_config.hpp"
+
+namespace faster {
+
+/// load_config() of several files: a later one wins over an earlier one, `overrides` win over all. No file: defaults
+/// and preset.
+LoadedConfig layered_config(std::vector<std::filesystem::path> const& files, std::vector<std::string> const& overrides);
+
+}  // namespace faster

@@ -1,0 +1,66 @@
+#include "kernel/config/resolved_config.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/config/keys.hpp"
+
+namespace faster {
+namespace {
+
+std::vector<std::string> split_at_points(std::string const& name) {
+    std::vector<std::string> parts;
+    std::size_t start = 0;
+    for (std::size_t point = name.find('.'); point != std::string::npos; point = name.find('.', start)) {
+        parts.push_back(name.substr(start, point - start));
+        start = point + 1;
+    }
+    parts.push_back(name.substr(start));
+    return parts;
+}
+
+std::string indentation(std::size_t level) { return std::string(2 * level, ' '); }
+
+/// Headings of the sections of `parts` that the key before it, `previous`, was not in.
+std::string headings(std::vector<std::string> const& parts, std::vector<std::string> const& previous) {
+    std::size_t level = 0;
+    while (level + 1 < previous.size() && level + 1 < parts.size() && parts[level] == previous[level]) {
+        ++level;
+    }
+    std::string text;
+    for (; level + 1 < parts.size(); ++level) {
+        text += indentation(level) + parts[level] + ":\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<ResolvedKey> resolved_keys(RunConfig const& config) {
+    RunConfig const defaults;
+    std::vector<ResolvedKey> resolved;
+    for (Key const& key : all_keys()) {
+        KeyValue value = key.read(config);
+        bool const is_default = json_text(value) == json_text(key.read(defaults));
+        resolved.push_back({key.name(), std::move(value), is_default});
+    }
+    return resolved;
+}
+
+std::string to_yaml(RunConfig const& config) { return to_yaml(resolved_keys(config)); }
+
+std::string to_yaml(std::vector<ResolvedKey> const& keys) {
+    RunConfig const defaults;
+    std::string text;
+    std::vector<std::string> previous;
+    for (ResolvedKey const& entry : keys) {
+        std::vector<std::string> const parts = split_at_points(entry.key);
+        text += headings(parts, previous);
+        text += fmt::format("{}{}: {}", indentation(parts.size() - 1), parts.back(), json_text(entry.value));
+        text +=
+            entry.is_default ? "\n" : fmt::format("  # default {}\n", json_text(find_key(entry.key)->read(defaults)));
+        previous = parts;
+    }
+    return text;
+}
+
+}  // namespace faster

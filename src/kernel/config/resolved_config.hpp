@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "faster/run_config.hpp"
+#include "kernel/config/key_value.hpp"
+
+namespace faster {
+
+/// One key of a resolved configuration, for the report of a run.
+struct ResolvedKey {
+    std::string key;
+    KeyValue value;
+    bool is_default = true;  ///< the value equals the default, whether it was written out or not
+};
+
+/// Every key with its value, in the order of all_keys().
+std::vector<ResolvedKey> resolved_keys(RunConfig const& config);
+
+/// Those of `keys`, in their order, as a configuration file.
+std::string to_yaml(std::vector<ResolvedKey> const& keys);
+
+/// The same as a configuration file that loads to an equal configuration; values that differ from the default say so in
+/// a comment. Relative paths stay relative to the current folder, so it belongs there.
+std::string to_yaml(RunConfig const& config);
+
+}  // namespace faster

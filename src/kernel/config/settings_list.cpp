@@ -1,0 +1,45 @@
+#include "kernel/config/settings_list.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/value_reader.hpp"
+#include "kernel/config/yaml_document.hpp"
+
+namespace faster {
+namespace {
+
+[[noreturn]] void fail(std::filesystem::path const& path, int line, std::string const& what) {
+    throw InputError(fmt::format("{}:{}: {}", path.string(), line, what));
+}
+
+Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
+    Settings settings;
+    settings.line = item.Mark().line + 1;
+    if (!item.IsMap())
+        fail(path, settings.line,
+             fmt::format("{}, expected a map such as {{accelerator.raster_cores: 4}}", shown(item)));
+    KeyFaults faults;
+    for (MapEntry const& entry : read_entries(item, "", faults)) {
+        if (!entry.value.IsScalar())
+            fail(path, entry.line, fmt::format("{}: {}, expected one value", entry.name, shown(entry.value)));
+        settings.overrides.push_back(entry.name + "=" + entry.value.Scalar());
+    }
+    if (!faults.empty())
+        fail(path, faults.front().line, faults.front().text());
+    return settings;
+}
+
+}  // namespace
+
+std::vector<Settings> read_settings_list(std::filesystem::path const& path) {
+    YAML::Node const root = load_document(path);
+    if (!root.IsSequence())
+        fail(path, 1, "expected a list of maps, one per configuration, such as - {accelerator.raster_cores: 4}");
+    std::vector<Settings> list;
+    for (YAML::Node const& item : root)
+        list.push_back(read_item(path, item));
+    return list;
+}
+
+}  // namespace faster

@@ -1,0 +1,269 @@
+#include "kernel/config/value_reader.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+#include "kernel/config/keys.hpp"
+#include "kernel/config/plain_text.hpp"
+
+namespace faster {
+namespace {
+
+/// yaml-cpp's tag of a quoted scalar. A plain one has "?", one made by us none.
+constexpr char const* quoted_tag = "!";
+constexpr char const* plain_tag = "?";
+
+bool is_quoted(YAML::Node const& node) { return node.Tag() == quoted_tag; }
+bool is_plain_scalar(YAML::Node const& node) {
+    return node.IsScalar() && (node.Tag().empty() || node.Tag() == plain_tag);
+}
+
+int line_of(YAML::Node const& node, int otherwise) { return node.Mark().is_null() ? otherwise : node.Mark().line + 1; }
+
+/// Reads one value, of a key or of a part of it (`name` is then like "workload.pose.translation_m[1]").
+class Reader {
+  public:
+    Reader(std::string name, int line, std::filesystem::path const& folder, KeyFaults& faults)
+        : name_(std::move(name)), line_(line), folder_(folder), faults_(faults) {}
+
+    std::optional<KeyValue> read(Key const& key, YAML::Node const& node) const {
+        switch (key.kind) {
+            case KeyKind::boolean:
+                return boolean(key, node);
+            case KeyKind::integer:
+                return integer(key, node);
+            case KeyKind::number:
+                return number(key, node);
+            case KeyKind::choice:
+                return choice(key, node);
+            case KeyKind::path:
+                return path(key, node);
+            case KeyKind::object:
+                return held(object(node, expectation(key)));
+            case KeyKind::vector:
+                return held(vector(node, expectation(key)));
+            case KeyKind::objects:
+                return objects(node, expectation(key));
+        }
+        return std::nullopt;
+    }
+
+    std::optional<SceneObjectConfig> scene_object(YAML::Node const& node) const {
+        if (!node.IsMap()) {
+            expected(node, "a map");
+            return std::nullopt;
+        }
+        std::size_t const faults_before = faults_.size();
+        SceneObjectConfig result;
+        std::vector<std::string> given;
+        for (MapEntry const& entry : read_entries(node, name_ + '.', faults_)) {
+            read_field(entry, result);
+            given.push_back(entry.name);
+        }
+        require_fields(given);
+        return faults_.size() == faults_before ? std::optional{result} : std::nullopt;
+    }
+
+  private:
+    template <class Part> static std::optional<KeyValue> held(std::optional<Part> const& part) {
+        return part ? std::optional<KeyValue>{*part} : std::nullopt;
+    }
+
+    void expected(YAML::Node const& node, std::string const& what) const {
+        faults_.push_back({line_, name_, shown(node), "expected " + what});
+    }
+
+    Reader element(std::size_t index, YAML::Node const& node) const {
+        return {fmt::format("{}[{}]", name_, index), line_of(node, line_), folder_, faults_};
+    }
+
+    std::optional<KeyValue> boolean(Key const& key, YAML::Node const& node) const {
+        auto const value = is_plain_scalar(node) ? parse_boolean(node.Scalar()) : std::nullopt;
+        if (!value) {
+            expected(node, expectation(key));
+        }
+        return held(value);
+    }
+
+    std::optional<KeyValue> integer(Key const& key, YAML::Node const& node) const {
+        auto const value = is_plain_scalar(node) ? parse_integer(node.Scalar()) : std::nullopt;
+        if (!value || !accepts(key.integers, *value)) {
+            expected(node, expectation(key));
+            return std::nullopt;
+        }
+        return value;
+    }
+
+    std::optional<KeyValue> number(Key const& key, YAML::Node const& node) const {
+        auto const value = is_plain_scalar(node) ? parse_number(node.Scalar()) : std::nullopt;
+        if (!value || !accepts(key.numbers, *value)) {
+            expected(node, expectation(key));
+            return std::nullopt;
+        }
+        return value;
+    }
+
+    std::optional<KeyValue> choice(Key const& key, YAML::Node const& node) const {
+        auto const name = text(node);
+        if (!name || std::find(key.choices.begin(), key.choices.end(), *name) == key.choices.end()) {
+            expected(node, expectation(key));
+            return std::nullopt;
+        }
+        return name;
+    }
+
+    std::optional<KeyValue> path(Key const& key, YAML::Node const& node) const {
+        auto const name = text(node);
+        if (!name) {
+            expected(node, expectation(key));
+            return std::nullopt;
+        }
+        return name->empty() ? *name : beside_folder(*name);
+    }
+
+    /// A class is a bare name; whatever has a slash or a point is a file.
+    std::optional<std::string> object(YAML::Node const& node, std::string const& expectation) const {
+        auto const name = text(node);
+        if (!name || name->empty()) {
+            expected(node, expectation);
+            return std::nullopt;
+        }
+        return name->find_first_of("/.") == std::string::npos ? *name : beside_folder(*name);
+    }
+
+    std::optional<std::array<double, 3>> vector(YAML::Node const& node, std::string const& expectation) const {
+        if (!node.IsSequence() || node.size() != 3) {
+            expected(node, expectation);
+            return std::nullopt;
+        }
+        std::array<double, 3> values{};
+        bool is_good = true;
+        for (std::size_t index = 0; index < values.size(); ++index) {
+            YAML::Node const item = node[index];
+            auto const value = is_plain_scalar(item) ? parse_number(item.Scalar()) : std::nullopt;
+            if (!value) {
+                element(index, item).expected(item, "a number");
+                is_good = false;
+            }
+            values[index] = value.value_or(0);
+        }
+        return is_good ? std::optional{values} : std::nullopt;
+    }
+
+    std::optional<KeyValue> objects(YAML::Node const& node, std::string const& expectation) const {
+        if (!node.IsSequence()) {
+            expected(node, expectation);
+            return std::nullopt;
+        }
+        std::vector<SceneObjectConfig> result;
+        for (std::size_t index = 0; index < node.size(); ++index) {
+            if (auto const object = element(index, node[index]).scene_object(node[index])) {
+                result.push_back(*object);
+            }
+        }
+        return result.size() == node.size() ? std::optional<KeyValue>{result} : std::nullopt;
+    }
+
+    void read_field(MapEntry const& entry, SceneObjectConfig& result) const {
+        Reader const reader(name_ + '.' + entry.name, entry.line, folder_, faults_);
+        for (SceneObjectKey const& key : scene_object_keys()) {
+            if (key.text.name == entry.name && key.kind == KeyKind::object) {
+                result.*key.object = reader.object(entry.value, expectation_of(key)).value_or("");
+                return;
+            }
+            if (key.text.name == entry.name) {
+                result.*key.numbers = reader.vector(entry.value, expectation_of(key)).value_or(std::array<double, 3>{});
+                return;
+            }
+        }
+        faults_.push_back({entry.line, reader.name_, std::nullopt,
+                           fmt::format("unknown key, expected one of {}", fmt::join(field_names(), ", "))});
+    }
+
+    static std::string expectation_of(SceneObjectKey const& field) {
+        Key key;
+        key.kind = field.kind;
+        return expectation(key);
+    }
+
+    static std::vector<std::string> field_names() {
+        std::vector<std::string> names;
+        for (SceneObjectKey const& key : scene_object_keys()) {
+            names.push_back(key.text.name);
+        }
+        return names;
+    }
+
+    void require_fields(std::vector<std::string> const& given) const {
+        for (SceneObjectKey const& key : scene_object_keys()) {
+            if (key.required && std::find(given.begin(), given.end(), key.text.name) == given.end()) {
+                faults_.push_back({line_, name_, std::nullopt, "no key " + key.text.name + ", expected one"});
+            }
+        }
+    }
+
+    /// Quoted text, or a plain word that YAML does not take for something else.
+    std::optional<std::string> text(YAML::Node const& node) const {
+        bool const is_text = node.IsScalar() && (is_quoted(node) || node.Tag().empty() ||
+                                                 (is_plain_scalar(node) && is_plain_text(node.Scalar())));
+        if (!is_text || node.Scalar().find_first_of("\t\r\n") != std::string::npos || first_bad_byte(node.Scalar())) {
+            return std::nullopt;
+        }
+        return node.Scalar();
+    }
+
+    std::string beside_folder(std::string const& path) const { return (folder_ / path).lexically_normal().string(); }
+
+    std::string name_;
+    int line_;
+    std::filesystem::path const& folder_;
+    KeyFaults& faults_;
+};
+
+}  // namespace
+
+std::optional<KeyValue> read_value(Key const& key, YAML::Node const& node, int line,
+                                   std::filesystem::path const& folder, KeyFaults& faults) {
+    return Reader(key.name(), line, folder, faults).read(key, node);
+}
+
+std::vector<MapEntry> read_entries(YAML::Node const& map, std::string const& prefix, KeyFaults& faults) {
+    std::vector<MapEntry> entries;
+    std::map<std::string, int> first_lines;
+    for (auto const& pair : map) {
+        int const line = line_of(pair.first, line_of(map, 1));
+        if (!pair.first.IsScalar()) {
+            faults.push_back({line, prefix + shown(pair.first), std::nullopt, "not a name, expected a key"});
+            continue;
+        }
+        std::string const name = pair.first.Scalar();
+        auto const [first, is_new] = first_lines.try_emplace(name, line);
+        if (!is_new) {
+            faults.push_back({line, prefix + shortened(name), std::nullopt,
+                              fmt::format("stands twice, expected once (first in line {})", first->second)});
+            continue;
+        }
+        entries.push_back({name, line, pair.second});
+    }
+    return entries;
+}
+
+std::string shown(YAML::Node const& node) {
+    switch (node.Type()) {
+        case YAML::NodeType::Map:
+            return "a map";
+        case YAML::NodeType::Sequence:
+            return fmt::format("a list of {}", node.size());
+        case YAML::NodeType::Scalar:
+            break;
+        default:
+            return "nothing";
+    }
+    if (is_quoted(node)) {
+        return '"' + shortened(node.Scalar()) + '"';
+    }
+    return shortened(is_plain_scalar(node) ? node.Scalar() : node.Tag() + ' ' + node.Scalar());
+}
+
+}  // namespace faster

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/replay/recorded_run.hpp"
+
+namespace faster::events {
+
+/// An event file (docs/formats.md, "Event files"): all that a run did, without the time it took, and what came of it.
+struct EventFile {
+    LoadedConfig loaded;  ///< of the recorded run; the engine, which changes nothing, has its default
+    retiming::RecordedRun run;
+    std::string summary;  ///< the recorded run's summary.json, without host times
+    std::vector<SampleStatistics> samples;
+};
+
+/// Writes the file: complete or not at all, the operations of one sample after the other. `summary` is the summary.json
+/// of a run that did not deadlock. Both engines write the same bytes.
+void write_event_file(io::OutputFile const& file, RunConfig const& config, retiming::RecordedRun const& run,
+                      RunStatistics const& statistics, std::string const& summary);
+
+/// Reads all but the operations, which stay in the file until they are needed. Throws InputError for what is no event
+/// file, of another version, cut off or damaged.
+EventFile read_event_file(std::filesystem::path const& path);
+
+}  // namespace faster::events

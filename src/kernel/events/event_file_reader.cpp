@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+#include <fstream>
+
+#include "faster/parts.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/files/zstd_frame.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/config_sources.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/event_file_format.hpp"
+#include "kernel/events/machine_json.hpp"
+
+namespace faster::events {
+
+namespace {
+
+constexpr std::size_t most_header_bytes = std::size_t{1} << 24;
+constexpr std::size_t most_index_bytes = std::size_t{1} << 32;
+constexpr std::uint64_t most_block_bytes = std::uint64_t{1} << 28;
+
+/// Reads an event file from both ends.
+class Reader {
+  public:
+    explicit Reader(std::filesystem::path const& path) : path_(path) {
+        io::require_file(path);
+        stream_.open(path, std::ios::binary | std::ios::ate);
+        size_ = stream_ ? static_cast<std::uint64_t>(stream_.tellg()) : 0;
+    }
+
+    EventFile read() {
+        EventFile file;
+        read_opening();
+        read_closing();
+        try {
+            Json const index = frame_at(index_at_, index_bytes_, most_index_bytes, "index");
+            Json const header = frame_at(opening_bytes, header_bytes_, most_header_bytes, "header");
+            if (index.at("header_checksum") != header_checksum_)
+                fail("its header does not belong to its index, expected both from one run");
+            read_configuration(header.at("configuration"), file.loaded);
+            read_machine(header.at("machine"), Parts(file.loaded.config.accelerator), file.run);
+            read_samples(index.at("samples"), file);
+            file.summary = index.at("summary").dump();
+        } catch (Json::exception const& error) {
+            fail_version(error.what());
+        } catch (std::invalid_argument const& error) {
+            fail_version(error.what());
+        }
+        return file;
+    }
+
+  private:
+    [[noreturn]] void fail(std::string const& what) const { throw InputError(path_.string() + ": " + what); }
+    [[noreturn]] void fail_version(std::string const& what) const {
+        fail(fmt::format(
+            "is not as this faster-sim writes it ({}), expected a file of the same version; record it anew", what));
+    }
+
+    std::string bytes_at(std::uint64_t at, std::uint64_t count) {
+        std::string bytes(count, '\0');
+        stream_.seekg(static_cast<std::streamoff>(at));
+        stream_.read(bytes.data(), static_cast<std::streamsize>(count));
+        if (!stream_)
+            fail("cannot be read, expected a readable file");
+        return bytes;
+    }
+
+    void read_opening() {
+        constexpr char const* expected = "is no event file, expected what faster-sim run --events wrote";
+        if (size_ < opening_bytes)
+            fail(expected);
+        std::string const bytes = bytes_at(0, opening_bytes);
+        std::string_view const view = bytes;
+        if (view.substr(0, opening_mark.size()) != opening_mark)
+            fail(expected);
+        auto const version = from_little_endian<std::uint32_t>(view.substr(8));
+        if (version != format_version)
+            fail(fmt::format("is an event file of version {}, expected version {}", version, format_version));
+        header_bytes_ = from_little_endian<std::uint32_t>(view.substr(12));
+    }
+
+    void read_closing() {
+        constexpr char const* cut_off = "is cut off, expected the whole file that faster-sim run --events wrote";
+        if (size_ < opening_bytes + closing_bytes)
+            fail(cut_off);
+        std::string const bytes = bytes_at(size_ - closing_bytes, closing_bytes);
+        std::string_view const view = bytes;
+        if (view.substr(16) != closing_mark)
+            fail(cut_off);
+        index_at_ = from_little_endian<std::uint64_t>(view);
+        index_bytes_ = from_little_endian<std::uint64_t>(view.substr(8));
+        std::uint64_t const end = size_ - closing_bytes;
+        if (index_at_ > end || index_bytes_ != end - index_at_ ||
+            index_at_ < opening_bytes + std::uint64_t{header_bytes_})
+            fail("is damaged: its parts do not add up to its size, expected the file as it was written");
+    }
+
+    Json frame_at(std::uint64_t at, std::uint64_t bytes, std::size_t most, char const* what) {
+        std::string const frame = bytes_at(at, bytes);
+        auto const content = io::content_of_zstd_frame(frame, most);
+        if (!content)
+            fail(fmt::format("its {} is damaged, expected the file as it was written", what));
+        header_checksum_ = io::checksum_of_zstd_frame(frame);
+        return Json::parse(*content);
+    }
+
+    void read_configuration(Json const& values, LoadedConfig& loaded) {
+        RunConfig const defaults;
+        for (Key const& key : all_keys()) {
+            if (key.name() == "simulation.engine")
+                continue;
+            Json const& value = values.at(key.name());
+            std::string const text = value.is_string() ? value.get<std::string>() : value.dump();
+            for (std::string const& complaint : apply_override(key.name() + "=" + text, loaded))
+                throw std::invalid_argument(complaint);
+            bool const is_default = json_text(key.read(loaded.config)) == json_text(key.read(defaults));
+            loaded.origins.record(key.name(), is_default ? KeyOrigin{} : KeyOrigin{KeySource::file, path_.string()});
+        }
+        if (values.size() != all_keys().size() - 1)
+            throw std::invalid_argument("it has other keys");
+    }
+
+    void read_samples(Json const& rows, EventFile& file) {
+        std::vector<retiming::OperationTape::Block> blocks;
+        std::uint64_t at = opening_bytes + std::uint64_t{header_bytes_};
+        for (Json const& row : rows) {
+            auto const value = [&row](std::size_t i) { return row.at(i).get<std::uint64_t>(); };
+            if (value(0) > index_at_ - at || value(1) > most_block_bytes)
+                fail("is damaged: its samples do not add up to its size, expected the file as it was written");
+            blocks.push_back({at, value(0), value(1), row.at(2).get<std::uint32_t>()});
+            at += value(0);
+            file.samples.push_back({file.samples.size(),
+                                    value(3),
+                                    value(4),
+                                    value(5),
+                                    {value(6), value(7), value(8), value(9), value(10)}});
+            file.run.counters.push_back(file.samples.back().counters);
+        }
+        if (at != index_at_)
+            fail("is damaged: its samples do not add up to its size, expected the file as it was written");
+        file.run.tape = retiming::OperationTape(path_, std::move(blocks));
+    }
+
+    std::filesystem::path path_;
+    std::ifstream stream_;
+    std::uint64_t size_ = 0;
+    std::uint32_t header_bytes_ = 0;
+    std::uint32_t header_checksum_ = 0;
+    std::uint64_t index_at_ = 0;
+    std::uint64_t index_bytes_ = 0;
+};
+
+}  // namespace
+
+EventFile read_event_file(std::filesystem::path const& path) { return Reader(path).read(); }
+
+}  // namespace faster::events

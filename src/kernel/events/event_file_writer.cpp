@@ -1,0 +1,83 @@
+#include <ostream>
+
+#include "kernel/base/files/zstd_frame.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/event_file_format.hpp"
+#include "kernel/events/machine_json.hpp"
+
+namespace faster::events {
+
+namespace {
+
+Json configuration_json(RunConfig const& config) {
+    Json keys = Json::object();
+    for (ResolvedKey const& key : resolved_keys(config))
+        if (key.key != "simulation.engine")
+            keys[key.key] = Json::parse(json_text(key.value));
+    return keys;
+}
+
+std::string header_of(RunConfig const& config, retiming::RecordedRun const& run) {
+    Json header;
+    header["format"] = "faster-events";
+    header["version"] = format_version;
+    header["configuration"] = configuration_json(config);
+    header["machine"] = machine_json(*run.blueprint);
+    return header.dump();
+}
+
+Json sample_json(retiming::OperationTape::Block const& block, SampleStatistics const& sample) {
+    return {block.bytes,
+            block.content_bytes,
+            block.checksum,
+            sample.core,
+            sample.start_cycle,
+            sample.end_cycle,
+            sample.counters.valid_raster,
+            sample.counters.valid_depth,
+            sample.counters.inlier,
+            sample.counters.valid_edge,
+            sample.counters.edge_inlier};
+}
+
+std::string index_of_file(std::string const& header, retiming::RecordedRun const& run, RunStatistics const& statistics,
+                          std::string const& summary) {
+    Json index;
+    index["header_checksum"] = io::checksum_of_zstd_frame(header);
+    index["summary"] = Json::parse(summary);
+    index["summary"].erase("host");
+    index["summary"]["configuration"].erase("simulation.engine");
+    index["samples"] = Json::array();
+    for (std::size_t i = 0; i < statistics.samples.size(); ++i)
+        index["samples"].push_back(sample_json(run.tape.blocks()[i], statistics.samples[i]));
+    return index.dump();
+}
+
+void put(std::string_view bytes, std::ostream& stream) {
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+void write_event_file(io::OutputFile const& file, RunConfig const& config, retiming::RecordedRun const& run,
+                      RunStatistics const& statistics, std::string const& summary) {
+    file.commit([&](std::ostream& stream) {
+        io::ZstdPress press;
+        std::string const header = press.frame(header_of(config, run));
+        put(std::string(opening_mark) + little_endian(format_version), stream);
+        put(little_endian(static_cast<std::uint32_t>(header.size())) + header, stream);
+        std::uint64_t at = opening_bytes + header.size();
+        retiming::OperationTape::Bytes block;
+        for (std::size_t i = 0; i < run.tape.samples(); ++i) {
+            run.tape.read_block(i, block);
+            put({block.data(), block.size()}, stream);
+            at += block.size();
+        }
+        std::string const index = press.frame(index_of_file(header, run, statistics, summary));
+        put(index + little_endian(at) + little_endian(std::uint64_t{index.size()}), stream);
+        put(closing_mark, stream);
+    });
+}
+
+}  // namespace faster::events

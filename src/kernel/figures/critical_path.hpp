@@ -1,0 +1,46 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "faster/machine.hpp"
+#include "kernel/base/cycles.hpp"
+
+namespace faster {
+
+/// What the critical path spends a cycle with.
+enum class PathCause : std::size_t {
+    busy,           ///< an operation, or an iteration at its target interval
+    fill_drain,     ///< a pipeline fills or empties; a token goes through the reciprocal unit
+    setup,          ///< the rasterizer prepares a triangle
+    port_conflict,  ///< a block RAM has too few ports for the target interval
+    recurrence,     ///< a loop-carried dependence forbids the target interval
+    read_latency,   ///< a token that is waited for goes through a FIFO
+    backpressure,   ///< a token that was waited for has been read: its place in the FIFO is free a cycle later
+};
+constexpr std::size_t path_cause_count = 7;
+constexpr std::array<char const*, path_cause_count> path_cause_names{
+    "busy", "fill_drain", "setup", "port_conflict", "recurrence", "read_latency", "backpressure"};
+
+inline char const* name_of(PathCause cause) { return path_cause_names[index_of(cause)]; }
+
+/// Cycles of the critical path that go into one thing.
+struct PathRow {
+    ModuleId module = ModuleId::sample_dispatcher;
+    std::optional<LoopId> loop;  ///< none: outside loops
+    PathCause cause = PathCause::busy;
+    std::optional<FifoId> fifo;  ///< of read_latency and backpressure
+    std::string bram;            ///< of port_conflict
+    Cycles cycles = 0;
+    std::uint64_t crossings = 0;  ///< of read_latency and backpressure: how often the path leaves the module there
+};
+
+/// Along which operations total_cycles came about, in the core that ended last: from the last result's read back, each
+/// process until it last waited, then the one that it waited for. The rows add up to total_cycles.
+struct CriticalPath {
+    std::size_t core = 0;
+    std::vector<PathRow> rows;  ///< the largest first
+};
+
+}  // namespace faster

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster {
+
+/// One thing that the cycles of a process go into. A loop counts with all cycles of its iterations, those that a port
+/// conflict or a recurrence costs included.
+struct Cause {
+    enum class Kind { loop, stall, setup, fill_drain, idle, between_loops };
+    Kind kind = Kind::loop;
+    std::size_t item = 0;      ///< number of a LoopId or FifoId
+    Cycles cycles = 0;         ///< of one core
+    Cycles port_conflict = 0;  ///< of them, in a loop
+    Cycles recurrence = 0;
+};
+
+/// What a run is bound by: of the core that ends last, the module that waits least, and what its time goes into.
+struct Diagnosis {
+    std::size_t core = 0;
+    std::size_t module = 0;
+    Cycles cycles = 0;          ///< total_cycles of the run
+    Cycles waits = 0;           ///< of them, in which the module stalls or is idle
+    std::vector<Cause> causes;  ///< the largest first; they add up to cycles
+};
+
+Diagnosis diagnose(RunStatistics const& run);
+
+}  // namespace faster

@@ -1,0 +1,70 @@
+#include "kernel/figures/run_statistics.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace faster {
+
+Cycles RunStatistics::deadlock_cycle() const {
+    Cycles latest = 0;
+    for (StuckProcess const& process : stuck)
+        latest = std::max(latest, process.since_cycle);
+    return latest;
+}
+
+std::vector<StuckProcess> RunStatistics::wait_cycle() const {
+    auto const successor = [this](StuckProcess const& process) {
+        return std::find_if(stuck.begin(), stuck.end(), [&process](StuckProcess const& other) {
+            return other.core == process.core && other.process == process.waits_for;
+        });
+    };
+    for (auto start = stuck.begin(); start != stuck.end(); ++start) {
+        std::vector<StuckProcess> path;
+        auto at = start;
+        do {
+            path.push_back(*at);
+            at = successor(*at);
+        } while (at != stuck.end() && at != start && path.size() <= stuck.size());
+        if (at == start)
+            return path;
+    }
+    return {};
+}
+
+namespace {
+template <std::size_t N> void add(std::array<Cycles, N>& sum, std::array<Cycles, N> const& cycles) {
+    std::transform(sum.begin(), sum.end(), cycles.begin(), sum.begin(), std::plus<>());
+}
+}  // namespace
+
+Cycles port_conflict_cycles(CoreStatistics const& core, BramId id) {
+    Cycles conflicts = 0;
+    for (LoopStatistics const& loop : core.loops)
+        conflicts += loop.limited_by == name_of(id) ? loop.port_conflict_cycles : 0;
+    return conflicts;
+}
+
+ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
+    ProcessStatistics sum;
+    for (CoreStatistics const& core : run.cores) {
+        ProcessStatistics const& process = core.processes[module];
+        add(sum.cycles, process.cycles);
+        add(sum.stalls, process.stalls);
+        add(sum.port_conflicts, process.port_conflicts);
+    }
+    return sum;
+}
+
+std::string leftover_tokens(RunStatistics const& run) {
+    std::string text;
+    for (std::size_t core = 0; core < run.cores.size(); ++core)
+        for (std::size_t i = 0; i < fifo_count; ++i) {
+            FifoStatistics const& fifo = run.cores[core].fifos[i];
+            if (fifo.writes != fifo.reads)
+                text += (text.empty() ? "" : ", ") + std::string(fifo_names[i]) + " of core " + std::to_string(core) +
+                        " (" + std::to_string(fifo.writes - fifo.reads) + ")";
+        }
+    return text;
+}
+
+}  // namespace faster

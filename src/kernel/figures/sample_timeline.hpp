@@ -1,0 +1,38 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "faster/machine.hpp"
+#include "kernel/base/cycles.hpp"
+
+namespace faster {
+
+/// What one module did from one cycle to another.
+struct TimelineSpan {
+    enum class Kind { loop, empty_stall, full_stall };
+    std::size_t module = 0;  ///< number of a ModuleId
+    Kind kind = Kind::loop;
+    std::size_t item = 0;  ///< number of the LoopId, or of the FifoId that caused the stall
+    Cycles begin = 0;
+    Cycles end = 0;    ///< one past the last cycle
+    Cycles count = 0;  ///< iterations of a loop; stalled cycles: short stalls on one FIFO close together are one span
+};
+
+/// Tokens in a FIFO from a cycle on.
+struct OccupancyPoint {
+    Cycles cycle = 0;
+    std::uint64_t tokens = 0;
+};
+
+/// What all modules of a core did while it scored one sample. Stalls lie inside the loops they interrupt.
+struct SampleTimeline {
+    std::uint64_t core = 0;
+    std::uint64_t sample = 0;
+    Cycles begin = 0;                 ///< the rasterizer reads the sample's header
+    Cycles end = 0;                   ///< one past the cycle in which the collector reads its result
+    std::vector<TimelineSpan> spans;  ///< by begin
+    std::array<std::vector<OccupancyPoint>, fifo_count> occupancy;
+};
+
+}  // namespace faster

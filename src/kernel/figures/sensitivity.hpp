@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "kernel/base/cycles.hpp"
+
+namespace faster {
+
+/// Why a key has no more slack than it has.
+enum class SlackEnd {
+    costs,    ///< one more makes the run longer, or deadlock
+    invalid,  ///< the configuration does not allow one more
+    limit,    ///< one more was not tried
+};
+
+/// The largest change of a timing key in one direction that costs nothing, all else equal.
+struct Slack {
+    std::int64_t change = 0;
+    SlackEnd end = SlackEnd::costs;
+};
+
+/// What one step of a timing key does to total_cycles, all else equal.
+struct SensitivityStep {
+    bool valid = false;  ///< the configuration allows it
+    bool deadlocks = false;
+    Cycles total_cycles = 0;       ///< if valid and not deadlocked
+    std::optional<Slack> slack{};  ///< in this direction, if asked for
+};
+
+/// One timing key, a step down and a step up.
+struct Sensitivity {
+    std::string key;
+    std::int64_t value = 0;
+    SensitivityStep down;  ///< value - 1
+    SensitivityStep up;    ///< value + 1
+};
+
+}  // namespace faster

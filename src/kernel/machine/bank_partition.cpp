@@ -1,0 +1,100 @@
+#include "kernel/machine/bank_partition.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace faster {
+namespace {
+
+std::uint64_t banks_along(std::uint64_t dimension, PartitionConfig const& config) {
+    bool const is_split =
+        config.type != PartitionType::none && (config.dimension == 0 || config.dimension == dimension);
+    return is_split ? config.factor : 1;
+}
+
+std::int64_t largest_share(int side, std::uint64_t banks) {
+    auto const parts = static_cast<std::int64_t>(banks);
+    return (side + parts - 1) / parts;
+}
+
+/// Remainder of 0 .. divisor - 1, of negative offsets too.
+std::int64_t modulo(std::int64_t value, std::uint64_t divisor) {
+    auto const m = static_cast<std::int64_t>(divisor);
+    return ((value % m) + m) % m;
+}
+
+std::vector<PixelOffset> all_accesses(AccessPattern const& pattern) {
+    std::vector<PixelOffset> all = pattern.reads;
+    all.insert(all.end(), pattern.writes.begin(), pattern.writes.end());
+    return all;
+}
+
+}  // namespace
+
+BankPartition::BankPartition(PartitionConfig const& config, int side)
+    : type_(config.type),
+      row_banks_(banks_along(1, config)),
+      col_banks_(banks_along(2, config)),
+      block_rows_(largest_share(side, row_banks_)),
+      block_cols_(largest_share(side, col_banks_)) {}
+
+std::uint64_t BankPartition::bank_words() const { return static_cast<std::uint64_t>(block_rows_ * block_cols_); }
+
+std::uint64_t BankPartition::bank_of(std::int64_t row, std::int64_t col) const {
+    bool const is_block = type_ == PartitionType::block;
+    std::int64_t const row_bank = is_block ? row / block_rows_ : modulo(row, row_banks_);
+    std::int64_t const col_bank = is_block ? col / block_cols_ : modulo(col, col_banks_);
+    return static_cast<std::uint64_t>(row_bank) * col_banks_ + static_cast<std::uint64_t>(col_bank);
+}
+
+PixelOffset BankPartition::word_of(std::uint64_t bank, std::uint64_t index) const {
+    auto const place = [this](std::uint64_t in_bank, std::uint64_t of_dimension, std::uint64_t banks,
+                              std::int64_t length) {
+        std::uint64_t const block = of_dimension * static_cast<std::uint64_t>(length);
+        return static_cast<int>(type_ == PartitionType::block ? block + in_bank : in_bank * banks + of_dimension);
+    };
+    auto const cols = static_cast<std::uint64_t>(block_cols_);
+    return {place(index / cols, bank / col_banks_, row_banks_, block_rows_),
+            place(index % cols, bank % col_banks_, col_banks_, block_cols_)};
+}
+
+std::uint64_t BankPartition::accesses_per_bank(AccessPattern const& pattern) const {
+    if (banks() == 1)
+        return pattern.accesses();
+    return type_ == PartitionType::block ? most_in_block(pattern) : most_in_cycle(pattern);
+}
+
+/// Moving the pixel only renames the banks.
+std::uint64_t BankPartition::most_in_cycle(AccessPattern const& pattern) const {
+    std::map<std::uint64_t, std::uint64_t> accesses;
+    std::uint64_t most = 0;
+    for (PixelOffset const offset : all_accesses(pattern))
+        most = std::max(most, ++accesses[bank_of(offset.row, offset.col)]);
+    return most;
+}
+
+/// A bank is a rectangle, and the pixel may lie anywhere before, in and behind it. The fullest place has an access in
+/// its first row and one in its first column: else it could be moved without losing any.
+std::uint64_t BankPartition::most_in_block(AccessPattern const& pattern) const {
+    std::vector<PixelOffset> const all = all_accesses(pattern);
+    std::set<int> rows;
+    std::set<int> cols;
+    for (PixelOffset const offset : all) {
+        rows.insert(offset.row);
+        cols.insert(offset.col);
+    }
+    auto const is_in = [](int at, int first, std::int64_t length, std::uint64_t banks) {
+        return banks == 1 || (at >= first && at < first + length);
+    };
+    std::int64_t most = 0;
+    for (int const row : rows)
+        for (int const col : cols)
+            most = std::max<std::int64_t>(most, std::count_if(all.begin(), all.end(), [&](PixelOffset offset) {
+                                              return is_in(offset.row, row, block_rows_, row_banks_) &&
+                                                     is_in(offset.col, col, block_cols_, col_banks_);
+                                          }));
+    return static_cast<std::uint64_t>(most);
+}
+
+}  // namespace faster

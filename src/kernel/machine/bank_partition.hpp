@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+
+#include "kernel/machine/access_pattern.hpp"
+#include "kernel/machine/partition_config.hpp"
+
+namespace faster {
+
+/// The banks of a memory of `side` x `side` words. A bank has the ports of a memory to itself.
+///
+/// Cyclic with factor F: rows r, r + F, r + 2F, ... share a bank (dimension 1; 2: columns; 0: both, in F x F banks).
+/// Block: so do the first ceil(side / F) rows, then the next. Source: array_partition of Vitis HLS.
+class BankPartition {
+  public:
+    BankPartition(PartitionConfig const& config, int side);
+
+    std::uint64_t banks() const { return row_banks_ * col_banks_; }
+
+    /// Words of the largest bank.
+    std::uint64_t bank_words() const;
+
+    /// The bank of a word of the memory, from 0 on, row by row.
+    std::uint64_t bank_of(std::int64_t row, std::int64_t col) const;
+
+    /// The `index`-th word of a bank, counted row by row over a bank of bank_words(); it may lie beyond the memory, or
+    /// be another bank's, where banks are not alike. bank_of() tells.
+    PixelOffset word_of(std::uint64_t bank, std::uint64_t index) const;
+
+    /// Most accesses of `pattern` that fall into one bank, wherever in the memory the iteration's pixel lies. A static
+    /// schedule has to provide for it. Words beyond the memory's border count: the schedule does not know the border.
+    std::uint64_t accesses_per_bank(AccessPattern const& pattern) const;
+
+  private:
+    std::uint64_t most_in_cycle(AccessPattern const& pattern) const;
+    std::uint64_t most_in_block(AccessPattern const& pattern) const;
+
+    PartitionType type_;
+    std::uint64_t row_banks_;
+    std::uint64_t col_banks_;
+    std::int64_t block_rows_;  ///< of the largest bank
+    std::int64_t block_cols_;
+};
+
+}  // namespace faster

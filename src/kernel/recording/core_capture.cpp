@@ -1,0 +1,143 @@
+#include "kernel/recording/core_capture.hpp"
+
+#include <algorithm>
+
+namespace faster::recording {
+
+using Kind = Event::Kind;
+using timing::ProcessTiming;
+
+CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample,
+                         std::uint64_t tokens_in_use, Spools& spools)
+    : core_(core), taps_(taps), first_sample_(first_sample), tokens_in_use_(tokens_in_use), spools_(spools) {
+    for (std::size_t loop = loop_count; loop-- > 0;)
+        first_loop_[index_of(loop_names[loop].module)] = static_cast<std::uint8_t>(loop);
+    for (ProcessTiming const& process : core.processes())
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            std::size_t const fifo = core.number_of(process.fifo(port));
+            fifo_at_[process.index()][port] = static_cast<std::uint8_t>(fifo);
+            if (process.writes(port))
+                writers_[fifo] = process.index();
+        }
+    take_down_state();
+    for (std::size_t i = 0; i < core.processes().size(); ++i)
+        core.process(i).set_observer(this);
+}
+
+void CoreCapture::take_down_state() {
+    for (ProcessTiming const& process : core_.processes()) {
+        take_down_tokens(process);
+        if (process.in_loop())
+            entered_loop(process, process.current_loop(), process.local_time());
+    }
+}
+
+/// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
+/// they are told as written and read before, the read a cycle later if events of one cycle come reader first.
+void CoreCapture::take_down_tokens(ProcessTiming const& process) {
+    struct Access {
+        Cycles cycle;
+        std::uint8_t fifo;
+        std::uint64_t number;
+        bool writes;
+    };
+    std::vector<Access> accesses;
+    for (unsigned port = 0; port < process.port_count(); ++port) {
+        timing::FifoTiming const& fifo = process.fifo(port);
+        std::uint8_t const number = fifo_at(process, port);
+        bool const writes = process.writes(port);
+        Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
+        Cycles const read_at = fifo.shape().issue_latency + (writers_[number] > process.index() ? 1 : 0);
+        for (std::uint64_t i = std::min(tokens_in_use_, fifo.reads()); i > 0; --i)
+            accesses.push_back({writes ? 0 : read_at, number, fifo.reads() - i, writes});
+        for (std::uint64_t i = 0; writes && i < fifo.known_reads(); ++i)
+            accesses.push_back({fifo.earliest_read(i) - latency, number, fifo.reads() + i, true});
+    }
+    std::stable_sort(accesses.begin(), accesses.end(),
+                     [](Access const& a, Access const& b) { return a.cycle < b.cycle; });
+    for (Access const& access : accesses)
+        access.writes ? put_write(process, access.fifo, access.number, access.cycle)
+                      : put_read(process, access.fifo, access.cycle);
+}
+
+void CoreCapture::put_read(ProcessTiming const& process, std::uint8_t fifo, Cycles cycle) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::read;
+    event.item = fifo;
+    put(process, event);
+}
+
+void CoreCapture::put(ProcessTiming const& process, Event const& event) {
+    if (event.cycle <= last_)
+        spools_[process.index()].put(event);
+}
+
+void CoreCapture::entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::enter;
+    event.item = static_cast<std::uint8_t>(first_loop_[process.index()] + loop);
+    put(process, event);
+}
+
+void CoreCapture::left_loop(ProcessTiming const& process, Cycles cycle) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::leave;
+    put(process, event);
+}
+
+void CoreCapture::iterated(ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
+                           Cycles stride) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::iterate;
+    event.value = static_cast<std::int64_t>(first);
+    event.count = count;
+    event.stride = static_cast<std::uint32_t>(stride);
+    put(process, event);
+}
+
+void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) {
+    Event event;
+    event.cycle = from;
+    event.kind = Kind::stall;
+    event.item = fifo_at(process, port);
+    event.value = static_cast<std::int64_t>(until);
+    put(process, event);
+}
+
+void CoreCapture::accessed(ProcessTiming const& process, std::uint8_t ports, Cycles cycle) {
+    for (unsigned port = 0; port < process.port_count(); ++port) {
+        if (((ports >> port) & 1U) == 0)
+            continue;
+        if (process.writes(port)) {
+            put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
+            continue;
+        }
+        put_read(process, fifo_at(process, port), cycle);
+    }
+}
+
+void CoreCapture::put_write(ProcessTiming const& process, std::uint8_t fifo, std::uint64_t number, Cycles cycle) {
+    std::int64_t const* const values = taps_[fifo].token(number);
+    Event event;
+    event.cycle = cycle;
+    event.item = fifo;
+    for (std::size_t i = 0; i < taps_[fifo].layout().size(); ++i) {
+        event.kind = i == 0 ? Kind::write : Kind::field;
+        event.value = values[i];
+        put(process, event);
+    }
+}
+
+void CoreCapture::stamped(ProcessTiming const& process, Cycles cycle) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = Kind::stamp;
+    event.value = static_cast<std::int64_t>(first_sample_ + process.stamps().size() - 1);
+    put(process, event);
+}
+
+}  // namespace faster::recording

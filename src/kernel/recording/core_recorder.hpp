@@ -1,0 +1,67 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "kernel/recording/core_capture.hpp"
+#include "kernel/recording/recording_window.hpp"
+#include "modules/raster_core.hpp"
+
+namespace faster::recording {
+
+/// Records a window of one core's run, whatever the engine. The run itself goes on undisturbed: its processes'
+/// operations are taped as well, and a copy of the core's timing, made at a sample's begin before the window, works
+/// them out once more, step by step. Nothing before the last sample begin that is surely earlier than the window is
+/// worked out twice.
+class CoreRecorder {
+  public:
+    CoreRecorder(RasterCore& core, RecordingWindow const& window);
+
+    /// False if the core scores none of the wanted samples.
+    bool records() const { return phase_ != Phase::done; }
+    /// The core is wired up, and nothing has happened yet.
+    void before_start();
+    /// The rasterizer is about to begin the i-th sample of the core.
+    void sample_begins(std::size_t i);
+    /// The run is over.
+    void finish();
+
+    Spools& spools() { return spools_; }
+    /// First and last cycle wanted; known after finish().
+    Cycles from() const { return from_.value_or(~Cycles{0}); }
+    Cycles to() const { return to_.value_or(~Cycles{0}); }
+
+  private:
+    using Tape = std::vector<timing::OperationLog>;  // by process
+    /// The core as it stood at a sample's begin, and what its processes have said since, up to the next.
+    struct Checkpoint {
+        std::unique_ptr<timing::CoreTiming> timing;
+        Tape tape;
+        Cycles latest = 0;  ///< nothing has happened after it
+    };
+    enum class Phase { waiting, recording, done };
+
+    void make_checkpoint();
+    void drop_checkpoints(std::size_t i);
+    void learn_window();
+    void start();
+    void feed();
+    void stop();
+    void tape_to(Tape* tape);
+    std::size_t longest_lead() const;
+    std::uint64_t tokens_in_use() const;
+
+    RasterCore& core_;
+    std::optional<RecordingWindow::Samples> samples_;  ///< of the core, from 0
+    std::optional<Cycles> from_;
+    std::optional<Cycles> to_;
+    Phase phase_ = Phase::waiting;
+    std::deque<Checkpoint> checkpoints_;
+    Tape* taped_to_ = nullptr;
+    std::vector<TokenTap> taps_;  // by FifoId
+    Spools spools_;
+    std::unique_ptr<timing::CoreTiming> detail_;  ///< observed
+    std::unique_ptr<CoreCapture> capture_;
+};
+
+}  // namespace faster::recording

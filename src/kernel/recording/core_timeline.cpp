@@ -1,0 +1,174 @@
+#include "kernel/recording/core_timeline.hpp"
+
+#include <algorithm>
+
+#include "faster/parts.hpp"
+
+namespace faster::recording {
+
+namespace {
+
+using Kind = Event::Kind;
+
+class TimelineMaker {
+  public:
+    TimelineMaker(RecordedCore const& core, TimelineGrain const& grain) : core_(core), grain_(grain) {
+        timeline_.core = core.core;
+        timeline_.parts = core.parts;
+    }
+
+    void take(CoreEvent const& event);
+    CoreTimeline finish();
+
+  private:
+    struct Open {
+        TimelineSpan span;
+        bool is_open = false;
+    };
+    /// The largest occupancy of the bucket at hand.
+    struct Occupancy {
+        std::uint64_t tokens = 0;
+        std::uint64_t largest = 0;
+        Cycles bucket = 0;
+    };
+
+    void close(Open& open, Cycles end);
+    void take_stall(std::size_t module, Event const& event);
+    void take_stamp(std::size_t module, Event const& event);
+    void change_occupancy(std::size_t fifo, Cycles cycle, int change);
+    void put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens);
+
+    RecordedCore const& core_;
+    TimelineGrain grain_;
+    CoreTimeline timeline_;
+    std::array<Open, module_count> loops_;
+    std::array<Open, module_count> stalls_;
+    std::array<Occupancy, fifo_count> occupancy_;
+};
+
+/// Adds the part of a span that lies in the window.
+void TimelineMaker::close(Open& open, Cycles end) {
+    if (!open.is_open)
+        return;
+    open.is_open = false;
+    open.span.end = std::min(end, core_.to + 1);
+    open.span.begin = std::max(open.span.begin, core_.from);
+    if (open.span.begin < open.span.end)
+        timeline_.spans.push_back(open.span);
+}
+
+void TimelineMaker::take(CoreEvent const& core_event) {
+    Event const& event = core_event.event;
+    std::size_t const module = core_event.module;
+    switch (event.kind) {
+        case Kind::enter:
+            close(stalls_[module], event.cycle);
+            loops_[module] = {{module, TimelineSpan::Kind::loop, event.item, event.cycle, 0, 0}, true};
+            break;
+        case Kind::leave:
+            close(stalls_[module], stalls_[module].span.end);
+            close(loops_[module], event.cycle);
+            break;
+        case Kind::iterate:
+            ++loops_[module].span.count;
+            break;
+        case Kind::stall:
+            take_stall(module, event);
+            break;
+        case Kind::read:
+            change_occupancy(event.item, event.cycle, -1);
+            break;
+        case Kind::write:
+            change_occupancy(event.item, event.cycle, 1);
+            break;
+        case Kind::stamp:
+            take_stamp(module, event);
+            break;
+        case Kind::resume:
+        case Kind::field:
+            break;
+    }
+}
+
+void TimelineMaker::take_stall(std::size_t module, Event const& event) {
+    Open& open = stalls_[module];
+    auto const until = static_cast<Cycles>(event.value);
+    bool const goes_on =
+        open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
+    if (!goes_on) {
+        close(open, open.span.end);
+        bool const writes = index_of(ends_of(core_.parts, FifoId{event.item}).writer) == module;
+        auto const kind = writes ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
+        open = {{module, kind, event.item, event.cycle, 0, 0}, true};
+    }
+    open.span.end = until;
+    Cycles const begin = std::max(event.cycle, core_.from);
+    Cycles const end = std::min(until, core_.to + 1);
+    open.span.count += begin < end ? end - begin : 0;
+}
+
+void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
+    auto const sample = static_cast<std::size_t>(event.value);
+    if (event.cycle < core_.from || event.cycle > core_.to)
+        return;
+    if (module == index_of(ModuleId::rasterizer)) {
+        timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
+        return;
+    }
+    for (CoreTimeline::Sample& begun : timeline_.samples)
+        if (begun.sample == sample)
+            begun = {sample, begun.begin, event.cycle + 1, true};
+}
+
+void TimelineMaker::change_occupancy(std::size_t fifo, Cycles cycle, int change) {
+    Occupancy& now = occupancy_[fifo];
+    Cycles const bucket = cycle / grain_.occupancy_bucket;
+    if (bucket != now.bucket) {
+        put_occupancy(fifo, now.bucket * grain_.occupancy_bucket, now.largest);
+        if (bucket > now.bucket + 1)
+            put_occupancy(fifo, (now.bucket + 1) * grain_.occupancy_bucket, now.tokens);
+        now.bucket = bucket;
+        now.largest = now.tokens;
+    }
+    now.tokens = change > 0 ? now.tokens + 1 : now.tokens - 1;
+    now.largest = std::max(now.largest, now.tokens);
+}
+
+void TimelineMaker::put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens) {
+    std::vector<OccupancyPoint>& points = timeline_.occupancy[fifo];
+    std::uint64_t const shown = std::min(tokens, core_.fifos[fifo].capacity);
+    if (cycle > core_.to)
+        return;
+    Cycles const at = std::max(cycle, core_.from);
+    if (!points.empty() && points.back().cycle == at)
+        points.back().tokens = shown;
+    else if (points.empty() || points.back().tokens != shown)
+        points.push_back({at, shown});
+}
+
+CoreTimeline TimelineMaker::finish() {
+    for (std::size_t module = 0; module < module_count; ++module) {
+        close(stalls_[module], stalls_[module].span.end);
+        close(loops_[module], core_.to + 1);
+    }
+    for (std::size_t const fifo : fifos_of(core_.parts)) {
+        Occupancy const& last = occupancy_[fifo];
+        put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
+        put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);
+    }
+    // What encloses others first.
+    std::stable_sort(timeline_.spans.begin(), timeline_.spans.end(), [](TimelineSpan const& a, TimelineSpan const& b) {
+        return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+    });
+    return std::move(timeline_);
+}
+
+}  // namespace
+
+CoreTimeline make_timeline(RecordedCore const& core, TimelineGrain const& grain) {
+    TimelineMaker maker(core, grain);
+    for_each_event({{0, core.spools}}, [&maker](CoreEvent const& event) { maker.take(event); });
+    return maker.finish();
+}
+
+}  // namespace faster::recording

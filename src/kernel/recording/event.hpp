@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+
+#include "kernel/base/cycles.hpp"
+
+namespace faster::recording {
+
+/// Something that a process did, as it is taken down. Its own cycles never go back.
+struct Event {
+    enum class Kind : std::uint8_t {
+        enter,    ///< a loop; item: LoopId
+        leave,    ///< the loop it is in
+        iterate,  ///< `count` iterations begin, numbered from `value`, `stride` cycles apart
+        stall,    ///< for the FIFO `item`, until cycle `value`
+        resume,   ///< made from a stall: its end
+        read,     ///< a token from FIFO `item`
+        write,    ///< a token into FIFO `item`; `value` is its first field, further fields follow
+        field,    ///< a further field of the token just written
+        stamp,    ///< the begin or end of sample number `value`
+    };
+    Cycles cycle = 0;
+    std::int64_t value = 0;
+    std::uint64_t count = 0;
+    std::uint32_t stride = 0;
+    Kind kind = Kind::stamp;
+    std::uint8_t item = 0;
+};
+
+}  // namespace faster::recording

@@ -1,0 +1,64 @@
+#include "kernel/recording/event_merge.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace faster::recording {
+
+namespace {
+
+/// The next event of one process, with what follows it in the same breath.
+struct Source {
+    std::size_t core;
+    std::size_t module;
+    EventStream stream;
+    Event event;
+    bool has_event = false;
+
+    Source(std::size_t core_number, std::size_t module_number, EventSpool& spool)
+        : core(core_number), module(module_number), stream(spool) {
+        has_event = stream.get(event);
+    }
+};
+
+/// Takes the next event out of a source, with all fields of a token.
+void take(Source& source, CoreEvent& event, TokenValues& fields) {
+    event = {source.core, source.module, source.event, nullptr};
+    source.has_event = source.stream.get(source.event);
+    if (event.event.kind != Event::Kind::write)
+        return;
+    fields.assign(1, event.event.value);
+    while (source.has_event && source.event.kind == Event::Kind::field) {
+        fields.push_back(source.event.value);
+        source.has_event = source.stream.get(source.event);
+    }
+    event.fields = &fields;
+}
+
+}  // namespace
+
+/// Cycle by cycle: many events share one, so that looking for the next cycle is done once for all of them.
+void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
+                    std::function<void(CoreEvent const&)> const& visit) {
+    std::vector<std::unique_ptr<Source>> sources;
+    for (auto const& [core, spools] : cores)
+        for (std::size_t module = 0; module < module_count; ++module)
+            sources.push_back(std::make_unique<Source>(core, module, (*spools)[module]));
+    TokenValues fields{};
+    CoreEvent event;
+    for (;;) {
+        Cycles cycle = ~Cycles{0};
+        for (auto const& source : sources)
+            if (source->has_event)
+                cycle = std::min(cycle, source->event.cycle);
+        if (cycle == ~Cycles{0})
+            return;
+        for (auto const& source : sources)
+            while (source->has_event && source->event.cycle <= cycle) {
+                take(*source, event, fields);
+                visit(event);
+            }
+    }
+}
+
+}  // namespace faster::recording

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "kernel/recording/event.hpp"
+
+namespace faster::recording {
+
+/// The events of one process, in order, a few bytes each. What does not fit into a small buffer waits in a temporary
+/// file. Errors: InputError if there is no room for it.
+class EventSpool {
+  public:
+    void put(Event const& event);
+    /// Goes back to the first event; nothing can be put any more.
+    void rewind();
+    /// The next event; false at the end.
+    bool get(Event& event);
+
+  private:
+    static constexpr std::size_t buffer_size = 1U << 18;
+    static constexpr std::size_t longest_event = 48;  // bytes
+
+    void put_number(std::uint64_t number) {
+        for (; number >= 0x80; number >>= 7)
+            *at_++ = static_cast<std::uint8_t>(number | 0x80U);
+        *at_++ = static_cast<std::uint8_t>(number);
+    }
+    std::uint64_t get_number() {
+        std::uint64_t number = 0;
+        for (unsigned shift = 0;; shift += 7) {
+            std::uint8_t const byte = *at_++;
+            number |= std::uint64_t{byte & 0x7FU} << shift;
+            if (byte < 0x80)
+                return number;
+        }
+    }
+    void spill();
+    void refill();
+
+    struct Closer {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::unique_ptr<std::FILE, Closer> file_;
+    std::vector<std::uint8_t> buffer_;
+    std::uint8_t* at_ = nullptr;
+    std::uint8_t* end_ = nullptr;     ///< of what is to be read, or of the room
+    Cycles cycle_ = 0;                ///< of the last event
+    std::vector<std::uint8_t> last_;  ///< put after the last spill
+};
+
+}  // namespace faster::recording

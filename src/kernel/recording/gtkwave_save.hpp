@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "kernel/recording/vcd_core.hpp"
+
+namespace faster::recording {
+
+/// Writes the GTKWave save file of a value change dump: signals in groups, numbers in sensible radices, states and
+/// stalls as text.
+void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig const& config,
+                        std::vector<RecordedCore> const& cores, SignalFilter const& filter);
+
+}  // namespace faster::recording

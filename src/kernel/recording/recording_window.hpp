@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+
+namespace faster::recording {
+
+/// Which part of a run is wanted. Without anything: all of it.
+struct RecordingWindow {
+    Cycles from = 0;
+    std::optional<Cycles> to;  ///< the last cycle
+    struct Samples {
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+    /// Instead of cycles: from the begin of the first sample of these that a core scores to the end of its last.
+    std::optional<Samples> samples;
+    std::vector<std::size_t> cores;  ///< empty: all
+};
+
+}  // namespace faster::recording

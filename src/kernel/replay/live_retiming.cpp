@@ -1,0 +1,116 @@
+#include "kernel/replay/live_retiming.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "kernel/replay/collect.hpp"
+#include "kernel/replay/core_variant.hpp"
+#include "kernel/replay/sample_cutter.hpp"
+#include "modules/core_shapes.hpp"
+
+namespace faster::retiming {
+
+class LiveRetiming::Window : public ScriptSource {
+  public:
+    Window(timing::PhraseBook const& book, std::size_t first) : book_(book), first_(first) {}
+
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return first_ + samples_.size(); }
+    ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample - first_]; }
+    void put(ScriptedSample sample) { samples_.push_back(std::move(sample)); }
+    void forget_before(std::size_t sample) {
+        for (; first_ < sample && !samples_.empty(); ++first_)
+            samples_.pop_front();
+    }
+
+  private:
+    timing::PhraseBook const& book_;
+    std::size_t first_;
+    std::deque<ScriptedSample> samples_;
+};
+
+struct LiveRetiming::Core {
+    Core(CoreShare its_share, timing::PhraseBook const& book, std::unique_ptr<timing::CoreTiming> its_timing)
+        : share(its_share),
+          timing(std::move(its_timing)),
+          window(book, share.first),
+          replay(
+              window, [this](std::size_t /*sample*/) { return std::move(plain); }, share, *timing) {}
+
+    /// As far as the next sample is known as well: the supplier is a sample ahead.
+    void put(ScriptedSample scripted) {
+        window.put(std::move(scripted));
+        std::size_t const end = window.size();
+        std::size_t const sure = end == share.first + share.count ? end : end - 1;
+        replay.go_on_to(sure);
+        window.forget_before(sure);
+    }
+    /// Nothing is scripted from the sample on.
+    void put(std::size_t sample, SampleOperations operations) {
+        replay.go_on_to(sample);
+        window.forget_before(sample);
+        plain = std::move(operations);
+        replay.go_on_to(sample + 1);
+    }
+
+    CoreShare share;
+    std::unique_ptr<timing::CoreTiming> timing;
+    Window window;
+    SampleOperations plain;  ///< of the sample at hand, if it is not scripted
+    Replay replay;
+};
+
+LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
+                           std::vector<CoreShare> const& shares)
+    : config_(config), lead_(blueprint, Parts(config)), cutter_(blueprint, rasterizer_and_followers(Parts(config))) {
+    auto const automaton = std::make_shared<timing::Automaton>(timing::Automaton::use_by(shares.size()));
+    for (CoreShare const& share : shares) {
+        std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, config);
+        timing->let_follow(rasterizer_and_followers(Parts(config)), automaton);
+        cores_.push_back(std::make_unique<Core>(share, book_, std::move(timing)));
+    }
+}
+
+LiveRetiming::~LiveRetiming() = default;
+
+LiveRetiming::Core& LiveRetiming::core_of(std::size_t sample) {
+    auto const has_it = [sample](std::unique_ptr<Core> const& core) {
+        return sample >= core->share.first && sample < core->share.first + core->share.count;
+    };
+    auto const core = std::find_if(cores_.begin(), cores_.end(), has_it);
+    if (core == cores_.end())
+        throw std::logic_error("a sample of no core");
+    return **core;
+}
+
+void LiveRetiming::put(std::size_t sample, ScriptedSample scripted, timing::PhraseBook const& book) {
+    Core& core = core_of(sample);
+    is_stuck_ = is_stuck_ || core.replay.is_stuck();
+    if (is_stuck_)
+        return;
+    if (book_.bytes() > most_bytes_of_phrases) {
+        core.put(sample, joined(scripted, book, lead_.group));
+        return;
+    }
+    std::size_t const known = book_.size();
+    scripted.renumber(book_.numbers_of(book));
+    cutter_.cut_from(book_, known);
+    core.put(std::move(scripted));
+}
+
+std::optional<RunStatistics> LiveRetiming::finish(std::vector<SampleCounters> const& counters) {
+    std::vector<FinishedCore> cores;
+    for (std::unique_ptr<Core> const& core : cores_) {
+        if (is_stuck_ || core->replay.is_stuck())
+            return std::nullopt;
+        core->timing->resolve();
+        cores.push_back({core->share, *core->timing, counters.data() + core->share.first});
+    }
+    RunStatistics run = collect(cores, config_);
+    if (run.deadlocked())
+        return std::nullopt;
+    return run;
+}
+
+}  // namespace faster::retiming

@@ -1,0 +1,88 @@
+#include "kernel/replay/operation_check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/each_bit.hpp"
+
+namespace faster::retiming {
+
+using timing::Operation;
+using Kind = Operation::Kind;
+
+bool OperationCheck::accepts(Operation const& operation) {
+    if (!has_ports(operation.all_ports()))
+        return false;
+    switch (operation.kind()) {
+        case Kind::wait:
+            return operation.all_ports() == 0 && accepts_wait(operation);
+        case Kind::step:
+            return !state_.in_loop && operation.ports() != 0 && operation.tail_ports() == 0;
+        case Kind::enter:
+            return operation.all_ports() == 0 && operation.count() < process_->loops().size() &&
+                   !std::exchange(state_.in_loop, true);
+        case Kind::leave:
+            return operation.all_ports() == 0 && std::exchange(state_.in_loop, false);
+        case Kind::iterate:
+        case Kind::flanked:
+            return state_.in_loop && can_iterate(operation.ports()) && can_iterate(operation.tail_ports()) &&
+                   accepts_iterations(operation);
+        case Kind::stamp:
+            return operation.all_ports() == 0 && !std::exchange(state_.stamped, true);
+        case Kind::mixed:
+            return state_.in_loop && can_iterate(operation.ports()) && accepts_mix(operation);
+    }
+    return false;
+}
+
+/// An iteration accesses few FIFOs, and reads or writes; more, and both, only in loops that prepare.
+bool OperationCheck::can_iterate(std::uint8_t ports) const {
+    unsigned reads = 0;
+    unsigned writes = 0;
+    for_each_bit(std::uint32_t{ports}, [&](unsigned port) { ++(process_->writes(port) ? writes : reads); });
+    return prepares_beside_loops() ||
+           (reads + writes <= timing::ProcessTiming::most_accesses && (reads == 0 || writes == 0));
+}
+
+bool OperationCheck::accepts_iterations(Operation const& operation) const {
+    bool const is_flanked = operation.kind() == Kind::flanked;
+    return is_flanked ? operation.count() > 1 && operation.ports() != 0 && operation.tail_ports() != 0
+                      : operation.count() > 0;
+}
+
+bool OperationCheck::accepts_mix(Operation const& operation) const {
+    return operation.ports() != 0 && operation.length() > 0 && operation.length() <= Operation::longest_mix &&
+           (operation.gaps() & ~Operation::gap_bits(1, operation.length())) == 0;
+}
+
+/// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun.
+bool OperationCheck::accepts_wait(Operation const& operation) {
+    if (operation.gap() <= Operation::whole_setup)
+        return !state_.in_loop;
+    if (operation.gap() > Operation::setup_end || !prepares_beside_loops())
+        return false;
+    state_.setups += operation.gap() == Operation::setup_begin ? 1 : -1;
+    return state_.in_loop && state_.setups >= 0;
+}
+
+/// Loops that read and write do, no others.
+bool OperationCheck::prepares_beside_loops() const {
+    auto const& loops = process_->loops();
+    return std::any_of(loops.begin(), loops.end(), [](timing::LoopShape const& loop) { return !loop.reads.empty(); });
+}
+
+bool OperationCheck::is_in_loop_at(Operation const& operation) {
+    switch (operation.kind()) {
+        case Kind::wait:
+            return operation.gap() > Operation::whole_setup;
+        case Kind::leave:
+        case Kind::iterate:
+        case Kind::mixed:
+        case Kind::flanked:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace faster::retiming

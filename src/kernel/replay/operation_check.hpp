@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+
+#include "kernel/timing/process_timing.hpp"
+
+namespace faster::retiming {
+
+/// Whether a process can do operations one after the other: what is read from a file may say anything.
+class OperationCheck {
+  public:
+    /// What the operations so far left.
+    struct State {
+        bool in_loop = false;
+        bool stamped = false;     ///< once per sample at most
+        std::int64_t setups = 0;  ///< begun and not awaited
+    };
+
+    explicit OperationCheck(timing::ProcessTiming const& process) : process_(&process) {}
+
+    bool accepts(timing::Operation const& operation);
+    /// All it entered it left, and all it began it awaited.
+    bool is_done() const { return !state_.in_loop && state_.setups == 0; }
+
+    State const& state() const { return state_; }
+    /// Goes on from there.
+    void set_state(State const& state) { state_ = state; }
+    /// Whether a process is in a loop where it does an operation.
+    static bool is_in_loop_at(timing::Operation const& operation);
+
+  private:
+    bool has_ports(unsigned ports) const { return (ports >> process_->port_count()) == 0; }
+    bool can_iterate(std::uint8_t ports) const;
+    bool accepts_iterations(timing::Operation const& operation) const;
+    bool accepts_mix(timing::Operation const& operation) const;
+    bool accepts_wait(timing::Operation const& operation);
+    bool prepares_beside_loops() const;
+
+    timing::ProcessTiming const* process_;
+    State state_;
+};
+
+}  // namespace faster::retiming

@@ -1,0 +1,22 @@
+#include "kernel/replay/plain_reader.hpp"
+
+#include "kernel/replay/sample_cutter.hpp"
+
+namespace faster::retiming {
+
+PlainReader::PlainReader(RecordedRun const& run, Parts const& parts)
+    : tape_(run.tape, LeadCore(*run.blueprint, parts)) {}
+
+SampleOperations PlainReader::read(std::size_t sample) {
+    return joined(tape_.read(sample), tape_.known().book(), tape_.known().lead().group);
+}
+
+void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {
+    auto operation = operations.begin();
+    if (operation != operations.end() && operation->kind() == timing::Operation::Kind::wait && !operation->is_setup())
+        log.wait((operation++)->count());
+    for (; operation != operations.end(); ++operation)
+        log.append(*operation);
+}
+
+}  // namespace faster::retiming

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+
+#include "faster/parts.hpp"
+#include "kernel/replay/recorded_run.hpp"
+#include "kernel/replay/sample_operations.hpp"
+#include "kernel/replay/tape_reader.hpp"
+
+namespace faster::retiming {
+
+/// Reads samples from the tape of a run as operations, no phrases.
+class PlainReader {
+  public:
+    PlainReader(RecordedRun const& run, Parts const& parts);
+    SampleOperations read(std::size_t sample);
+
+  private:
+    TapeReader tape_;
+};
+
+/// Appends what a process does for a sample. It may begin with a wait on from where the last sample ended: one wait
+/// then, as the process itself would have said it.
+void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log);
+
+}  // namespace faster::retiming

@@ -1,0 +1,22 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/tokens.hpp"
+#include "kernel/replay/operation_tape.hpp"
+#include "kernel/timing/core_timing.hpp"
+
+namespace faster::retiming {
+
+/// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, as it
+/// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
+struct RecordedRun {
+    std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
+    std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
+    OperationTape tape;
+    std::vector<SampleCounters> counters;  ///< the samples' results
+};
+
+}  // namespace faster::retiming

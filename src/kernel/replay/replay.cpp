@@ -1,0 +1,117 @@
+#include "kernel/replay/replay.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/replay/plain_reader.hpp"
+
+namespace faster::retiming {
+
+Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, Leaves leaves)
+    : source_(source),
+      plain_(std::move(plain)),
+      share_(share),
+      core_(core),
+      leaves_(std::move(leaves)),
+      is_stuck_(core.processes().size(), false) {}
+
+bool Replay::go_on() {
+    if (is_walking_)
+        core_.arrive();
+    for (; fed_ < share_.count && !is_over_; ++fed_) {
+        is_walking_ = is_walking_ || begin_script(share_.first + fed_);
+        is_walking_ = is_walking_ && core_.set_out();
+        if (is_walking_)
+            return true;
+        end_sample(share_.first + fed_);
+        if (leaves_ && leaves_(core_))
+            break;
+    }
+    core_.resolve();
+    return false;
+}
+
+void Replay::go_on_to(std::size_t sample) {
+    for (; fed_ < share_.count && share_.first + fed_ < sample && !is_over_; ++fed_) {
+        if (begin_script(share_.first + fed_))
+            core_.walk_through();
+        end_sample(share_.first + fed_);
+    }
+}
+
+bool Replay::is_stuck() const { return std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end(); }
+
+/// False if the sample has none that could be followed.
+bool Replay::begin_script(std::size_t sample) {
+    times_before_ = all_times();
+    is_scripted_ = sample < source_.size() && !is_stuck();
+    if (is_scripted_)
+        take_up(source_[sample], sample);
+    return is_scripted_;
+}
+
+void Replay::end_sample(std::size_t sample) {
+    is_scripted_ ? feed_rest(source_[sample]) : feed_plain(sample);
+    core_.resolve(false);
+    if (all_times() == times_before_ || backlog() > usual_backlog)
+        find_stuck();
+}
+
+void Replay::feed_plain(std::size_t sample) {
+    SampleOperations const operations = plain_(sample);
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        if (!is_stuck_[i] && !(i == supplier && sample < supplied_))
+            append_sample(operations[i], core_.process(i).log());
+}
+
+void Replay::take_up(ScriptedSample const& scripted, std::size_t sample) {
+    for (std::size_t i = 0; i < scripted.before.size(); ++i)
+        if (i != supplier)
+            append_sample(scripted.before[i], core_.process(i).log());
+    supply(sample + 2);
+    script_ = scripted.script;
+    script_.book = &source_.book();
+    script_.next = scripted.phrases.data();
+    script_.end = script_.next + scripted.phrases.size();
+    core_.take_up(script_);
+}
+
+void Replay::feed_rest(ScriptedSample const& scripted) {
+    for (std::size_t i = 0; i < scripted.after.size(); ++i)
+        for (timing::Operation const& operation : scripted.after[i])
+            core_.process(i).log().append(operation);
+}
+
+/// The supplier is a sample ahead, so that what it goes on with after the one at hand is known.
+void Replay::supply(std::size_t end) {
+    std::size_t const last = std::min({end, share_.first + share_.count, source_.size()});
+    for (supplied_ = std::max(supplied_, share_.first); supplied_ < last; ++supplied_)
+        append_sample(source_[supplied_].before[supplier], core_.process(supplier).log());
+}
+
+std::size_t Replay::backlog() {
+    std::size_t operations = 0;
+    for (std::size_t i = 0; i < is_stuck_.size(); ++i)
+        operations += is_stuck_[i] ? 0 : core_.process(i).log().pending();
+    return operations;
+}
+
+/// Together they tell whether anybody has moved.
+Cycles Replay::all_times() const {
+    Cycles sum = 0;
+    for (timing::ProcessTiming const& process : core_.processes())
+        sum += process.local_time();
+    return sum;
+}
+
+/// All that samples so far want done has been logged. So what cannot be done now never will be, and what comes after it
+/// would only fill the memory. The supplier, which may be ahead, never has much of that.
+void Replay::find_stuck() {
+    core_.resolve();
+    for (std::size_t i = 0; i < is_stuck_.size(); ++i)
+        is_stuck_[i] = i != supplier && !core_.processes()[i].finished();
+    auto const is_left = [](timing::ProcessTiming const& process) { return !process.finished(); };
+    is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
+}
+
+}  // namespace faster::retiming

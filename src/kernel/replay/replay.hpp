@@ -1,0 +1,63 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "faster/machine.hpp"
+#include "kernel/base/cycles.hpp"
+#include "kernel/machine/core_share.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/script_source.hpp"
+#include "kernel/timing/core_timing.hpp"
+
+namespace faster::retiming {
+
+/// Lets one core do the operations of its samples, one sample after the other.
+class Replay {
+  public:
+    /// Reads a sample as operations.
+    using Plain = std::function<SampleOperations(std::size_t sample)>;
+
+    /// Samples that the source does not have, and all of a core that is stuck, are plain. Everything must outlive it
+    /// but `plain` and `leaves`.
+    Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, Leaves leaves = nullptr);
+
+    /// As far as a walk of the core, or a walk further; false: all is done, or left, or nothing can be done any more.
+    bool go_on();
+    timing::Automaton::Walk& walk() { return core_.walk(); }
+
+    /// All of its samples before one, walks included: for a core that does not take turns with others.
+    void go_on_to(std::size_t sample);
+    /// Some process will never do what was asked of it.
+    bool is_stuck() const;
+
+  private:
+    static constexpr std::size_t usual_backlog = std::size_t{1} << 18;  // operations: a few samples' worth
+    static constexpr std::size_t supplier = index_of(ModuleId::vertex_transform);
+
+    bool begin_script(std::size_t sample);
+    void end_sample(std::size_t sample);
+    void feed_plain(std::size_t sample);
+    void take_up(ScriptedSample const& scripted, std::size_t sample);
+    void feed_rest(ScriptedSample const& scripted);
+    void supply(std::size_t end);
+    std::size_t backlog();
+    Cycles all_times() const;
+    void find_stuck();
+
+    ScriptSource const& source_;
+    Plain plain_;
+    CoreShare share_;
+    timing::CoreTiming& core_;
+    Leaves leaves_;
+    std::vector<bool> is_stuck_;  ///< by process
+    Cycles times_before_ = 0;     ///< the sample at hand
+    bool is_over_ = false;        ///< nobody will do anything any more
+    std::size_t supplied_ = 0;    ///< samples whose vertices have been asked for
+    std::size_t fed_ = 0;         ///< samples done
+    bool is_scripted_ = false;    ///< the sample at hand
+    bool is_walking_ = false;
+    timing::Script script_;
+};
+
+}  // namespace faster::retiming

@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "faster/accelerator_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/replay/recorded_run.hpp"
+#include "kernel/replay/scripted_run.hpp"
+#include "kernel/timing/core_timing.hpp"
+
+namespace faster::retiming {
+
+/// The figures of a run with other retiming_keys(), equal to running it, without running it. A deadlock is a result, as
+/// it is of a run. `config` must not differ from the recorded run's in other keys.
+RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
+/// The same, for many retimings of a run.
+RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
+/// The same, without following scripts. Several times as slow.
+RunStatistics retime_unscripted(ScriptedRun const& run, AcceleratorConfig const& config);
+
+using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
+
+/// Asked after each sample of a core: whether to leave the others.
+using Leaves = std::function<bool(timing::CoreTiming const& timing)>;
+
+struct CoreOptions {
+    bool leave_trails = false;
+    Leaves leaves = nullptr;
+};
+
+/// Some of its cores, each with its share of the samples done as far as that goes. Of cores that deadlock, since when
+/// their processes wait is not always known.
+Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
+                   CoreOptions const& options = {});
+
+}  // namespace faster::retiming

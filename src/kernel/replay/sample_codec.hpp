@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "kernel/replay/known_phrases.hpp"
+#include "kernel/replay/scripted_sample.hpp"
+
+namespace faster::retiming {
+
+/// A sample as bytes (docs/formats.md, "Event files"): operations by process as a table of the shapes that occur, then
+/// columns, which compress better than whole operations do; and the phrases, which must be those of `book`.
+std::string encode(ScriptedSample const& sample, timing::PhraseBook const& book);
+
+/// And back, for the processes of known.lead(), with phrases of known.book(). False if the bytes say what they cannot
+/// do.
+bool decode(std::string_view bytes, KnownPhrases& known, ScriptedSample& sample);
+
+}  // namespace faster::retiming

@@ -1,0 +1,34 @@
+#pragma once
+#include "kernel/replay/lead_core.hpp"
+#include "kernel/replay/scripted_sample.hpp"
+
+namespace faster::retiming {
+
+/// Cuts what the processes do for a sample into phrases.
+class SampleCutter {
+  public:
+    /// For cores of that shape.
+    SampleCutter(timing::CoreTiming const& blueprint, Parts const& parts) : lead_(blueprint, parts) {}
+
+    /// Of canonical() operations. The phrases are those of book(), which has no others, in the order in which they
+    /// occur.
+    ScriptedSample cut(SampleOperations operations);
+    timing::PhraseBook const& book() const { return book_; }
+
+  private:
+    timing::OperationLog& log(unsigned member) { return lead_.group.members()[member].process->log(); }
+    unsigned index(unsigned member) const { return lead_.group.members()[member].process->index(); }
+    void open(unsigned member, ScriptedSample& cut);
+    void open_driver(ScriptedSample& cut);
+    void close(unsigned member, ScriptedSample& cut);
+
+    LeadCore lead_;
+    timing::Phrase phrase_;
+    timing::PhraseBook book_;  ///< of the sample at hand
+};
+
+/// And back: canonical() operations that take the same time, though they are not always cut as they were. The phrases
+/// are those of a book and a group.
+SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& book, timing::Group const& group);
+
+}  // namespace faster::retiming

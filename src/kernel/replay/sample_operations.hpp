@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "kernel/timing/operation.hpp"
+
+namespace faster::retiming {
+
+/// What each process of a core does for one sample, from where it begins the sample to where it begins the next, in
+/// program order. By process.
+using SampleOperations = std::vector<std::vector<timing::Operation>>;
+
+}  // namespace faster::retiming

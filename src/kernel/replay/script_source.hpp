@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <stdexcept>
+
+#include "kernel/replay/scripted_sample.hpp"
+
+namespace faster::retiming {
+
+/// Samples, by number, as phrases of one book.
+class ScriptSource {
+  public:
+    virtual ~ScriptSource() = default;
+    virtual timing::PhraseBook const& book() const = 0;
+    /// Samples from this one on are not there.
+    virtual std::size_t size() const = 0;
+    virtual ScriptedSample const& operator[](std::size_t sample) const = 0;
+
+  protected:
+    ScriptSource() = default;
+    ScriptSource(ScriptSource const&) = default;
+    ScriptSource& operator=(ScriptSource const&) = default;
+    ScriptSource(ScriptSource&&) = default;
+    ScriptSource& operator=(ScriptSource&&) = default;
+};
+
+/// Has no samples: all are plain.
+class NoScripts : public ScriptSource {
+  public:
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return 0; }
+    ScriptedSample const& operator[](std::size_t /*sample*/) const override {
+        throw std::logic_error("there are no scripts");
+    }
+
+  private:
+    timing::PhraseBook book_;
+};
+
+}  // namespace faster::retiming

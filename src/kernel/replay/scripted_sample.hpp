@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "kernel/base/uninitialized.hpp"
+#include "kernel/replay/sample_operations.hpp"
+#include "kernel/timing/phrase_book.hpp"
+
+namespace faster::retiming {
+
+/// A sample's operations with the long middle, where triangles are drawn, as phrases of the lead group. Of its
+/// supplier, which is ahead by as much as a FIFO holds, all operations are in `before`.
+struct ScriptedSample {
+    static constexpr std::size_t most_phrases = std::size_t{1} << 24;  ///< all others stay operations
+
+    SampleOperations before;  ///< by process
+    using Phrases = std::vector<timing::PhraseBook::Number, Uninitialized<timing::PhraseBook::Number>>;
+
+    Phrases phrases;
+    SampleOperations after;  ///< by process
+    timing::Script script;   ///< of the phrases; without pointers
+
+    /// To the numbers that its phrases have in another book.
+    void renumber(std::vector<timing::PhraseBook::Number> const& numbers) {
+        for (timing::PhraseBook::Number& number : phrases)
+            number = numbers[number];
+    }
+};
+
+}  // namespace faster::retiming

@@ -1,0 +1,17 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "kernel/config/load_config.hpp"
+#include "kernel/figures/sensitivity.hpp"
+#include "kernel/replay/recorded_run.hpp"
+
+namespace faster::retiming {
+
+/// The exact change of total_cycles for one step of each of timing_keys(), by retiming a recorded run of `loaded`, one
+/// row per key in their order. On all host cores; `progress` is told how many of `steps` retimings are done, from any
+/// of them but one at a time.
+std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
+                                       std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
+
+}  // namespace faster::retiming

@@ -1,0 +1,62 @@
+#pragma once
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "kernel/replay/live_retiming.hpp"
+#include "kernel/replay/recorded_run.hpp"
+#include "kernel/replay/sample_cutter.hpp"
+
+namespace faster::retiming {
+
+/// Puts samples on a run's tape from a thread of its own, so that what is recorded need not wait for it.
+class TapeWriter {
+  public:
+    /// Cores to be timed, and the machine they are part of.
+    struct Timed {
+        AcceleratorConfig const* config = nullptr;  ///< null: none
+        std::vector<CoreShare> shares;
+    };
+
+    /// `processes` of a core. The run's blueprint must be there when the first sample is.
+    TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed);
+    ~TapeWriter();
+    TapeWriter(TapeWriter const&) = delete;
+    TapeWriter& operator=(TapeWriter const&) = delete;
+
+    /// The operations as the processes told them. Waits if the thread is far behind.
+    void put(std::size_t sample, SampleOperations operations);
+    /// All is on the tape. Throws what went wrong meanwhile.
+    void finish();
+    /// The figures of timed cores, after finish(). None: they got stuck, or there is nothing to be timed.
+    std::optional<RunStatistics> statistics();
+    /// Bits of the ports that a process accessed outside loops; after finish().
+    std::uint32_t step_ports(std::size_t process) const { return step_ports_[process]; }
+
+  private:
+    void work();
+    void write(std::size_t sample, SampleOperations operations);
+    void stop();
+
+    RecordedRun& run_;
+    Parts parts_;
+    Timed timed_;
+    std::vector<std::uint32_t> step_ports_;
+    std::unique_ptr<SampleCutter> cutter_;
+    std::unique_ptr<LiveRetiming> retiming_;
+    std::deque<std::pair<std::size_t, SampleOperations>> waiting_;
+    bool stops_ = false;
+    std::exception_ptr error_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::thread thread_;
+};
+
+}  // namespace faster::retiming

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::report {
+
+/// The tables of SPEC section 4, header line first, as they stand in samples.csv, fifos.csv and loops.csv.
+std::string samples_csv(RunStatistics const& run);
+std::string fifos_csv(RunStatistics const& run);
+std::string loops_csv(RunStatistics const& run);
+
+/// `shift_register` or `memory`.
+char const* kind_name(FifoKind kind);
+
+}  // namespace faster::report

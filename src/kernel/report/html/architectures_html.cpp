@@ -1,0 +1,22 @@
+#include "kernel/report/html/architectures_html.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/html/page.hpp"
+
+namespace faster::report {
+
+std::string architectures_html(std::string const& title, std::vector<ArchitectureRow> const& rows) {
+    nlohmann::json table = nlohmann::json::array();
+    for (ArchitectureRow const& row : rows) {
+        nlohmann::json line = nlohmann::json::parse(to_text(row));
+        line["architecture"] = row.architecture;
+        line["workload"] = row.workload;
+        table.push_back(std::move(line));
+    }
+    return filled_page(architectures_page, title,
+                       nlohmann::json{{"rows", table}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace faster::report

@@ -1,0 +1,25 @@
+#include "kernel/report/html/fill_page.hpp"
+
+#include "kernel/base/markup_text.hpp"
+#include "kernel/report/html/html_text.hpp"
+
+namespace faster::report {
+
+/// Takes the page up to `marker` off the front of `rest`, and the marker with it.
+static std::string_view take_until(std::string_view& rest, std::string_view marker) {
+    std::size_t const end = rest.find(marker);
+    std::string_view const taken = rest.substr(0, end);
+    rest.remove_prefix(end + marker.size());
+    return taken;
+}
+
+std::string filled_page(std::string_view page, std::string const& title, std::string const& data) {
+    std::string const name = markup_escaped(title);
+    std::string html;
+    for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline
+        html.append(take_until(page, "@title@")).append(name);
+    html.append(take_until(page, "@data@")).append(script_safe(data));
+    return html.append(page);
+}
+
+}  // namespace faster::report

@@ -1,0 +1,13 @@
+#include "kernel/report/html/html_report.hpp"
+
+#include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/html/page.hpp"
+#include "kernel/report/html/report_data.hpp"
+
+namespace faster::report {
+
+std::string html_report(HtmlReportInput const& input) {
+    return filled_page(report_page, input.title, report_data(input));
+}
+
+}  // namespace faster::report

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/figures/sample_timeline.hpp"
+
+namespace faster::report {
+
+/// A picture to show as it is.
+struct ReportPicture {
+    std::string title;
+    std::string png;  ///< the bytes of the file
+};
+
+/// What the HTML report of a finished run is made from. Referred to, not kept.
+struct HtmlReportInput {
+    std::string title;  ///< of the page, e.g. the name of the configuration
+    AcceleratorConfig const& config;
+    RunStatistics const& run;
+    std::vector<ResolvedKey> const& keys;
+    std::vector<SampleTimeline> const& timelines;  ///< none: no timeline, no occupancies
+    std::vector<ReportPicture> const& pictures;
+};
+
+/// One HTML page that needs nothing else: no network, no other file. Simulated figures only, so equal runs give equal
+/// bytes.
+std::string html_report(HtmlReportInput const& input);
+
+}  // namespace faster::report

@@ -1,0 +1,12 @@
+#include "kernel/report/html/sizing_html.hpp"
+
+#include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/html/page.hpp"
+
+namespace faster::report {
+
+std::string sizing_html(std::string const& title, std::string const& json) {
+    return filled_page(sizing_page, title, json);
+}
+
+}  // namespace faster::report

@@ -1,0 +1,154 @@
+#include "kernel/report/sensitivity_report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+
+namespace faster::report {
+
+namespace {
+
+constexpr std::size_t most_steps = 20;
+
+std::int64_t change_of(SensitivityStep const& step, RunStatistics const& run) {
+    return static_cast<std::int64_t>(step.total_cycles) - static_cast<std::int64_t>(run.total_cycles);
+}
+
+bool finishes(SensitivityStep const& step) { return step.valid && !step.deadlocks; }
+
+bool changes(SensitivityStep const& step, RunStatistics const& run) {
+    return step.valid && (step.deadlocks || change_of(step, run) != 0);
+}
+
+bool has_slack(RunStatistics const& run) {
+    return !run.sensitivities.empty() && run.sensitivities.front().up.slack.has_value();
+}
+
+char const* name_of(SlackEnd end) {
+    return end == SlackEnd::costs ? "costs" : end == SlackEnd::invalid ? "invalid" : "limit";
+}
+
+std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack const& slack) {
+    if (slack.change == 0)
+        return "-";
+    return fmt::format("{}{}", row.value + direction * slack.change, slack.end == SlackEnd::limit ? ", or beyond" : "");
+}
+
+std::string slack_text(RunStatistics const& run) {
+    std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
+    text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", "key", "value", "down to", "up to");
+    std::size_t tight = 0;
+    for (Sensitivity const& row : run.sensitivities) {
+        if (row.down.slack->change == 0 && row.up.slack->change == 0) {
+            ++tight;
+            continue;
+        }
+        text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", row.key, row.value, slack_cell(row, -1, *row.down.slack),
+                            slack_cell(row, 1, *row.up.slack));
+    }
+    text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");
+    return text;
+}
+
+std::int64_t best_of(Sensitivity const& row, RunStatistics const& run) {
+    std::int64_t best = std::numeric_limits<std::int64_t>::max();
+    for (SensitivityStep const* step : {&row.down, &row.up})
+        if (finishes(*step))
+            best = std::min(best, change_of(*step, run));
+    return best;
+}
+
+std::string cell(SensitivityStep const& step, RunStatistics const& run) {
+    if (!step.valid)
+        return "not valid";
+    if (step.deadlocks)
+        return "deadlock";
+    std::int64_t const change = change_of(step, run);
+    return fmt::format("{:+} ({:+.2f} %)", change,
+                       100.0 * static_cast<double>(change) / static_cast<double>(run.total_cycles));
+}
+
+char const* outcome(SensitivityStep const& step) {
+    return !step.valid ? "invalid" : step.deadlocks ? "deadlock" : "finished";
+}
+
+void add_csv_row(std::string& text, Sensitivity const& row, int by, SensitivityStep const& step,
+                 RunStatistics const& run) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},", row.key, row.value, row.value + by, outcome(step));
+    if (finishes(step))
+        fmt::format_to(std::back_inserter(text), "{},{}", step.total_cycles, change_of(step, run));
+    else
+        text += ',';
+    if (step.slack)
+        fmt::format_to(std::back_inserter(text), ",{},{}", step.slack->change, name_of(step.slack->end));
+    text += '\n';
+}
+
+Json step_json(SensitivityStep const& step, RunStatistics const& run) {
+    Json object = {{"outcome", outcome(step)}};
+    if (finishes(step)) {
+        object["total_cycles"] = step.total_cycles;
+        object["change_cycles"] = change_of(step, run);
+    }
+    if (step.slack)
+        object["slack"] = {{"change", step.slack->change}, {"end", name_of(step.slack->end)}};
+    return object;
+}
+
+}  // namespace
+
+std::string sensitivities_text(RunStatistics const& run) {
+    if (run.sensitivities.empty())
+        return "";
+    std::vector<Sensitivity> rows;
+    for (Sensitivity const& row : run.sensitivities)
+        if (changes(row.down, run) || changes(row.up, run))
+            rows.push_back(row);
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&run](Sensitivity const& a, Sensitivity const& b) { return best_of(a, run) < best_of(b, run); });
+    std::string text =
+        fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n", run.total_cycles);
+    text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", "key", "value", "one less", "one more");
+    for (std::size_t i = 0; i < rows.size() && i < most_steps; ++i)
+        text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", rows[i].key, rows[i].value, cell(rows[i].down, run),
+                            cell(rows[i].up, run));
+    if (rows.size() > most_steps)
+        text += fmt::format("  ({} more, which the files of --out or --csv list)\n", rows.size() - most_steps);
+    std::size_t const idle = run.sensitivities.size() - rows.size();
+    text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
+    if (has_slack(run))
+        text += slack_text(run);
+    return text;
+}
+
+std::string sensitivities_csv(RunStatistics const& run) {
+    std::string text = "key,value,changed_value,outcome,total_cycles,change_cycles";
+    text += has_slack(run) ? ",slack,slack_end\n" : "\n";
+    for (Sensitivity const& row : run.sensitivities) {
+        add_csv_row(text, row, -1, row.down, run);
+        add_csv_row(text, row, 1, row.up, run);
+    }
+    return text;
+}
+
+Json sensitivities_json(RunStatistics const& run) {
+    Json rows = Json::array();
+    for (Sensitivity const& row : run.sensitivities)
+        rows.push_back({{"key", row.key},
+                        {"value", row.value},
+                        {"down", step_json(row.down, run)},
+                        {"up", step_json(row.up, run)}});
+    return rows;
+}
+
+std::string sensitivities_file_json(RunStatistics const& run) {
+    Json file;
+    file["format"] = "faster-sensitivities";
+    file["version"] = 1;
+    file["total_cycles"] = run.total_cycles;
+    file["sensitivities"] = sensitivities_json(run);
+    return file.dump(2) + "\n";
+}
+
+}  // namespace faster::report

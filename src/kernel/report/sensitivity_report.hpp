@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/report/json_rows.hpp"
+
+namespace faster::report {
+
+/// The keys whose steps change total_cycles, those that save most first: lines of text, empty if none were worked out.
+/// Then, if it was looked for, what slack keys have.
+std::string sensitivities_text(RunStatistics const& run);
+
+/// sensitivities.csv and `sensitivities` of summary.json (docs/formats.md): a row per key and step, in the order of the
+/// keys.
+std::string sensitivities_csv(RunStatistics const& run);
+Json sensitivities_json(RunStatistics const& run);
+/// The same as a file of its own, of `faster-sim sensitivities --json`.
+std::string sensitivities_file_json(RunStatistics const& run);
+
+}  // namespace faster::report

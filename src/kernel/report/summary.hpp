@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::report {
+
+/// What the host spent; kept apart from simulated figures, so that those compare equal from run to run.
+struct HostTime {
+    double build_seconds = 0;  ///< reading or making the workload
+    double simulate_seconds = 0;
+};
+
+/// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
+std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config,
+                         RunStatistics const& run, HostTime const& host);
+
+/// summary.json of a run that got stuck: who waits for whom, and the configuration. It has no results.
+std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run);
+
+/// Cycles at the configured clock [ms].
+double milliseconds(Cycles cycles, AcceleratorConfig const& config);
+
+}  // namespace faster::report

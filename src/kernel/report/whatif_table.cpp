@@ -1,0 +1,65 @@
+#include "kernel/report/whatif_table.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
+
+namespace faster::report {
+
+WhatifTable::WhatifTable(AcceleratorConfig const& recorded, std::vector<SampleStatistics> const& samples) {
+    recorded_.settings = "as recorded";
+    recorded_.clock_mhz = recorded.clock_mhz;
+    for (SampleStatistics const& sample : samples)
+        recorded_.total_cycles = std::max(recorded_.total_cycles, sample.end_cycle + 1);
+}
+
+void WhatifTable::add_row(std::string settings, AcceleratorConfig const& config) {
+    rows_.push_back({std::move(settings), config.clock_mhz, false, 0});
+}
+
+void WhatifTable::set_result(std::size_t row, RunStatistics const& run) {
+    rows_[row].deadlocks = run.deadlocked();
+    rows_[row].total_cycles = run.total_cycles;
+}
+
+std::int64_t WhatifTable::change_of(Row const& row) const {
+    return static_cast<std::int64_t>(row.total_cycles) - static_cast<std::int64_t>(recorded_.total_cycles);
+}
+
+std::string WhatifTable::text() const {
+    std::string text =
+        fmt::format("  {:>5} {:>14} {:>12} {:>22}  configuration\n", "row", "total cycles", "ms", "change");
+    fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", "-", recorded_.total_cycles,
+                   recorded_.milliseconds(), "-", recorded_.settings);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        Row const& row = rows_[i];
+        if (row.deadlocks) {
+            fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12} {:>22}  {}\n", i, "deadlock", "-", "-",
+                           row.settings);
+            continue;
+        }
+        std::string change = fmt::format("{:+}", change_of(row));
+        if (recorded_.total_cycles > 0)
+            change += fmt::format(" ({:+.2f} %)", 100.0 * static_cast<double>(change_of(row)) /
+                                                      static_cast<double>(recorded_.total_cycles));
+        fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", i, row.total_cycles,
+                       row.milliseconds(), change, row.settings);
+    }
+    return text;
+}
+
+std::string WhatifTable::csv() const {
+    std::string text = "row,configuration,outcome,total_cycles,milliseconds,change_cycles\n";
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        Row const& row = rows_[i];
+        if (row.deadlocks)
+            fmt::format_to(std::back_inserter(text), "{},{},deadlock,,,\n", i, row.settings);
+        else
+            fmt::format_to(std::back_inserter(text), "{},{},finished,{},{},{}\n", i, row.settings, row.total_cycles,
+                           row.milliseconds(), change_of(row));
+    }
+    return text;
+}
+
+}  // namespace faster::report

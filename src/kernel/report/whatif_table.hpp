@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "faster/accelerator_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::report {
+
+/// How long a recorded run would take in each of several configurations: a row for each.
+class WhatifTable {
+  public:
+    /// The recorded run: what the rows are compared with.
+    WhatifTable(AcceleratorConfig const& recorded, std::vector<SampleStatistics> const& samples);
+
+    /// `settings` says what the configuration changes.
+    void add_row(std::string settings, AcceleratorConfig const& config);
+    void set_result(std::size_t row, RunStatistics const& run);
+
+    /// For people; and as docs/formats.md has it ("The table of whatif --matrix").
+    std::string text() const;
+    std::string csv() const;
+
+  private:
+    struct Row {
+        std::string settings;
+        double clock_mhz = 0;
+        bool deadlocks = false;
+        Cycles total_cycles = 0;
+
+        double milliseconds() const { return static_cast<double>(total_cycles) / (clock_mhz * 1e3); }
+    };
+    std::int64_t change_of(Row const& row) const;
+
+    Row recorded_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace faster::report

@@ -1,0 +1,20 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "kernel/sizing/cut.hpp"
+
+namespace faster::sizing {
+
+/// The levels of each FIFO, the cheapest first.
+using Levels = std::array<std::vector<Level>, fifo_count>;
+
+/// What the primitives of a choice take together, in one core.
+Primitives sum_of(Choice const& choice, std::array<unsigned, fifo_count> const& bits, CostWeights const& weights);
+
+/// The cheapest combination of levels that escapes all cuts; of equally cheap ones always the same. Empty if there is
+/// none. Exact: branches on who escapes a cut, and leaves a branch once it costs what the best so far costs.
+std::optional<Choice> cheapest_choice(Levels const& levels, std::vector<Cut> const& cuts);
+
+}  // namespace faster::sizing

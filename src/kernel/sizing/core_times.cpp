@@ -1,0 +1,343 @@
+#include "kernel/sizing/core_times.hpp"
+
+#include <algorithm>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/machine/core_share.hpp"
+#include "kernel/timing/path_sweep.hpp"
+
+namespace faster::sizing {
+
+namespace {
+
+/// At most as much room everywhere, and at least as much latency.
+bool is_no_faster(Choice const& one, Choice const& other) {
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (one[i].capacity() > other[i].capacity() || one[i].read_latency() < other[i].read_latency())
+            return false;
+    return true;
+}
+
+std::size_t cores_with_samples(std::size_t cores, std::size_t samples) {
+    std::size_t used = 0;
+    while (used < cores && share_of(used, cores, samples).count > 0)
+        ++used;
+    return used;
+}
+
+constexpr auto collector = static_cast<unsigned>(ModuleId::result_collector);
+
+std::vector<Cycles> const& results_of(timing::CoreTiming const& core) { return core.processes()[collector].stamps(); }
+
+timing::ProcessTiming const& writer_of_results(timing::CoreTiming const& core) {
+    return core.processes()[static_cast<std::size_t>(core.ends(collector, 0).writer)];
+}
+
+Cycles stalls_of(timing::ProcessTiming const& process) {
+    return process.empty_stall_cycles() + process.full_stall_cycles();
+}
+
+/// How often a path turns at a port of a process, wherever in its program.
+std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timing::PathSums const& path) {
+    auto const loops = static_cast<unsigned>(process.loops().size());
+    std::uint64_t turns = 0;
+    for (unsigned number = 0; number < timing::Region::count(loops); ++number)
+        turns += path.turns(process.index(), timing::Region::numbered(number), port);
+    return turns;
+}
+
+/// Leaves a core once nobody needs it any more, and knows that it did.
+class GivenUp {
+  public:
+    explicit GivenUp(CoreTimes::IsObsolete is_obsolete) : is_obsolete_(std::move(is_obsolete)) {}
+    retiming::Leaves or_if(retiming::Leaves const& leaves) {
+        return [this, leaves](timing::CoreTiming const& core) {
+            is_given_up_ = is_obsolete_ && is_obsolete_();
+            return is_given_up_ || (leaves && leaves(core));
+        };
+    }
+    explicit operator bool() const { return is_given_up_; }
+
+  private:
+    CoreTimes::IsObsolete is_obsolete_;
+    bool is_given_up_ = false;
+};
+
+using Members = std::array<Cut::Member, fifo_count>;
+
+Members members_of_path(timing::CoreTiming const& core) {
+    timing::PathSums const path = critical_path(core, collector, results_of(core).back());
+    Members members{};
+    for (timing::ProcessTiming const& process : core.processes())
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            timing::FifoTiming const& fifo = process.fifo(port);
+            if (turns_at(process, port, path) == 0)
+                continue;
+            Cut::Member& member = members[core.number_of(fifo)];
+            if (process.writes(port))
+                member.capacity = fifo.shape().capacity;
+            else
+                member.is_slow = fifo.shape().read_latency > 1;
+        }
+    return members;
+}
+
+/// The processes that wait for each other in a circle; others may only wait for these.
+std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
+    std::vector<timing::Wait> chain;
+    for (std::string next = waits.front().process;;) {
+        auto const waits_there = [&next](timing::Wait const& wait) { return wait.process == next; };
+        auto const seen = std::find_if(chain.begin(), chain.end(), waits_there);
+        if (seen != chain.end())
+            return {seen, chain.end()};
+        auto const wait = std::find_if(waits.begin(), waits.end(), waits_there);
+        if (wait == waits.end())
+            return waits;
+        chain.push_back(*wait);
+        next = wait->other;
+    }
+}
+
+/// Everything else could have all the room it wants: what is full would be as full.
+Members members_of_deadlock(timing::CoreTiming& core) {
+    Members members{};
+    for (timing::Wait const& wait : circle_of(core.waits()))
+        for (std::size_t i = 0; i < fifo_count; ++i)
+            if (wait.to_write && wait.fifo == fifo_names[i])
+                members[i].capacity = wait.capacity;
+    return members;
+}
+
+/// Those that hold anybody up.
+std::vector<Cut::Member> members_of(Members const& members) {
+    std::vector<Cut::Member> kept;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (members[i].capacity > 0 || members[i].is_slow) {
+            kept.push_back(members[i]);
+            kept.back().fifo = static_cast<FifoId>(i);
+        }
+    return kept;
+}
+
+}  // namespace
+
+CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
+    : run_(run, config.flow),
+      config_(std::move(config)),
+      cores_(cores_with_samples(config_.raster_cores, run.tape.samples())),
+      work_(cores_) {}
+
+std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    auto const known = known_.find({core, choice});
+    return known == known_.end() ? std::nullopt : std::optional(known->second);
+}
+
+bool CoreTimes::is_done(std::size_t core, Choice const& choice) const {
+    std::optional<Known> const there = known(core, choice);
+    return there && !there->is_left_early;
+}
+
+Cycles CoreTimes::least_cycles(std::size_t core, Choice const& choice) const {
+    std::optional<Known> const there = known(core, choice);
+    return there ? there->end : 0;
+}
+
+std::uint64_t CoreTimes::needed_room(Choice const& choice, std::size_t fifo) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    std::uint64_t room = 1;
+    for (std::size_t core = 0; core < cores_; ++core)
+        room = std::max(room, known_.at({core, choice}).room[fifo]);
+    return room;
+}
+
+/// Enough room for what happened there, and at most its latency.
+bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const& known) {
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        if (choice[i].capacity() < known.room[i] || choice[i].read_latency() > place.second[i].read_latency())
+            return false;
+    return true;
+}
+
+Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
+    if (!core.waits().empty())
+        return Cut::deadlock;
+    auto const is_left = [](timing::FifoTiming const& fifo) { return fifo.writes() != fifo.reads(); };
+    std::size_t const samples = share_of(number, config_.raster_cores, run_.run().tape.samples()).count;
+    if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
+        throw InputError("what the recorded processes write is not what they read, expected the file of a run");
+    return results_of(core).back() + 1;
+}
+
+void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
+    Cycles const end = end_of(core, place.first);
+    std::lock_guard<std::mutex> const lock(mutex_);
+    ++retimed_;
+    Known& known = known_[place];
+    known = {end, false, {}};
+    if (end != Cut::deadlock)
+        note_work(place.first, core, end);
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        timing::FifoTiming const& fifo = core.fifos()[i];
+        // A token may not enter in the cycle in which the one whose place it takes leaves.
+        known.room[i] = std::min(place.second[i].capacity(), fifo.max_occupancy() + 1);
+        if (end != Cut::deadlock)
+            tokens_[i] = std::max(tokens_[i], fifo.writes());
+    }
+}
+
+void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
+    auto const timings = retime_cores(run_, with_choice(config_, choice), cores);
+    for (std::size_t i = 0; i < cores.size(); ++i)
+        enter({cores[i], choice}, *timings[i]);
+}
+
+/// What the writer of the results does is the same with all FIFOs; only its waiting is not. The collector is there for
+/// each result, unless they follow each other closely.
+void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cycles end) {
+    constexpr Cycles close = 100;
+    std::vector<Cycles> const& results = results_of(core);
+    bool const is_close = results.size() > 1 && results[results.size() - 1] - results[results.size() - 2] < close;
+    timing::ProcessTiming const& writer = writer_of_results(core);
+    if (!work_[number] && !is_close)
+        work_[number] = end - stalls_of(writer) - writer.awaited_setup_cycles();
+}
+
+std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    return work_[core];
+}
+
+/// It has waited too long for its work still to be done in time.
+retiming::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
+    std::optional<Cycles> const work = work_of(core);
+    if (!work)
+        return nullptr;
+    return [=](timing::CoreTiming const& timing) {
+        return !results_of(timing).empty() && *work + stalls_of(writer_of_results(timing)) > bound;
+    };
+}
+
+void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound,
+                                         IsObsolete const& is_obsolete) {
+    GivenUp given_up{is_obsolete};
+    retiming::CoreOptions options;
+    options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
+    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
+    if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
+        enter({core, choice}, *timings.front());
+}
+
+/// False if it has not been left before its end.
+bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
+    retiming::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
+    std::size_t const done = results_of(core).size();
+    std::size_t const samples = share_of(place.first, config_.raster_cores, run_.run().tape.samples()).count;
+    if (done == samples || !exceeds || !exceeds(core))
+        return false;
+    Cycles const least = *work_of(place.first) + stalls_of(writer_of_results(core));
+    std::lock_guard<std::mutex> const lock(mutex_);
+    ++retimed_;
+    Known& known = known_[place];
+    if (known.end < least)
+        known = {least, true, {}};
+    return true;
+}
+
+std::optional<bool> CoreTimes::known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    for (auto known = known_.lower_bound({core, Choice{}}); known != known_.end() && known->first.first == core;
+         ++known) {
+        bool const exceeds = known->second.end > bound;
+        if (!exceeds && known->second.is_left_early)
+            continue;
+        if (exceeds ? is_no_faster(choice, known->first.second) : is_as_fast(choice, known->first, known->second))
+            return exceeds;
+    }
+    return std::nullopt;
+}
+
+bool CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound) {
+    return exceeds(core, choice, bound, nullptr).value();
+}
+
+std::optional<bool> CoreTimes::exceeds(std::size_t core, Choice const& choice, Cycles bound,
+                                       IsObsolete const& is_obsolete) {
+    if (std::optional<bool> const known = known_to_exceed(core, choice, bound))
+        return known;
+    work_out_whether_exceeds(core, choice, bound, is_obsolete);
+    return known_to_exceed(core, choice, bound);
+}
+
+std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs) {
+    for (std::size_t core = 0; core < cores_;) {
+        std::vector<std::size_t> open;
+        bool is_decided = false;
+        for (; core < cores_ && open.size() < std::max(1U, jobs) && !is_decided; ++core) {
+            std::optional<bool> const known = known_to_exceed(core, choice, bound);
+            is_decided = known.value_or(false);
+            if (!known)
+                open.push_back(core);
+        }
+        on_threads(open.size(), jobs, [&](std::size_t i) { work_out_whether_exceeds(open[i], choice, bound); });
+        for (std::size_t const worked_out : open)
+            if (known_to_exceed(worked_out, choice, bound).value())
+                return worked_out;
+        if (is_decided)
+            return core - 1;
+    }
+    return cores_;
+}
+
+Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
+    if (!is_done(core, choice))
+        work_out({core}, choice);
+    return known(core, choice)->end;
+}
+
+Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
+    std::vector<std::vector<std::size_t>> shares(std::max(1U, jobs));
+    std::size_t next = 0;
+    for (std::size_t core = 0; core < cores_; ++core)
+        if (!is_done(core, choice))
+            shares[next++ % shares.size()].push_back(core);
+    on_threads(shares.size(), jobs, [&](std::size_t i) { work_out(shares[i], choice); });
+    Cycles total = 0;
+    for (std::size_t core = 0; core < cores_; ++core)
+        total = std::max(total, cycles(core, choice));
+    return total;
+}
+
+Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
+
+std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
+                                                          retiming::Leaves const& leaves) const {
+    retiming::CoreOptions options;
+    options.leave_trails = true;
+    options.leaves = leaves;
+    return std::move(retime_cores(run_, with_choice(config_, choice), {core}, options).front());
+}
+
+Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {
+    auto const timing = with_trail(
+        core, choice, [samples](timing::CoreTiming const& so_far) { return results_of(so_far).size() >= samples; });
+    return results_of(*timing).empty() ? Cut()
+                                       : Cut{members_of(members_of_path(*timing)), results_of(*timing).back() + 1};
+}
+
+std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
+                                       IsObsolete const& is_obsolete) {
+    GivenUp given_up{is_obsolete};
+    auto const timing = with_trail(core, choice, given_up.or_if(as_soon_as_exceeds(core, bound)));
+    if (given_up)
+        return std::nullopt;
+    bool const is_left = enter_as_left({core, choice}, *timing, bound);
+    if (!is_left)
+        enter({core, choice}, *timing);
+    Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(*timing, core);
+    Members const members = cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing);
+    return Cut{members_of(members), cycles};
+}
+
+}  // namespace faster::sizing

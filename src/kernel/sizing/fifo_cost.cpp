@@ -1,0 +1,59 @@
+#include "kernel/sizing/fifo_cost.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace faster::sizing {
+
+namespace {
+
+/// Words and bits of a block RAM in one of its shapes.
+struct Shape {
+    std::uint64_t words;
+    std::uint64_t bits;
+};
+constexpr std::array<Shape, 6> ramb18_shapes{{{16384, 1}, {8192, 2}, {4096, 4}, {2048, 9}, {1024, 18}, {512, 36}}};
+constexpr std::array<Shape, 7> ramb36_shapes{
+    {{32768, 1}, {16384, 2}, {8192, 4}, {4096, 9}, {2048, 18}, {1024, 36}, {512, 72}}};
+
+constexpr std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
+
+Primitives shift_register(std::uint64_t depth, std::uint64_t bits) {
+    return {depth <= 16 ? divided_up(bits, 2) : bits * divided_up(depth, 32), 0};
+}
+
+Primitives distributed_ram(std::uint64_t depth, std::uint64_t bits) {
+    std::uint64_t const data = depth <= 32 ? divided_up(bits, 2) : bits;
+    std::uint64_t const write_addresses = divided_up(data, 7);
+    return {(data + write_addresses) * divided_up(depth, 64), 0};
+}
+
+template <std::size_t N>
+std::uint64_t fewest(std::uint64_t depth, std::uint64_t bits, std::array<Shape, N> const& shapes) {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    for (Shape const& shape : shapes)
+        least = std::min(least, divided_up(depth, shape.words) * divided_up(bits, shape.bits));
+    return least;
+}
+
+/// Halves of RAMB36: whichever size takes less.
+Primitives block_ram(std::uint64_t depth, std::uint64_t bits) {
+    return {0, std::min(fewest(depth, bits, ramb18_shapes), 2 * fewest(depth, bits, ramb36_shapes))};
+}
+
+}  // namespace
+
+double cost_of(Primitives const& primitives, CostWeights const& weights) {
+    return static_cast<double>(primitives.luts) + static_cast<double>(primitives.ramb18) / 2 * weights.luts_per_ramb36;
+}
+
+Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, CostWeights const& weights) {
+    if (kind == FifoKind::shift_register)
+        return shift_register(depth, bits);
+    Primitives const distributed = distributed_ram(depth, bits);
+    Primitives const block = block_ram(depth, bits);
+    return cost_of(block, weights) < cost_of(distributed, weights) ? block : distributed;
+}
+
+}  // namespace faster::sizing

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+#include "faster/block_ram.hpp"
+
+namespace faster::sizing {
+
+/// What a FIFO's tokens are kept in, on an UltraScale+ device. Counters, flags and output registers are not counted.
+struct Primitives {
+    std::uint64_t luts = 0;    ///< look-up tables of SLICEMs, as shift registers or as distributed RAM
+    std::uint64_t ramb18 = 0;  ///< block RAMs of 18 Kbit; two are a RAMB36
+
+    bool operator==(Primitives const& other) const { return luts == other.luts && ramb18 == other.ramb18; }
+};
+
+/// What one thing is worth in another, so that costs can be compared.
+struct CostWeights {
+    /// LUTs that a RAMB36 is worth: by default as many as the ZCU102's XCZU9EG has for each.
+    double luts_per_ramb36 = 274080.0 / ramb36_of_device;
+};
+
+/// In LUTs.
+double cost_of(Primitives const& primitives, CostWeights const& weights);
+
+/// The primitives for `depth` tokens of `bits` bits each, in a FIFO of a kind that is resolved.
+///
+/// A shift register takes an SRL16 (half a LUT) per bit up to depth 16, above an SRLC32E (a LUT) per bit and 32 tokens.
+/// A memory takes distributed RAM or block RAM, whichever costs less. Distributed RAM, simple dual port: up to depth 32
+/// two bits per LUT, above 64 words of a bit per LUT, and a LUT for the write address with every seven. Block RAM: the
+/// shape of RAMB18 or RAMB36 that takes fewest, simple dual port shapes of 512 words included.
+/// Source: AMD UG574 (SLICEM), UG573 (block RAM).
+Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, CostWeights const& weights);
+
+}  // namespace faster::sizing

@@ -1,0 +1,357 @@
+#include "kernel/sizing/search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include "kernel/base/on_threads.hpp"
+#include "kernel/sizing/last_that_holds.hpp"
+#include "kernel/sizing/token_bits.hpp"
+
+namespace faster::sizing {
+
+namespace {
+
+constexpr std::uint64_t first_depth = 64;
+constexpr std::uint64_t growth = 512;
+constexpr std::size_t samples_at_first = 4;  // most of what holds a core up shows in them
+
+/// All FIFOs are to blame, which is always true of a choice that breaks a bound.
+Cut everybody(Choice const& choice) {
+    Cut cut;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        cut.members.push_back({static_cast<FifoId>(i), choice[i].capacity(), choice[i].read_latency() > 1});
+    return cut;
+}
+
+bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
+
+}  // namespace
+
+FifoFrame::FifoFrame(AcceleratorConfig const& config, CostWeights const& cost_weights) : weights(cost_weights) {
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        kinds[i] = config.fifos[i].kind;
+        bits[i] = token_bits(static_cast<FifoId>(i), config);
+    }
+}
+
+/// What a path waits for room in; false: in nothing that could be deeper.
+bool deepen(Choice& choice, Cut const& path) {
+    bool is_deeper = false;
+    for (Cut::Member const& member : path.members) {
+        FifoChoice& fifo = choice[index_of(member.fifo)];
+        if (member.capacity == 0 || fifo.depth == most_depth)
+            continue;
+        fifo.depth = std::min(most_depth, fifo.depth * growth);
+        is_deeper = true;
+    }
+    return is_deeper;
+}
+
+/// No room that no core ever needs.
+Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
+    Choice smaller = choice;
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        std::uint64_t const spare = choice[i].capacity() - times.needed_room(choice, i);
+        smaller[i].depth -= std::min(spare, choice[i].depth - 1);
+    }
+    return smaller;
+}
+
+Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    Unbounded result;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        result.choice[i] = choice_of(frame.kinds[i], first_depth);
+    bool is_deep = times.cores() == 0;
+    while (!is_deep && deepen(result.choice, times.first_suspects(0, result.choice, samples_at_first))) {
+    }
+    while (!is_deep) {
+        result.total_cycles = times.total_cycles(result.choice, jobs);
+        result.last_core = 0;
+        while (times.cycles(result.last_core, result.choice) != result.total_cycles)
+            ++result.last_core;
+        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice));
+    }
+    result.choice = without_spare_room(result.choice, times);
+    return result;
+}
+
+Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
+               std::size_t most_retimings)
+    : frame_(frame),
+      times_(times),
+      unbounded_(unbounded),
+      jobs_(std::max(1U, jobs)),
+      most_retimings_(most_retimings),
+      strict_core_(unbounded.last_core) {
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
+        levels_[i] = levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights);
+    }
+}
+
+std::size_t Search::broken_core(Choice const& choice, Cycles bound) {
+    if (times_.cores() == 0 || times_.exceeds(strict_core_, choice, bound))
+        return times_.cores() == 0 ? 0 : strict_core_;
+    std::size_t const core = times_.first_to_exceed(choice, bound, jobs_);
+    if (core < times_.cores())
+        strict_core_ = core;
+    return core;
+}
+
+bool Search::is_within(Choice const& choice, Cycles bound) { return broken_core(choice, bound) == times_.cores(); }
+
+double Search::cost_of_choice(Choice const& choice) const {
+    return cost_of(sum_of(choice, frame_.bits, frame_.weights), frame_.weights);
+}
+
+std::vector<Cut> Search::cuts_against(Cycles bound) const {
+    std::vector<Cut> cuts;
+    std::copy_if(cuts_.begin(), cuts_.end(), std::back_inserter(cuts),
+                 [bound](Cut const& cut) { return cut.total_cycles > bound; });
+    return cuts;
+}
+
+Found Search::cheapest(Cycles bound) {
+    Found found;
+    for (;;) {
+        auto const choice = cheapest_choice(levels_, cuts_against(bound));
+        if (!choice)
+            break;
+        found.choice = *choice;
+        found.least_cost = cost_of_choice(*choice);
+        found.is_proven = !learn(*choice, bound);
+        if (found.is_proven || times_.retimed_cores() >= most_retimings_)
+            break;
+    }
+    if (!found.is_proven)
+        found.choice = descend(bound);
+    return found;
+}
+
+Found Search::timed(Found found) {
+    found.total_cycles = times_.total_cycles(found.choice, jobs_);
+    return found;
+}
+
+/// Why a choice breaks the bound; false: it does not. The core that broke the last bound is asked first, and why at
+/// once.
+bool Search::learn(Choice const& choice, Cycles bound) {
+    std::optional<Cut> cut;
+    if (times_.cores() > 0 && times_.known_to_exceed(strict_core_, choice, bound).value_or(true))
+        cut = suspects(choice, bound);
+    std::size_t const core = broken_core(choice, bound);
+    if (core == times_.cores())
+        return false;
+    if (!cut || cut->total_cycles <= bound)
+        cut = times_.suspects(core, choice, bound);
+    if (!times_.exceeds(core, corner(*cut), bound))  // the suspects are not all who are to blame
+        cut = everybody(choice);
+    cuts_.push_back(widened(*cut, core, bound));
+    return true;
+}
+
+/// Of the strict core: those of the last cut, if they are to blame again and that is found out sooner. Who they are
+/// makes no difference to what is found in the end.
+Cut Search::suspects(Choice const& choice, Cycles bound) {
+    Cut same = cuts_.empty() ? Cut() : cuts_.back();
+    for (Cut::Member& member : same.members) {
+        FifoChoice const& fifo = choice[index_of(member.fifo)];
+        member.capacity = fifo.capacity();
+        member.is_slow = member.is_slow && fifo.read_latency() > 1;
+    }
+    std::optional<Cut> cut;
+    std::atomic<bool> is_decided = false;
+    auto const is_obsolete = [&] { return is_decided.load(); };
+    on_threads(jobs_ > 1 && !same.members.empty() ? 2 : 1, jobs_, [&](std::size_t i) {
+        if (i == 0) {
+            cut = times_.suspects(strict_core_, choice, bound, is_obsolete);
+            is_decided = true;
+        } else if (times_.exceeds(strict_core_, corner(same), bound, is_obsolete).value_or(false)) {
+            same.total_cycles = bound + 1;
+            is_decided = true;
+        }
+    });
+    return cut ? *cut : same;
+}
+
+/// The slowest way to escape a cut: everything that it does not ask for is as quick as can be.
+Choice Search::corner(Cut const& cut) const {
+    Choice choice;
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        std::uint64_t capacity = timing::FifoShape::unlimited;
+        bool is_memory = !may_be_shift_register(frame_.kinds[i]);
+        for (Cut::Member const& member : cut.members)
+            if (index_of(member.fifo) == i) {
+                capacity = member.capacity > 0 ? member.capacity : capacity;
+                is_memory = is_memory || member.is_slow;
+            }
+        choice[i] =
+            is_memory ? FifoChoice{FifoKind::memory, capacity - 1} : FifoChoice{FifoKind::shift_register, capacity};
+    }
+    return choice;
+}
+
+/// As many choices as can be ruled out with a cut that the bound is broken by.
+Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
+    drop_members(cut, core, bound);
+    for (std::size_t i = 0; i < cut.members.size(); ++i)
+        if (cut.members[i].capacity > 0)
+            deepen_member(cut, i, core, bound);
+    // That it breaks the bound may be known from a choice that is no slower, and nothing more.
+    cut.total_cycles = std::max(bound + 1, times_.least_cycles(core, corner(cut)));
+    return cut;
+}
+
+/// To one member that suffices, or until none can be spared.
+void Search::drop_members(Cut& cut, std::size_t core, Cycles bound) {
+    auto const breaks = [&](std::vector<Cut::Member> const& members) {
+        return times_.exceeds(core, corner({members, 0}), bound);
+    };
+    for (std::size_t i = 0; i < cut.members.size() && cut.members.size() > 1; i += jobs_) {
+        std::size_t const count = std::min<std::size_t>(jobs_, cut.members.size() - i);
+        on_threads(count, jobs_, [&](std::size_t k) { breaks({cut.members[i + k]}); });
+        for (std::size_t k = 0; k < count && cut.members.size() > 1; ++k)
+            if (breaks({cut.members[i + k]}))
+                cut.members = {cut.members[i + k]};
+    }
+    for (std::size_t i = cut.members.size(); i-- > 0 && cut.members.size() > 2;) {
+        std::vector<Cut::Member> fewer = cut.members;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        std::vector<Cut::Member> still_fewer = fewer;  // what is asked next if this breaks the bound
+        if (i > 0)
+            still_fewer.erase(still_fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
+        on_threads(i > 0 && jobs_ > 1 ? 2 : 1, jobs_,
+                   [&](std::size_t k) { k == 0 ? breaks(fewer) : breaks(still_fewer); });
+        if (breaks(fewer))
+            cut.members = fewer;
+    }
+}
+
+void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound) {
+    std::size_t const fifo = index_of(cut.members[member].fifo);
+    std::vector<std::uint64_t> capacities{cut.members[member].capacity};
+    for (Level const& level : levels_[fifo])
+        if (level.choice.capacity() > capacities.front() &&
+            level.choice.capacity() < unbounded_.choice[fifo].capacity())
+            capacities.push_back(level.choice.capacity());
+    capacities.push_back(timing::FifoShape::unlimited);
+    std::sort(capacities.begin(), capacities.end());
+    auto const corner_at = [&](std::size_t i) {
+        Cut deeper = cut;
+        deeper.members[member].capacity = capacities[i];
+        return corner(deeper);
+    };
+    Monotone const breaks{
+        [&](std::size_t i, auto const& is_obsolete) { return times_.exceeds(core, corner_at(i), bound, is_obsolete); },
+        [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
+    std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
+    cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
+}
+
+/// From unbounded FIFOs down, one after the other, until none can be had for less.
+Choice Search::descend(Cycles bound) {
+    Choice choice = unbounded_.choice;
+    for (bool is_cheaper = true; is_cheaper;) {
+        is_cheaper = false;
+        for (std::size_t i = 0; i < fifo_count; ++i)
+            is_cheaper = cheapen(choice, i, bound) || is_cheaper;
+    }
+    return choice;
+}
+
+bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
+    double const cost = cost_of(primitives_of(choice[fifo].kind, choice[fifo].depth, frame_.bits[fifo], frame_.weights),
+                                frame_.weights);
+    for (FifoKind const kind : {FifoKind::shift_register, FifoKind::memory}) {
+        std::vector<Level> levels;
+        std::copy_if(levels_[fifo].rbegin(), levels_[fifo].rend(), std::back_inserter(levels),
+                     [&](Level const& level) { return level.choice.kind == kind && level.cost < cost; });
+        Choice cheaper = choice;
+        auto const is_within_at = [&](std::size_t i) {
+            cheaper[fifo] = levels[i].choice;
+            return is_within(cheaper, bound);
+        };
+        if (levels.empty() || !is_within_at(0))
+            continue;
+        Monotone const fits{[&](std::size_t i, auto const& /*is_obsolete*/) { return is_within_at(i); },
+                            [](std::size_t) { return std::nullopt; }};
+        choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
+        return true;
+    }
+    return false;
+}
+
+Found Search::shallowest(Found found, Cycles bound) {
+    std::vector<std::size_t> cores{strict_core_};
+    while (times_.cores() > 0) {
+        Choice const choice = without_spare_tokens(found.choice, bound, cores);
+        std::size_t const broken = broken_core(choice, bound);
+        if (broken == times_.cores()) {
+            found.choice = choice;
+            break;
+        }
+        cores.push_back(broken);
+    }
+    return timed(found);
+}
+
+std::optional<bool> Search::known_to_fit(Choice const& choice, Cycles bound,
+                                         std::vector<std::size_t> const& cores) const {
+    bool is_known = true;
+    for (std::size_t const core : cores) {
+        std::optional<bool> const exceeds = times_.known_to_exceed(core, choice, bound);
+        if (exceeds.value_or(false))
+            return false;
+        is_known = is_known && exceeds.has_value();
+    }
+    return is_known ? std::optional<bool>(true) : std::nullopt;
+}
+
+/// Nothing if it became obsolete.
+std::optional<bool> Search::fits_cores(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores,
+                                       Monotone::IsObsolete const& is_obsolete) {
+    for (std::size_t const core : cores) {
+        std::optional<bool> const exceeds = times_.exceeds(core, choice, bound, is_obsolete);
+        if (!exceeds || *exceeds)
+            return exceeds ? std::optional(false) : std::nullopt;
+    }
+    return true;
+}
+
+/// Where only one depth less is in question, asks at the same time what comes next if the FIFO can do with it.
+void Search::ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores) {
+    std::vector<Choice> questions;
+    for (; fifo < fifo_count && questions.size() < jobs_; ++fifo) {
+        if (choice[fifo].depth == 1)
+            continue;
+        --choice[fifo].depth;
+        questions.push_back(choice);
+    }
+    on_threads(questions.size(), jobs_, [&](std::size_t i) { fits_cores(questions[i], bound, cores, nullptr); });
+}
+
+/// Looks at some cores only.
+Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        std::uint64_t const deepest = choice[i].depth;
+        std::uint64_t shallowest = deepest;
+        while (shallowest > 1 && choice_of(frame_.kinds[i], shallowest - 1).kind == choice[i].kind)
+            --shallowest;
+        auto const with_less = [&, before = choice](std::size_t less) {
+            Choice shallower = before;
+            shallower[i].depth = deepest - less;
+            return shallower;
+        };
+        Monotone const fits{[&](std::size_t less, auto const& is_obsolete) {
+                                return fits_cores(with_less(less), bound, cores, is_obsolete);
+                            },
+                            [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
+        if (deepest - shallowest == 1 && !known_to_fit(with_less(1), bound, cores))
+            ask_ahead(choice, i, bound, cores);
+        choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
+    }
+    return choice;
+}
+
+}  // namespace faster::sizing

@@ -1,0 +1,86 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "kernel/sizing/cheapest_choice.hpp"
+#include "kernel/sizing/core_times.hpp"
+#include "kernel/sizing/last_that_holds.hpp"
+
+namespace faster::sizing {
+
+/// The FIFOs as they are configured: which kinds they may be built in, and how wide they are.
+struct FifoFrame {
+    std::array<FifoKind, fifo_count> kinds{};
+    std::array<unsigned, fifo_count> bits{};
+    CostWeights weights;
+
+    FifoFrame(AcceleratorConfig const& config, CostWeights const& weights);
+};
+
+/// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.
+struct Unbounded {
+    Choice choice{};
+    Cycles total_cycles = 0;
+    std::size_t last_core = 0;  ///< which takes as long
+};
+
+/// Deepens FIFOs of the configured kinds, `auto` ones as memories, until the critical path of the core that ends last
+/// waits for no room. Then no depth whatsoever is faster (unless `most_depth` is reached).
+Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
+
+/// The cheapest choice within a bound, and how sure that is.
+struct Found {
+    Choice choice{};
+    Cycles total_cycles = 0;  ///< once timed
+    bool is_proven = false;   ///< no choice within the bound is cheaper; else only nothing shallower is within
+    double least_cost = 0;    ///< LUTs of a core; no choice within the bound costs less, proven or not
+};
+
+/// Searches for the cheapest FIFOs. Keeps the cuts of earlier searches.
+///
+/// The cheapest levels that escape all known cuts are timed. If they are within the bound they are the answer, as
+/// nothing cheaper escapes. If not, the critical path says why, which is a new cut. It is deepened as far as it still
+/// breaks the bound with all other FIFOs unlimited, so that it rules out as much as it can; that is retimed too.
+/// This takes for granted that more room or less latency never makes a run longer: docs/architecture.md says why.
+class Search {
+  public:
+    /// At most `most_retimings` cores are retimed in all before a search settles for less than a proof.
+    Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
+           std::size_t most_retimings);
+
+    /// At most `bound` cycles, which must be no less than unbounded FIFOs take; Cut::deadlock - 1: any that end.
+    Found cheapest(Cycles bound);
+    Found timed(Found found);
+    /// The same price, no token more than needed; timed.
+    Found shallowest(Found found, Cycles bound);
+
+  private:
+    bool is_within(Choice const& choice, Cycles bound);
+    std::size_t broken_core(Choice const& choice, Cycles bound);
+    bool learn(Choice const& choice, Cycles bound);
+    Cut suspects(Choice const& choice, Cycles bound);
+    Cut widened(Cut cut, std::size_t core, Cycles bound);
+    void drop_members(Cut& cut, std::size_t core, Cycles bound);
+    void deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound);
+    Choice corner(Cut const& cut) const;
+    std::vector<Cut> cuts_against(Cycles bound) const;
+    Choice descend(Cycles bound);
+    bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
+    std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;
+    std::optional<bool> fits_cores(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores,
+                                   Monotone::IsObsolete const& is_obsolete);
+    void ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores);
+    Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
+    double cost_of_choice(Choice const& choice) const;
+
+    FifoFrame const& frame_;
+    CoreTimes& times_;
+    Unbounded const& unbounded_;
+    unsigned jobs_;
+    std::size_t most_retimings_;
+    Levels levels_;
+    std::vector<Cut> cuts_;
+    std::size_t strict_core_;  ///< the one that broke the last bound; it will probably break the next
+};
+
+}  // namespace faster::sizing

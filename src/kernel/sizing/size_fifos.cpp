@@ -1,0 +1,100 @@
+#include "kernel/sizing/size_fifos.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace faster::sizing {
+
+namespace {
+
+constexpr std::size_t steps_to_the_answer = 3;  // unbounded, cheapest, shallowest
+
+SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& frame) {
+    Primitives const primitives = sum_of(choice, frame.bits, frame.weights);
+    return {choice, total_cycles, primitives, cost_of(primitives, frame.weights)};
+}
+
+/// The deepest that the primitives of an answer hold.
+Choice holding(Choice choice, FifoFrame const& frame) {
+    for (std::size_t i = 0; i < fifo_count; ++i) {
+        auto const same_primitives = [&](std::uint64_t depth) {
+            FifoChoice const deeper = choice_of(frame.kinds[i], depth);
+            return deeper.kind == choice[i].kind &&
+                   primitives_of(deeper.kind, depth, frame.bits[i], frame.weights) ==
+                       primitives_of(deeper.kind, choice[i].depth, frame.bits[i], frame.weights);
+        };
+        std::uint64_t deepest = choice[i].depth;
+        while (deepest < most_depth && same_primitives(deepest + 1))
+            ++deepest;
+        choice[i].depth = deepest;
+    }
+    return choice;
+}
+
+/// Counts steps, of which some become known on the way.
+class Steps {
+  public:
+    Steps(std::function<void(std::size_t, std::size_t)> const& progress, std::size_t expected)
+        : progress_(progress), expected_(expected) {}
+    void expect(std::size_t more) { expected_ += more; }
+    void done() {
+        ++done_;
+        if (progress_)
+            progress_(done_, expected_);
+    }
+
+  private:
+    std::function<void(std::size_t, std::size_t)> const& progress_;
+    std::size_t expected_;
+    std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Cycles bound_within(double percent, Cycles unbounded_cycles) {
+    constexpr double rounding = 1e-6;  // a whole number of cycles is one, however the percentage is rounded
+    return unbounded_cycles +
+           static_cast<Cycles>(std::floor(static_cast<double>(unbounded_cycles) * percent / 100 + rounding));
+}
+
+Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& config, SizingOptions const& options,
+                  std::function<void(std::size_t, std::size_t)> const& progress) {
+    FifoFrame const frame(config, options.weights);
+    CoreTimes times(run, config);
+    Steps steps(progress, steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0));
+    Sizing sizing;
+    sizing.options = options;
+    sizing.config = config;
+    sizing.bits = frame.bits;
+    Unbounded const deep = unbounded(frame, times, options.jobs);
+    sizing.unbounded = sized(deep.choice, deep.total_cycles, frame);
+    sizing.bound = bound_within(options.within_percent, deep.total_cycles);
+    steps.done();
+
+    Search search(frame, times, deep, options.jobs, options.most_retimings);
+    Found found = search.cheapest(sizing.bound);
+    steps.done();
+    found = search.shallowest(found, sizing.bound);
+    steps.done();
+    sizing.answer = sized(found.choice, found.total_cycles, frame);
+    sizing.is_proven = found.is_proven;
+    sizing.least_cost = found.least_cost;
+    sizing.holds = holding(found.choice, frame);
+
+    sizing.certificate = steps_down(frame, found.choice);
+    steps.expect(sizing.certificate.size());
+    time_steps(found.choice, sizing.bound, times, options.jobs, sizing.certificate, [&] { steps.done(); });
+    for (CertificateRow const& row : sizing.certificate)
+        if (!row.breaks(sizing.bound))
+            throw std::logic_error("a shallower FIFO is within the bound: " + std::string(name_of(row.fifo)));
+
+    Choice const configured = choice_of(config);
+    sizing.configured = sized(configured, times.total_cycles(configured, options.jobs), frame);
+    if (options.front_points > 0)
+        sizing.front =
+            front(frame, search, deep.total_cycles, sizing.bound, options.front_points, [&] { steps.done(); });
+    sizing.retimed_cores = times.retimed_cores();
+    return sizing;
+}
+
+}  // namespace faster::sizing

@@ -1,0 +1,50 @@
+#pragma once
+#include <functional>
+
+#include "kernel/sizing/certificate.hpp"
+#include "kernel/sizing/front.hpp"
+
+namespace faster::sizing {
+
+struct SizingOptions {
+    double within_percent = 0;  ///< of what unbounded FIFOs take, more
+    CostWeights weights;
+    unsigned front_points = 12;          ///< bounds of the front; 0: no front
+    unsigned jobs = 1;                   ///< threads
+    std::size_t most_retimings = 20000;  ///< cores retimed before a search does without a proof
+};
+
+/// A choice with its price and its time.
+struct SizedChoice {
+    Choice choice{};
+    Cycles total_cycles = 0;  ///< Cut::deadlock if it never ends
+    Primitives primitives;    ///< of a core
+    double cost = 0;          ///< of a core, in LUTs
+};
+
+/// The cheapest FIFOs for a recorded run, and all that shows it.
+struct Sizing {
+    SizingOptions options;
+    AcceleratorConfig config;  ///< the machine; its FIFOs' depths as configured
+    std::array<unsigned, fifo_count> bits{};
+    SizedChoice configured;
+    SizedChoice unbounded;
+    Cycles bound = 0;
+    SizedChoice answer;
+    bool is_proven = false;  ///< nothing within the bound is cheaper
+    double least_cost = 0;   ///< of a core, in LUTs: nothing within the bound costs less
+    Choice holds{};          ///< the answer's kinds, as deep as its primitives allow
+    std::vector<CertificateRow> certificate;
+    std::vector<FrontPoint> front;  ///< cheapest first
+    std::size_t retimed_cores = 0;
+};
+
+/// How much `bound` is: percent of the cycles of unbounded FIFOs, more than those.
+Cycles bound_within(double percent, Cycles unbounded_cycles);
+
+/// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
+/// done.
+Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& config, SizingOptions const& options,
+                  std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
+
+}  // namespace faster::sizing

@@ -1,0 +1,111 @@
+#include "kernel/sweeps/point_result.hpp"
+
+#include <algorithm>
+
+#include "kernel/base/json.hpp"
+#include "kernel/report/architecture_table.hpp"
+
+namespace faster::sweeps {
+
+namespace {
+
+using Status = PointResult::Status;
+
+/// "rasterizer -> inlier_unit -> rasterizer": each waits for the next.
+std::string circle_of(RunStatistics const& run) {
+    std::vector<StuckProcess> const circle = run.wait_cycle();
+    if (circle.empty())
+        return run.stuck.front().process + " waits for " + run.stuck.front().waits_for;
+    std::string text;
+    for (StuckProcess const& process : circle)
+        text += process.process + " (" + process.fifo + ") -> ";
+    return text + circle.front().process;
+}
+
+Status status_from_name(std::string const& name) {
+    for (Status const status : {Status::done, Status::deadlock, Status::failed})
+        if (name == name_of(status))
+            return status;
+    throw Json::other_error::create(501, "unknown status", static_cast<Json const*>(nullptr));
+}
+
+std::string one_line(std::string text) {
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+}  // namespace
+
+bool PointResult::operator==(PointResult const& other) const { return to_json(*this) == to_json(other); }
+
+char const* name_of(Status status) {
+    switch (status) {
+        case Status::done:
+            return "done";
+        case Status::deadlock:
+            return "deadlock";
+        case Status::failed:
+            return "failed";
+    }
+    return "";
+}
+
+PointResult result_of(AcceleratorConfig const& config, RunStatistics const& run) {
+    report::ArchitectureRow const row = report::architecture_row(config, run);
+    PointResult result;
+    result.ramb36 = row.ramb36;
+    if (run.deadlocked()) {
+        result.status = Status::deadlock;
+        result.message = circle_of(run);
+        return result;
+    }
+    if (std::string const left = leftover_tokens(run); !left.empty())
+        return failed("tokens are left at the end of the run: " + left);
+    result.status = Status::done;
+    result.total_cycles = row.total_cycles;
+    result.milliseconds = row.milliseconds;
+    result.stall_cycles = row.empty_stall_cycles + row.full_stall_cycles;
+    result.port_conflict_cycles = row.port_conflict_cycles;
+    for (CoreStatistics const& core : run.cores)
+        for (FifoStatistics const& fifo : core.fifos) {
+            result.fifo_full_stall_cycles += fifo.full_stall_cycles;
+            result.fifo_empty_stall_cycles += fifo.empty_stall_cycles;
+        }
+    return result;
+}
+
+PointResult failed(std::string const& message) {
+    PointResult result;
+    result.message = one_line(message);
+    return result;
+}
+
+Json to_json(PointResult const& result) {
+    return {{"status", name_of(result.status)},
+            {"message", result.message},
+            {"total_cycles", result.total_cycles},
+            {"milliseconds", result.milliseconds},
+            {"stall_cycles", result.stall_cycles},
+            {"port_conflict_cycles", result.port_conflict_cycles},
+            {"fifo_full_stall_cycles", result.fifo_full_stall_cycles},
+            {"fifo_empty_stall_cycles", result.fifo_empty_stall_cycles},
+            {"ramb36", result.ramb36}};
+}
+
+PointResult result_from_json(Json const& json) {
+    PointResult result;
+    result.status = status_from_name(json.at("status").get<std::string>());
+    json.at("message").get_to(result.message);
+    json.at("total_cycles").get_to(result.total_cycles);
+    json.at("milliseconds").get_to(result.milliseconds);
+    json.at("stall_cycles").get_to(result.stall_cycles);
+    json.at("port_conflict_cycles").get_to(result.port_conflict_cycles);
+    json.at("fifo_full_stall_cycles").get_to(result.fifo_full_stall_cycles);
+    json.at("fifo_empty_stall_cycles").get_to(result.fifo_empty_stall_cycles);
+    json.at("ramb36").get_to(result.ramb36);
+    return result;
+}
+
+}  // namespace faster::sweeps

@@ -1,0 +1,41 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "faster/accelerator_config.hpp"
+#include "kernel/base/cycles.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::sweeps {
+
+/// What came of a point.
+struct PointResult {
+    enum class Status {
+        done,
+        deadlock,  ///< a result like any other; `message` says who waits for whom
+        failed,    ///< there is no result; `message` says why
+    };
+    Status status = Status::failed;
+    std::string message;  ///< one line; empty if done
+    // Of all cores, in lane-cycles; only if done.
+    Cycles total_cycles = 0;  ///< not summed up: of the machine
+    double milliseconds = 0;
+    Cycles stall_cycles = 0;  ///< of the modules, full and empty, while they have work
+    Cycles port_conflict_cycles = 0;
+    Cycles fifo_full_stall_cycles = 0;
+    Cycles fifo_empty_stall_cycles = 0;
+    double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores; unless failed
+
+    bool operator==(PointResult const& other) const;
+};
+
+char const* name_of(PointResult::Status status);
+
+PointResult result_of(AcceleratorConfig const& config, RunStatistics const& run);
+PointResult failed(std::string const& message);
+
+nlohmann::ordered_json to_json(PointResult const& result);
+/// Throws Json::exception for anything else.
+PointResult result_from_json(nlohmann::ordered_json const& json);
+
+}  // namespace faster::sweeps

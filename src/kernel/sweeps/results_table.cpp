@@ -1,0 +1,65 @@
+#include "kernel/sweeps/results_table.hpp"
+
+#include <fmt/format.h>
+#include <iterator>
+
+namespace faster::sweeps {
+
+namespace {
+
+std::string quoted(std::string const& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    std::string cell = "\"";
+    for (char const letter : text)
+        cell += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return cell + '"';
+}
+
+std::string figures(PointResult const& result) {
+    if (result.status == PointResult::Status::failed)
+        return ",,,,,,";
+    if (result.status == PointResult::Status::deadlock)
+        return fmt::format(",,,,,,{:g}", result.ramb36);
+    return fmt::format("{},{},{},{},{},{},{:g}", result.total_cycles, result.milliseconds, result.stall_cycles,
+                       result.port_conflict_cycles, result.fifo_full_stall_cycles, result.fifo_empty_stall_cycles,
+                       result.ramb36);
+}
+
+}  // namespace
+
+std::vector<std::string> const& result_columns() {
+    static std::vector<std::string> const columns{"point",
+                                                  "status",
+                                                  "total_cycles",
+                                                  "milliseconds",
+                                                  "stall_cycles",
+                                                  "port_conflict_cycles",
+                                                  "fifo_full_stall_cycles",
+                                                  "fifo_empty_stall_cycles",
+                                                  "ramb36",
+                                                  "message"};
+    return columns;
+}
+
+std::string results_csv(Manifest const& manifest, Results const& results) {
+    std::string text = "point";
+    for (std::string const& column : manifest.columns)
+        text += "," + column;
+    for (std::size_t i = 1; i < result_columns().size(); ++i)
+        text += "," + result_columns()[i];
+    text += "\n";
+    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
+        auto const found = results.find(manifest.points[i].id);
+        if (found == results.end())
+            continue;
+        text += std::to_string(i);
+        for (std::string const& value : manifest.points[i].values)
+            text += "," + quoted(value);
+        fmt::format_to(std::back_inserter(text), ",{},{},{}\n", name_of(found->second.status), figures(found->second),
+                       quoted(found->second.message));
+    }
+    return text;
+}
+
+}  // namespace faster::sweeps

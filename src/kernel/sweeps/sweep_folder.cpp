@@ -1,0 +1,117 @@
+#include "kernel/sweeps/sweep_folder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+#include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+
+namespace faster::sweeps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char const* manifest_file = "sweep.json";
+
+bool is_hidden(fs::directory_entry const& entry) { return entry.path().filename().string().front() == '.'; }
+
+void remove_partial_files_in(fs::path const& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> files;
+    for (fs::directory_entry const& entry : fs::directory_iterator(folder, ignored))
+        if (is_hidden(entry) && entry.path().filename().string().find(".partial-") != std::string::npos)
+            files.push_back(entry.path());
+    for (fs::path const& file : files)
+        fs::remove(file, ignored);
+}
+
+}  // namespace
+
+SweepFolder::SweepFolder(fs::path const& folder) : folder_(folder) {
+    if (folder_.empty())
+        throw InputError("the name of the output folder is empty, expected a path");
+    make();
+    lock();
+}
+
+SweepFolder::~SweepFolder() { close(lock_); }
+
+void SweepFolder::make() const {
+    std::error_code error;
+    if (fs::exists(folder_) && !fs::is_directory(folder_))
+        throw InputError(folder_.string() + ": is a file, expected a folder for a sweep");
+    fs::create_directories(folder_, error);
+    if (error)
+        throw InputError(folder_.string() + ": cannot be made (" + error.message() + ")");
+    if (fs::exists(folder_ / manifest_file))
+        return;
+    bool const is_free = std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_hidden);
+    if (!is_free)
+        throw InputError(folder_.string() + ": holds other files, expected a new or empty folder or that of a sweep");
+}
+
+/// Not flock(): that would be shared with child processes, which may outlive this one by a moment.
+void SweepFolder::lock() {
+    lock_ = open((folder_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock_ < 0)
+        throw InputError(folder_.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (fcntl(lock_, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN)) {
+        close(lock_);
+        throw InputError(folder_.string() +
+                         ": another faster-sim sweep is at work in it, expected a folder of its own");
+    }
+}
+
+void SweepFolder::adopt(Manifest const& manifest) {
+    if (fs::exists(folder_ / manifest_file)) {
+        Manifest const older = read_manifest_of(folder_);
+        if (std::string const why = why_no_part_of(older, manifest); !why.empty())
+            throw InputError(
+                fmt::format("{}: holds the sweep {}: {}; expected the same sweep, or one that only adds "
+                            "points, or another --out",
+                            folder_.string(), older.sweep, why));
+        if (to_text(older) == to_text(manifest))
+            return;
+    }
+    io::write_file_durably(folder_ / manifest_file, to_text(manifest));
+}
+
+fs::path SweepFolder::events(std::string const& function) const { return folder_ / "events" / (function + ".events"); }
+
+void SweepFolder::prepare_events() const {
+    std::error_code error;
+    fs::create_directory(folder_ / "events", error);
+    if (error)
+        throw InputError((folder_ / "events").string() + ": cannot be made (" + error.message() + ")");
+    remove_partial_files_in(folder_);
+    remove_partial_files_in(folder_ / "events");
+}
+
+void SweepFolder::remove_events_folder() const {
+    std::error_code ignored;
+    fs::remove(folder_ / "events", ignored);
+}
+
+bool is_sweep_folder(fs::path const& folder) { return fs::exists(folder / manifest_file); }
+
+Manifest read_manifest_of(fs::path const& folder) {
+    fs::path const file = folder / manifest_file;
+    if (!fs::is_directory(folder))
+        throw InputError(folder.string() + ": no such folder, expected the output folder of a sweep");
+    if (!fs::exists(file))
+        throw InputError(folder.string() + ": has no " + manifest_file + ", expected the output folder of a sweep");
+    return manifest_from_text(io::read_file(file), file.string());
+}
+
+}  // namespace faster::sweeps

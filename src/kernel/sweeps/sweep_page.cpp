@@ -1,0 +1,34 @@
+#include "kernel/sweeps/sweep_page.hpp"
+
+#include "kernel/base/json.hpp"
+#include "kernel/report/html/fill_page.hpp"
+#include "kernel/sweeps/page.hpp"
+
+namespace faster::sweeps {
+
+namespace {
+
+Json points_json(Manifest const& manifest, Results const& results) {
+    Json points = Json::array();
+    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
+        auto const found = results.find(manifest.points[i].id);
+        if (found == results.end())
+            continue;
+        Json point{{"point", i}, {"values", manifest.points[i].values}};
+        point.update(to_json(found->second));
+        points.push_back(point);
+    }
+    return points;
+}
+
+}  // namespace
+
+std::string sweep_page(Manifest const& manifest, Results const& results) {
+    Json const data{{"format", "faster-sweep-page"}, {"version", 1},
+                    {"sweep", manifest.sweep},       {"planned", manifest.points.size()},
+                    {"columns", manifest.columns},   {"points", points_json(manifest, results)}};
+    return report::filled_page(sweep_page_template, manifest.sweep,
+                               data.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace faster::sweeps

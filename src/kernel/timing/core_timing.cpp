@@ -1,0 +1,261 @@
+#include "kernel/timing/core_timing.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "kernel/timing/path_sweep.hpp"
+
+namespace faster::timing {
+
+FifoTiming& CoreTiming::add_fifo(FifoShape shape) { return fifos_.emplace_back(std::move(shape)); }
+
+ProcessTiming& CoreTiming::add_process(std::string name) {
+    if (processes_.size() == most_processes)
+        throw std::logic_error(name + ": a core has at most 31 processes");
+    return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()));
+}
+
+std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
+    auto const same = [&fifo](FifoTiming const& other) { return &other == &fifo; };
+    return static_cast<std::size_t>(std::find_if(fifos_.begin(), fifos_.end(), same) - fifos_.begin());
+}
+
+void CoreTiming::connect() {
+    ends_.assign(fifos_.size(), Ends{});
+    for (ProcessTiming const& process : processes_)
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            Ends& both = ends_[number_of(process.fifo(port))];
+            (process.writes(port) ? both.writer : both.reader) = static_cast<int>(process.index());
+        }
+    for (ProcessTiming& process : processes_)
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            Ends const& both = ends_[number_of(process.fifo(port))];
+            int const other = process.writes(port) ? both.reader : both.writer;
+            process.set_neighbour(port, other < 0 ? 0U : 1U << other);
+        }
+    find_patient();
+    if (automaton_ != nullptr)
+        group_ = std::make_unique<Group>(*this, lead_);
+}
+
+std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
+    auto copy = std::make_unique<CoreTiming>();
+    for (FifoTiming const& fifo : fifos_)
+        copy->add_fifo(fifo.shape());
+    for (ProcessTiming const& process : processes_) {
+        ProcessTiming& same = copy->add_process(process.name());
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
+            process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
+        }
+        for (LoopShape const& loop : process.loops())
+            same.add_loop(loop);
+        same.set_setup_cycles(process.setup_cycles());
+    }
+    return copy;
+}
+
+std::unique_ptr<CoreTiming> CoreTiming::copy() {
+    if (automaton_ != nullptr && group_ != nullptr)
+        automaton_->settle(*group_, session_);
+    std::unique_ptr<CoreTiming> same = blank_copy();
+    for (std::size_t i = 0; i < fifos_.size(); ++i)
+        same->fifos_[i] = fifos_[i];
+    for (std::size_t i = 0; i < processes_.size(); ++i)
+        same->processes_[i].take_state(processes_[i]);
+    return same;
+}
+
+void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton) {
+    lead_ = lead;
+    automaton_ = std::move(automaton);
+}
+
+/// Two processes with nothing but deep FIFOs between them.
+void CoreTiming::find_patient() {
+    constexpr std::uint64_t deep = 64;
+    patient_.assign(processes_.size(), all_processes());
+    for (std::size_t i = 0; i < fifos_.size(); ++i) {
+        if (fifos_[i].shape().capacity >= deep || ends_[i].writer < 0 || ends_[i].reader < 0)
+            continue;
+        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~(1U << ends_[i].reader);
+        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~(1U << ends_[i].writer);
+    }
+}
+
+void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
+    std::uint32_t later = 0;
+    for (runnable &= ~held; (runnable | later) != 0;) {
+        // Downstream processes first: what they read is what makes room for those before them. Who has a deep FIFO to
+        // fill or to empty comes last, and then has much to do at once.
+        std::uint32_t const next = runnable != 0 ? runnable : later;
+        auto const index = 31U - static_cast<unsigned>(__builtin_clz(next));
+        runnable &= ~(1U << index);
+        later &= ~(1U << index);
+        ProcessTiming& process = processes_[index];
+        if (process.finished())
+            continue;
+        std::uint32_t woken = 0;
+        if (process.is_running(SteadyState::worthwhile_count))
+            woken = steady_state_.observe(process, processes_);
+        woken = (woken | process.advance()) & ~held;
+        runnable |= woken & ~patient_[index];
+        later |= woken & patient_[index];
+    }
+}
+
+/// Of unlimited FIFOs; false: none has to.
+bool CoreTiming::keep_more() {
+    bool keeps_more = false;
+    for (FifoTiming& fifo : fifos_)
+        if (fifo.is_unlimited() && fifo.known_writes() == 0) {
+            fifo.keep_more();
+            keeps_more = true;
+        }
+    return keeps_more;
+}
+
+void CoreTiming::resolve(bool to_the_end) {
+    if (holds_)
+        return;
+    if (ends_.empty())
+        connect();
+    std::uint32_t const all = all_processes();
+    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
+        do
+            settle(all, 0);
+        while (keep_more());
+    } else if (group_has_started(all)) {
+        for (;;) {
+            settle(all, 1U << lead_.driver);
+            Automaton::Progress const progress = automaton_->follow(*group_, session_);
+            if (progress.later && !to_the_end)
+                break;
+            if (!let_driver_go() && !progress.moved)
+                break;
+        }
+    }
+    if (to_the_end && automaton_ != nullptr)
+        automaton_->settle(*group_, session_);
+    for (ProcessTiming& process : processes_)
+        process.log().compact();
+    shorten_trail();
+}
+
+void CoreTiming::resolve_processes(std::uint32_t processes) {
+    if (ends_.empty())
+        connect();
+    settle(processes, 0);
+    shorten_trail();
+}
+
+void CoreTiming::take_up(Script& script) {
+    if (ends_.empty())
+        connect();
+    walk_ = {group_.get(), &session_, &script, nullptr, nullptr, nullptr, 0};
+    follows_ = automaton_->fits(*this, lead_, *group_);
+}
+
+bool CoreTiming::set_out() {
+    while (!walk_.script->done()) {
+        if (follows_ && group_has_started(all_processes())) {
+            settle(all_processes(), 1U << lead_.driver);
+            bool moved = false;
+            if (!Automaton::is_where_script_goes_on(*group_))
+                moved = automaton_->follow(*group_, session_, walk_.script).moved;
+            else if (automaton_->set_out(walk_))
+                return true;
+            if (let_driver_go() || moved)
+                continue;
+        }
+        write_next();
+    }
+    return false;
+}
+
+void CoreTiming::arrive() {
+    bool const moved = automaton_->arrive(walk_);
+    if (!let_driver_go() && !moved && !walk_.script->done())
+        write_next();
+}
+
+void CoreTiming::walk_through() {
+    while (set_out()) {
+        automaton_->go_on({&walk_});
+        arrive();
+    }
+}
+
+void CoreTiming::write_next() {
+    // A driver with operations left waits for somebody, and will wait however many more there are.
+    follows_ = follows_ && group_->driver().finished();
+    Automaton::write_next(*group_, *walk_.script);
+}
+
+void CoreTiming::leave_trail(std::size_t length) {
+    trail_ = std::make_unique<Trail>(length);
+    for (ProcessTiming& process : processes_)
+        process.set_trail(trail_.get());
+    if (automaton_ != nullptr)
+        automaton_->leave_trails();
+}
+
+void CoreTiming::shorten_trail() {
+    if (trail_ == nullptr || !trail_->is_long())
+        return;
+    if (ends_.empty())
+        connect();
+    forget_trunk(*this, *trail_);
+}
+
+/// What a process waited before its first access is no stall, and no state of the automaton tells it: until all of the
+/// group have begun, the driver goes step by step.
+bool CoreTiming::group_has_started(std::uint32_t all) {
+    auto const has_begun = [](Group::Member const& member) { return member.process->has_accessed(); };
+    while (!started_) {
+        settle(all, 1U << lead_.driver);
+        started_ = std::all_of(group_->members().begin(), group_->members().end(), has_begun);
+        ProcessTiming& driver = processes_[lead_.driver];
+        if (started_ || driver.front() != ProcessTiming::Status::ready)
+            break;
+        driver.commit_front();
+    }
+    return started_;
+}
+
+/// Up to the next sample at most; false: it could not move.
+bool CoreTiming::let_driver_go() {
+    ProcessTiming& driver = processes_[lead_.driver];
+    std::size_t const before = driver.log().pending();
+    return driver.advance(true) != 0 || driver.log().pending() != before;
+}
+
+std::vector<Wait> CoreTiming::waits() {
+    if (ends_.empty())
+        connect();
+    std::vector<Wait> waits;
+    for (ProcessTiming& process : processes_) {
+        ProcessTiming::Status const status = process.front();
+        bool const starving = status == ProcessTiming::Status::exhausted && process.starving_port() >= 0;
+        if (status != ProcessTiming::Status::blocked && !starving)
+            continue;
+        unsigned const port = starving ? static_cast<unsigned>(process.starving_port()) : process.blocking_port();
+        FifoTiming const& fifo = process.fifo(port);
+        Wait wait;
+        wait.process = process.name();
+        wait.position = process.position();
+        wait.fifo = fifo.name();
+        wait.to_write = process.writes(port);
+        wait.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
+        wait.capacity = fifo.shape().capacity;
+        wait.since = process.waiting_since();
+        wait.site = process.site_at_hand(port);
+        Ends const& both = ends_[number_of(fifo)];
+        int const other = wait.to_write ? both.reader : both.writer;
+        wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
+        waits.push_back(wait);
+    }
+    return waits;
+}
+
+}  // namespace faster::timing

@@ -1,0 +1,121 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/timing/automaton.hpp"
+#include "kernel/timing/process_timing.hpp"
+#include "kernel/timing/steady_state.hpp"
+
+namespace faster::timing {
+
+/// One process that cannot go on, and why.
+struct Wait {
+    std::string process;
+    std::string position;
+    std::string fifo;
+    bool to_write = false;  ///< the FIFO is full; otherwise empty
+    std::uint64_t occupancy = 0;
+    std::uint64_t capacity = 0;
+    Cycles since = 0;   ///< local time of the process
+    SourceSite site;    ///< of the loop, or of the access outside loops
+    std::string other;  ///< the process at the other end of the FIFO
+};
+
+/// The FIFOs and processes of one raster core, and the calculation of their times. Which process goes first never
+/// matters: an access gets its cycle once everything that decides it is known.
+class CoreTiming {
+  public:
+    static constexpr std::size_t most_processes = 31;  ///< a bit each
+
+    FifoTiming& add_fifo(FifoShape shape);
+    ProcessTiming& add_process(std::string name);
+
+    /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later
+    /// whose answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the
+    /// end.
+    void resolve(bool to_the_end = true);
+
+    /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
+    void hold(bool holds) { holds_ = holds; }
+
+    /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
+    void resolve_processes(std::uint32_t processes);
+
+    /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
+    /// then. There must be an automaton. In parts, so that cores that share an automaton can take turns:
+    ///
+    ///     core.take_up(script);
+    ///     while (core.set_out()) {
+    ///         automaton.go_on({&core.walk()});
+    ///         core.arrive();
+    ///     }
+    void take_up(Script& script);
+    /// As far as a walk; false: the script is done.
+    bool set_out();
+    Automaton::Walk& walk() { return walk_; }
+    void arrive();
+    /// All of this, for a core that does not take turns.
+    void walk_through();
+
+    /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
+    /// automaton.
+    std::unique_ptr<CoreTiming> copy();
+    /// A core of the same FIFOs and processes, in which nothing has happened yet.
+    std::unique_ptr<CoreTiming> blank_copy() const;
+    /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead.
+    void let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton);
+
+    /// Takes down what decides the times from now on. Before anything has happened.
+    void leave_trail(std::size_t length = Trail::usual_length);
+    Trail const* trail() const { return trail_.get(); }
+    /// All of it, which forgets it; in cycles since `origin`.
+    std::vector<TrailEvent> take_trail(Cycles origin) { return trail_->take(origin); }
+    /// Keeps the trail short. Now and then, between operations.
+    void shorten_trail();
+    Automaton const* automaton() const { return automaton_.get(); }
+
+    FifoTiming& fifo(std::size_t number) { return fifos_[number]; }
+    ProcessTiming& process(std::size_t number) { return processes_[number]; }
+    std::deque<FifoTiming> const& fifos() const { return fifos_; }
+    std::deque<ProcessTiming> const& processes() const { return processes_; }
+    std::size_t number_of(FifoTiming const& fifo) const;
+    /// Numbers of the processes at a FIFO; -1: none. Once connected, by the first resolve().
+    struct Ends {
+        int writer = -1;
+        int reader = -1;
+    };
+    Ends const& ends(unsigned process, unsigned port) const { return ends_[number_of(processes_[process].fifo(port))]; }
+
+    /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
+    std::vector<Wait> waits();
+
+  private:
+    void connect();
+    void find_patient();
+    /// All but the processes `held`, a bit each.
+    void settle(std::uint32_t runnable, std::uint32_t held);
+    bool keep_more();
+    bool group_has_started(std::uint32_t all);
+    bool let_driver_go();
+    std::uint32_t all_processes() const { return (1U << processes_.size()) - 1; }
+    void write_next();
+
+    std::deque<FifoTiming> fifos_;  // deque: references stay valid
+    std::deque<ProcessTiming> processes_;
+    std::vector<Ends> ends_;              // by FIFO
+    std::vector<std::uint32_t> patient_;  // by process: those that need not go on at once when it has
+    SteadyState steady_state_;
+    std::unique_ptr<Trail> trail_;
+    std::shared_ptr<Automaton> automaton_;
+    std::unique_ptr<Group> group_;
+    Automaton::Session session_;
+    Automaton::Walk walk_;
+    bool follows_ = false;  ///< the script at hand
+    Lead lead_;
+    bool started_ = false;
+    bool holds_ = false;
+};
+
+}  // namespace faster::timing

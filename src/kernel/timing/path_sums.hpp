@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+
+namespace faster::timing {
+
+/// A stretch of a process's program, as far as a critical path tells them apart.
+class Region {
+  public:
+    enum class Part : std::uint8_t { outside, setup, fill, iterations, drain };
+
+    Region() = default;
+    static Region setup() { return Region(1); }
+    static Region of_loop(unsigned loop, Part part) {
+        return Region(static_cast<std::uint8_t>(2U + 3U * loop + static_cast<unsigned>(part) - first_of_loop));
+    }
+
+    Part part() const {
+        return number_ < 2 ? static_cast<Part>(number_) : static_cast<Part>((number_ - 2U) % 3U + first_of_loop);
+    }
+    /// Only inside one.
+    unsigned loop() const { return (number_ - 2U) / 3U; }
+    bool is_in_loop() const { return number_ >= 2; }
+    unsigned number() const { return number_; }
+    /// Regions of a process with so many loops.
+    static unsigned count(unsigned loops) { return first_of_loop + 3 * loops; }
+    static Region numbered(unsigned number) { return Region(static_cast<std::uint8_t>(number)); }
+    bool operator==(Region const& other) const { return number_ == other.number_; }
+
+  private:
+    static constexpr unsigned first_of_loop = 2;
+    explicit Region(std::uint8_t number) : number_(number) {}
+
+    std::uint8_t number_ = 0;
+};
+
+/// What the cycles of a path were spent with, by process and region. Of no processes: nothing.
+class PathSums {
+  public:
+    enum class Share : std::uint8_t { own, recurrence, port_conflict };
+    static constexpr unsigned most_regions = 16, most_ports = 8, shares = 3;
+
+    explicit PathSums(std::size_t processes = 0)
+        : own_(processes * most_regions * shares), turns_(processes * most_regions * most_ports) {}
+
+    std::uint64_t& of(unsigned process, Region region, Share share) { return own_[place(process, region, share)]; }
+    std::uint64_t of(unsigned process, Region region, Share share) const { return own_[place(process, region, share)]; }
+    /// How often the path left `process`, in a region, for the process at the other end of a port.
+    std::uint64_t& turns(unsigned process, Region region, unsigned port) {
+        return turns_[place(process, region) * most_ports + port];
+    }
+    std::uint64_t turns(unsigned process, Region region, unsigned port) const {
+        return turns_[place(process, region) * most_ports + port];
+    }
+
+    /// this += times * (other - base), all of the same processes.
+    void add(PathSums const& other, PathSums const& base, std::uint64_t times);
+    void add(PathSums const& other);
+
+  private:
+    static std::size_t place(unsigned process, Region region) { return process * most_regions + region.number(); }
+    static std::size_t place(unsigned process, Region region, Share share) {
+        return place(process, region) * shares + static_cast<std::size_t>(share);
+    }
+
+    std::vector<std::uint64_t> own_;
+    std::vector<std::uint64_t> turns_;
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,288 @@
+#include "kernel/timing/steady_state.hpp"
+
+#include <algorithm>
+
+#include "kernel/base/each_bit.hpp"
+
+namespace faster::timing {
+
+namespace {
+constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
+constexpr unsigned most_others = 16;        // that go on between two looks
+constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
+
+bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
+}  // namespace
+
+std::uint32_t SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
+    if (given_up_[process.index()] == run_of(process) || !leads(process) || !find_group(processes))
+        return 0;
+    take(now_);
+    if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
+        return jump(now_);
+    if (is_power_of_two(++looks_))  // Brent: keep an ever older state to compare with, so that any period is found
+        std::swap(before_, now_);
+    if (looks_ > most_looks)
+        give_up();
+    return 0;
+}
+
+/// Who leads does so until its run is over, or others go on much more often.
+bool SteadyState::leads(ProcessTiming& process) {
+    bool const led = leader_ != nullptr && leader_->is_running(1) && run_of(*leader_) == leader_run_;
+    if (!led || (leader_ != &process && ++others_ > most_others)) {
+        leader_ = &process;
+        leader_run_ = run_of(process);
+        looks_ = 0;
+    }
+    if (leader_ == &process)
+        others_ = 0;
+    return leader_ == &process;
+}
+
+void SteadyState::give_up() {
+    for (ProcessTiming const* member : group_)
+        given_up_[member->index()] = run_of(*member);
+    leader_ = nullptr;
+}
+
+/// A number that no two runs of a process have.
+std::uint64_t SteadyState::run_of(ProcessTiming const& process) {
+    return process.run_.active ? 2 * process.run_.number : 2 * process.pipeline_run_ + 1;
+}
+
+/// A mask: of the iterations at hand, and of those that an unaligned loop still has on their way.
+std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
+    std::uint32_t ports = process.log_.front().ports();
+    if (!process.run_.active)
+        for (std::uint8_t const begun : process.plans_[process.current_loop_].delay_line)
+            ports |= begun;
+    return ports;
+}
+
+bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
+    for (std::uint32_t ports = ports_of(process); ports != 0; ports &= ports - 1)
+        if (process.ports_[static_cast<unsigned>(__builtin_ctz(ports))].fifo == &fifo)
+            return true;
+    return false;
+}
+
+/// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
+bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
+    group_.assign(1, leader_);
+    ends_.clear();
+    fifos_.clear();
+    for (std::size_t i = 0; i < group_.size(); ++i)
+        if (!add_ends(*group_[i], processes))
+            return false;
+    std::uint64_t times = 0;
+    for (End const& end : ends_) {
+        times += end.open() ? 0 : end.known();
+        if (end.writes && is_between_closed_ends(*end.fifo))
+            fifos_.push_back(end.fifo);
+    }
+    if (times > most_times)
+        give_up();
+    return times <= most_times;
+}
+
+/// Of a member, which makes the processes behind those that are closed members as well.
+bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
+    for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
+        auto const number = static_cast<unsigned>(__builtin_ctz(ports));
+        ProcessTiming::Port const& port = member.ports_[number];
+        End end{&member, number, port.fifo, port.writes, 0};
+        end.free = free_accesses(end);
+        ends_.push_back(end);
+        if (end.open())
+            continue;
+        if (port.neighbour == 0 || (end.writes && end.fifo->is_unlimited()))
+            return false;
+        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))];
+        if (!other.is_running(2) || !accesses(other, *port.fifo))
+            return false;
+        if (std::find(group_.begin(), group_.end(), &other) == group_.end())
+            group_.push_back(&other);
+    }
+    return true;
+}
+
+/// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept with the port,
+/// so that each is looked at once.
+std::uint64_t SteadyState::free_accesses(End const& end) {
+    if (end.writes && end.fifo->is_unlimited())
+        return end.known();
+    ProcessTiming const& process = *end.process;
+    ProcessTiming::Port& port = end.process->ports_[end.port];
+    std::uint64_t const next = end.accesses();
+    if (port.free_in_run != run_of(process) || port.free_until < next) {
+        port.free_in_run = run_of(process);
+        port.free_until = next;
+    }
+    std::uint64_t free = port.free_until - next;
+    Cycles const interval = process.plans_[process.current_loop_].ii;
+    while (free < end.known() && end.earliest(free) <= process.time_ + free * interval)
+        ++free;
+    port.free_until = next + free;
+    return free;
+}
+
+bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
+    return 2 == std::count_if(ends_.begin(), ends_.end(),
+                              [&fifo](End const& end) { return end.fifo == &fifo && !end.open(); });
+}
+
+/// Where an unaligned loop stands in its iteration, and what it has yet to write.
+void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative) {
+    ProcessTiming::LoopPlan const& plan = process.plans_[process.current_loop_];
+    ProcessTiming::PipelinePosition const& at = process.pipeline_;
+    Operation const& operation = process.log_.front();
+    std::uint64_t const begun = at.iteration + (at.open ? 1 : 0);
+    std::uint64_t const lags = std::min<std::uint64_t>(begun, plan.delay_line.size());
+    for (std::uint64_t const word :
+         {std::uint64_t{operation.ports()}, std::uint64_t{operation.gap()}, std::uint64_t{at.open},
+          std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, std::uint64_t{process.front_ports_}, lags})
+        relative.push_back(static_cast<std::int64_t>(word));
+    for (std::uint64_t lag = 1; lag <= lags; ++lag)
+        relative.push_back(plan.delay_line[(begun - lag) % plan.delay_line.size()]);
+}
+
+void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
+    std::vector<std::uint8_t>& line = process.plans_[process.current_loop_].delay_line;
+    std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
+    process.pipeline_.iteration += iterations;
+}
+
+void SteadyState::take(Snapshot& snapshot) const {
+    Cycles const origin = leader_->time_;
+    auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
+    snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
+    snapshot.relative.clear();
+    snapshot.growing.assign(1, origin);
+    for (ProcessTiming const* process : group_) {
+        snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
+        snapshot.relative.push_back(static_cast<std::int64_t>(run_of(*process)));
+        snapshot.relative.push_back(since(process->time_));
+        if (!process->run_.active)
+            take_pipeline(*process, snapshot.relative);
+        snapshot.growing.push_back(process->empty_stall_cycles_);
+        snapshot.growing.push_back(process->full_stall_cycles_);
+        snapshot.growing.push_back(process->iterations_);
+    }
+    for (FifoTiming const* fifo : fifos_)
+        snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy_));
+    for (End const& end : ends_) {
+        snapshot.relative.push_back(end.open() ? 1 : 0);
+        // An open end has made nobody wait since, or it would not go on like this.
+        snapshot.relative.push_back(static_cast<std::int64_t>(end.open() ? end.stalls() : end.known()));
+        // A time before the local time of who waits for it decides nothing: it could as well be that time.
+        for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
+            snapshot.relative.push_back(since(std::max(end.process->time_, end.earliest(i))));
+        snapshot.growing.push_back(end.accesses());
+        snapshot.growing.push_back(end.stalls());
+    }
+}
+
+std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
+    std::uint64_t periods = ~std::uint64_t{0};
+    for (std::size_t i = 0; i < group_.size(); ++i) {
+        Operation const& operation = group_[i]->log_.front();
+        std::uint64_t const iterations = now.growing[3 * i + 3] - before_.growing[3 * i + 3];
+        std::uint64_t const done = iterations / (1U + operation.gap());
+        if (done == 0)
+            return 0;
+        periods = std::min(periods, (operation.count() - 1) / done);
+    }
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        std::size_t const at = 1 + 3 * group_.size() + 2 * i;
+        std::uint64_t const accesses = now.growing[at] - before_.growing[at];
+        if (ends_[i].open() && accesses > 0)
+            periods = std::min(periods, ends_[i].free / accesses);
+    }
+    return periods;
+}
+
+std::uint32_t SteadyState::jump(Snapshot const& now) {
+    std::uint64_t const periods = whole_periods_left(now);
+    auto const growth = [&](std::size_t i) { return periods * (now.growing[i] - before_.growing[i]); };
+    if (periods == 0)
+        return 0;
+    std::size_t at = 0;
+    Cycles const cycles = growth(at++);
+    leave_trail(periods, cycles / periods);
+    for (ProcessTiming* process : group_) {
+        process->time_ += cycles;
+        process->empty_stall_cycles_ += growth(at++);
+        process->full_stall_cycles_ += growth(at++);
+        std::uint64_t const iterations = growth(at++);
+        process->iterations_ += iterations;
+        if (!process->run_.active)
+            shift_pipeline(*process, iterations);
+        process->loop_counters_[process->current_loop_].iterations += iterations;
+        Operation& operation = process->log_.front();
+        operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
+    }
+    // Open ends first, as who is behind them may need what they write or the room they make.
+    for (bool const open : {true, false})
+        for (std::size_t i = 0; i < ends_.size(); ++i)
+            if (ends_[i].open() == open)
+                go_on(ends_[i], growth(at + 2 * i), growth(at + 2 * i + 1), periods, cycles);
+    looks_ = 0;
+    return behind_open_ends();
+}
+
+std::uint32_t SteadyState::behind_open_ends() const {
+    std::uint32_t processes = 0;
+    for (End const& end : ends_)
+        processes |= end.open() ? end.process->ports_[end.port].neighbour : 0U;
+    return processes;
+}
+
+void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles) {
+    (end.writes ? end.fifo->full_stall_cycles_ : end.fifo->empty_stall_cycles_) += stalls;
+    if (std::find(fifos_.begin(), fifos_.end(), end.fifo) == fifos_.end())
+        end.writes ? repeat<true>(*end.fifo, accesses, periods, cycles)
+                   : repeat<false>(*end.fifo, accesses, periods, cycles);
+    else if (end.writes)
+        shift(*end.fifo, accesses, cycles);
+}
+
+void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
+    std::uint32_t mask = 0;
+    for (ProcessTiming const* process : group_)
+        mask |= 1U << process->index();
+    if (leader_->trail() != nullptr)
+        leader_->trail()->repeated(before_.trail_mark, mask, periods, cycles);
+}
+
+bool SteadyState::trail_remembers(Snapshot const& snapshot) const {
+    return leader_->trail() == nullptr || leader_->trail()->remembers(snapshot.trail_mark);
+}
+
+/// As if `tokens` more had gone through in `cycles`, and nothing else had changed.
+void SteadyState::shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles) {
+    std::vector<Cycles> readable;
+    std::vector<Cycles> writable;
+    for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
+        readable.push_back(fifo.earliest_read(i) + cycles);
+    for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
+        writable.push_back(fifo.earliest_write(i) + cycles);
+    fifo.writes_ += tokens;
+    fifo.reads_ += tokens;
+    for (std::uint64_t i = 0; i < readable.size(); ++i)
+        fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = readable[i];
+    for (std::uint64_t i = 0; i < writable.size(); ++i)
+        fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = writable[i];
+}
+
+/// What happened in the last period happens again in each.
+template <bool Writes>
+void SteadyState::repeat(FifoTiming& fifo, std::uint64_t accesses, std::uint64_t periods, Cycles cycles) {
+    FifoTiming::Run<Writes> run(fifo);
+    for (std::uint64_t i = 0; i < accesses; ++i)
+        run.repeat(i, accesses / periods, cycles / periods);
+    if (accesses > 0)
+        fifo.done(run, accesses);
+}
+
+}  // namespace faster::timing

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+
+#include "kernel/base/cycles.hpp"
+
+namespace faster::timing {
+
+class ProcessTiming;
+
+/// Sees everything that a process does, in the order of its local time. For recordings: an observed process goes step
+/// by step.
+class StepObserver {
+  public:
+    virtual ~StepObserver() = default;
+    virtual void entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) = 0;
+    virtual void left_loop(ProcessTiming const& process, Cycles cycle) = 0;
+    /// `count` iterations, numbered from `first` on, begin a stride apart, the first of them in `cycle`. In a loop that
+    /// writes, an iteration begins when its token leaves.
+    virtual void iterated(ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
+                          Cycles stride) = 0;
+    /// Waited for the access of a port in [from, until).
+    virtual void stalled(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) = 0;
+    virtual void accessed(ProcessTiming const& process, std::uint8_t ports, Cycles cycle) = 0;
+    virtual void stamped(ProcessTiming const& process, Cycles cycle) = 0;
+};
+
+}  // namespace faster::timing

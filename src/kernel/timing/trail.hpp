@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+#include "kernel/timing/path_sums.hpp"
+
+namespace faster::timing {
+
+/// One thing that a path through a core's time may turn at. Cycles are relative to whatever holds the event.
+struct TrailEvent {
+    enum class Kind : std::uint8_t {
+        stalled,   ///< `process` waited for `port` until `time`: another process decided when it went on
+        marked,    ///< `process` came to another region of its program in `time`
+        repeated,  ///< the `distance` stalls before this one happened again `count` times, each time `time` cycles
+                   ///< later
+        followed,  ///< the next `count` transitions of the automaton, which ended in `time`
+    };
+    Cycles time = 0;
+    std::uint32_t count = 0;  ///< of a stall: steps since its iteration's first
+    std::uint32_t distance = 0;
+    Kind kind = Kind::stalled;
+    std::uint8_t process = 0;
+    std::uint8_t port = 0;
+    Region region;  ///< of the process, from here on
+};
+
+/// What decided the times of one core, in an order in which causes come before effects. Only waiting decides: between
+/// two waits a process goes its own way.
+class Trail {
+  public:
+    using Transition = std::uint32_t;  ///< number of an automaton's
+    /// Events, about, from which on it is worth looking for some to forget.
+    static constexpr std::size_t usual_length = 1U << 17;
+    static constexpr std::size_t any_length = ~std::size_t{0};  ///< never forget
+
+    explicit Trail(std::size_t length = usual_length) : usual_(length), long_(length) {}
+
+    void stalled(unsigned process, unsigned port, Region region, Cycles step, Cycles until);
+    void marked(unsigned process, Region region, Cycles from);
+    /// What the processes of a mask, a bit each, waited for since a mark happened again `count` times, each time
+    /// `cycles` later. They did nothing else.
+    void repeated(std::uint64_t since, std::uint32_t mask, std::uint64_t count, Cycles cycles);
+    std::uint64_t mark() const { return forgotten_ + events_.size(); }
+    bool remembers(std::uint64_t mark) const { return mark >= forgotten_; }
+    /// A transition that ended in `end`; the one before it ended where this began.
+    void followed(Transition transition, Cycles end, bool goes_on);
+    void append(TrailEvent event, Cycles later);
+    /// All that was taken down since the last call, in cycles since `origin`, which may be in the future.
+    std::vector<TrailEvent> take(Cycles origin);
+
+    std::vector<TrailEvent> const& events() const { return events_; }
+    std::vector<Transition> const& transitions() const { return transitions_; }
+
+    /// Where all paths come together: what is before it has been summed up and forgotten.
+    struct Junction {
+        unsigned process = 0;
+        Cycles time = 0;
+        PathSums sums;
+    };
+    std::optional<Junction> const& junction() const { return junction_; }
+    /// Forgets the first events, and transitions, in favour of a junction.
+    void forget(std::size_t events, std::size_t transitions, Junction junction);
+    /// True from time to time: when there is more to forget than was left the last time.
+    bool is_long() const { return length() > long_; }
+    void accept_length() { long_ = usual_ + 2 * length(); }
+
+  private:
+    std::size_t length() const { return events_.size() + transitions_.size() / 8; }
+
+    std::vector<TrailEvent> events_;
+    std::vector<Transition> transitions_;
+    std::optional<Junction> junction_;
+    std::size_t usual_;
+    std::size_t long_;
+    std::uint64_t forgotten_ = 0;
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+
+#include "reference/grip/edge_features.hpp"
+
+namespace faster::grip {
+
+/// Points of one kind, and how many of them agree with the observation.
+struct InlierCount {
+    std::uint64_t points = 0;   ///< |r| of eq. 2.3
+    std::uint64_t inliers = 0;  ///< its sum
+
+    /// I of eq. 2.3; 0 without points.
+    double ratio() const { return points == 0 ? 0 : static_cast<double>(inliers) / static_cast<double>(points); }
+};
+
+/// What a rendered pose has in common with the scene.
+struct PoseScore {
+    InlierCount raw;     ///< all rendered points
+    InlierCount edge;    ///< rendered edges; an inlier needs an observed edge at its pixel
+    InlierCount planar;  ///< the same of planar points
+
+    /// W of eq. 2.4 without the parts that come from the network. The thesis gives no weights: equal ones.
+    double weight() const { return (raw.ratio() + edge.ratio() + planar.ratio()) / 3; }
+};
+
+/// Thesis eq. 2.1: whether two points are less than `distance` [m] apart.
+inline bool is_inlier(Eigen::Vector3d const& a, Eigen::Vector3d const& b, double distance) {
+    return (a - b).norm() < distance;
+}
+
+/// A point cloud with its features.
+struct FeatureCloud {
+    PointCloud points;
+    Image<Feature> features;
+};
+
+/// Both of one size.
+PoseScore score(FeatureCloud const& rendered, FeatureCloud const& observed, double distance);
+
+}  // namespace faster::grip

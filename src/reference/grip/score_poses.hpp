@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "reference/grip/inlier_ratio.hpp"
+
+namespace faster::grip {
+
+/// What the baseline leaves to choose.
+struct Settings {
+    int neighbourhood = 5;           ///< side of eq. 2.2's [px], odd
+    double threshold = 0.01;         ///< of eq. 2.2, of rendered and observed points alike
+    double inlier_distance = 0.008;  ///< of eq. 2.1 [m]; the thesis's value for depths (A.3)
+    double background = 3.998;       ///< depth of what the rendered object stands before [m]
+};
+
+/// Scores every pose of a posed stimulus by the method of the thesis's baseline GRIP (chapter 2): renders the object as
+/// a point cloud, finds its features, and compares them with those of the observation. Over the whole image, without
+/// windows. `jobs` threads, at least one.
+std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs);
+
+/// Average distance of the object's vertices under one pose from where they are under another [m]: the thesis's ADD
+/// (6.1).
+double average_distance(Mesh const& mesh, Pose const& a, Pose const& b);
+
+}  // namespace faster::grip

@@ -1,0 +1,106 @@
+#include "reference/quality/pose_survey.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "common/stimulus.hpp"
+#include "reference/quality/sample_judge.hpp"
+#include "reference/scorer.hpp"
+#include "workload/random.hpp"
+
+namespace faster::quality {
+
+namespace {
+
+constexpr double nearest_m = 0.6;
+constexpr double largest_radius_px = 90;  // in a window of 200
+
+double radius_of(Mesh const& mesh) {
+    double radius = 0;
+    for (Eigen::Vector3d const& vertex : mesh.vertices)
+        radius = std::max(radius, vertex.norm());
+    return radius;
+}
+
+Eigen::Matrix3d random_rotation(workload::Random& random) {
+    double const w = random.normal();
+    double const x = random.normal();
+    double const y = random.normal();
+    double const z = random.normal();
+    return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+}
+
+/// Nothing is observed: only the maps are looked at.
+Stimulus stimulus_of(Mesh const& mesh, std::vector<Pose> const& poses) {
+    Stimulus stimulus;
+    Camera const& camera = stimulus.posed.camera;
+    stimulus.posed.mesh = mesh;
+    stimulus.posed.poses = poses;
+    stimulus.observed_depth = {stimulus.height, stimulus.width};
+    stimulus.observed_edges = {stimulus.height, stimulus.width};
+    for (Pose const& pose : poses) {
+        Eigen::Vector3d const& origin = pose.translation;
+        SampleInput sample;
+        sample.centre_col = static_cast<std::int32_t>(std::floor(camera.fx * origin.x() / origin.z() + camera.cx));
+        sample.centre_row = static_cast<std::int32_t>(std::floor(camera.fy * origin.y() / origin.z() + camera.cy));
+        sample.triangle_count = static_cast<std::uint32_t>(mesh.faces.size());
+        stimulus.samples.push_back(sample);
+    }
+    return stimulus;
+}
+
+void look_at(std::size_t pose, Image<std::uint8_t> const& edge_map, Image<std::uint8_t> const& silhouette,
+             PoseSurvey& row) {
+    ContourSide const side = side_of(row.algorithm);
+    ContourQuality const quality = contour_quality(edge_map, silhouette, side);
+    bool const is_first = row.poses == 0;
+    row.add(quality);
+    Specimen const specimen{quality, pose, edge_map, silhouette, contour_of(silhouette, side)};
+    if (is_first || quality.f1() > row.best.quality.f1())
+        row.best = specimen;
+    if (is_first || quality.f1() < row.worst.quality.f1())
+        row.worst = specimen;
+}
+
+}  // namespace
+
+std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_t seed) {
+    workload::Random random(seed);
+    Camera const camera;
+    double const distance = std::max(nearest_m, camera.fx * radius_of(mesh) / largest_radius_px);
+    std::vector<Pose> poses(count);
+    for (Pose& pose : poses) {
+        pose.rotation = random_rotation(random);
+        double const right_px = 100 * (random.uniform() - 0.5);
+        double const down_px = 100 * (random.uniform() - 0.5);
+        pose.translation = {right_px * distance / camera.fx, down_px * distance / camera.fy, distance};
+    }
+    return poses;
+}
+
+std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
+                               std::vector<EdgeMapAlgorithm> const& algorithms) {
+    Stimulus const stimulus = stimulus_of(mesh, poses);
+    SampleJudge judge(stimulus, ContourSide::outside);
+    std::vector<Image<std::uint8_t>> silhouettes;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        silhouettes.push_back(judge.silhouette_of(i));
+    std::vector<PoseSurvey> rows;
+    for (EdgeMapAlgorithm const algorithm : algorithms) {
+        EdgeMapConfig config;
+        config.algorithm = algorithm;
+        reference::Scorer scorer(stimulus, config);
+        PoseSurvey row;
+        row.algorithm = algorithm;
+        row.object = object;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            scorer.run(i);
+            look_at(i, scorer.maps().edge_map, silhouettes[i], row);
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace faster::quality

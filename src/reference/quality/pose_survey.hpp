@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/edge_map_config.hpp"
+#include "common/image.hpp"
+#include "common/mesh.hpp"
+#include "reference/quality/contour_quality.hpp"
+#include "reference/quality/quality_sums.hpp"
+
+namespace faster::quality {
+
+/// One pose with the edge map an algorithm made of it, to be looked at.
+struct Specimen {
+    ContourQuality quality;
+    std::size_t pose = 0;
+    Image<std::uint8_t> edge_map;  ///< all three 0 or 1, W x W
+    Image<std::uint8_t> silhouette;
+    Image<std::uint8_t> contour;
+};
+
+/// What one algorithm did with many poses of one object: sums of their qualities, and two poses by F1.
+struct PoseSurvey : QualitySums {
+    EdgeMapAlgorithm algorithm = EdgeMapAlgorithm::dual_map;
+    std::string object;
+    Specimen best;
+    Specimen worst;
+};
+
+/// `count` poses of an object, turned at random (equally likely in all directions) and near the image's centre, as far
+/// away as it takes to fit a window of 200 px. The same for the same seed.
+std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_t seed);
+
+/// The untimed reference's edge maps of all poses, with each of the algorithms, against the silhouettes.
+std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
+                               std::vector<EdgeMapAlgorithm> const& algorithms);
+
+}  // namespace faster::quality

@@ -1,0 +1,86 @@
+#include "workload/files/png_image.hpp"
+
+#include <cstring>
+#include <fmt/format.h>
+#include <stdexcept>
+#include <string_view>
+
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "workload/files/png_codec.hpp"
+#include "workload/files/png_header.hpp"
+
+namespace faster::io {
+namespace {
+
+/// Larger than any image the machine takes (4096), small enough to allocate: a damaged size must not exhaust memory.
+constexpr std::uint32_t largest_side = 1U << 14;
+
+[[noreturn]] void refuse(std::filesystem::path const& path, std::string const& found, int bits) {
+    throw InputError(
+        fmt::format("{}: {}, expected {}-bit greyscale PNG", path.string(), found, bits == 8 ? "an 8" : "a 16"));
+}
+
+PngHeader require_pixel_type(std::filesystem::path const& path, std::string_view file, int bits) {
+    PngCheck const check = check_png(file);
+    if (!check.problem.empty()) {
+        refuse(path, check.problem, bits);
+    }
+    if (!check.header.is_grey() || check.header.bit_depth != bits) {
+        refuse(path, "is " + check.header.pixel_type() + " PNG", bits);
+    }
+    if (check.header.width > largest_side || check.header.height > largest_side) {
+        refuse(path, fmt::format("has {} x {} pixels", check.header.width, check.header.height), bits);
+    }
+    return check.header;
+}
+
+template <class Pixel> Image<Pixel> read_png(std::filesystem::path const& path) {
+    int const bits = static_cast<int>(8 * sizeof(Pixel));
+    std::string const file = read_file(path);
+    PngHeader const header = require_pixel_type(path, file, bits);
+    PngPixels pixels{static_cast<int>(header.width), static_cast<int>(header.height), 1, bits, {}};
+    if (!decode_png(file, pixels)) {
+        refuse(path, "cannot be decoded", bits);
+    }
+    Image<Pixel> image(pixels.height, pixels.width);
+    for (int row = 0; row < pixels.height; ++row) {
+        std::memcpy(image.row(row), pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes(),
+                    pixels.row_bytes());
+    }
+    return image;
+}
+
+template <class Pixel> void encode(std::filesystem::path const& path, Image<Pixel> const& image) {
+    PngPixels pixels{image.width(), image.height(), 1, static_cast<int>(8 * sizeof(Pixel)), {}};
+    pixels.bytes.resize(pixels.row_bytes() * static_cast<std::size_t>(pixels.height));
+    for (int row = 0; row < pixels.height; ++row) {
+        std::memcpy(pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes(), image.row(row),
+                    pixels.row_bytes());
+    }
+    std::string file;
+    try {
+        file = encode_png(pixels, PngEffort::little);
+    } catch (std::runtime_error const& error) {
+        throw InputError(fmt::format("{}: cannot be encoded as PNG ({})", path.string(), error.what()));
+    }
+    write_file(path, file);
+}
+
+}  // namespace
+
+Image<std::uint16_t> read_png16(std::filesystem::path const& path) { return read_png<std::uint16_t>(path); }
+Image<std::uint8_t> read_png8(std::filesystem::path const& path) { return read_png<std::uint8_t>(path); }
+
+void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image) { encode(path, image); }
+void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& image) { encode(path, image); }
+
+void require_size(std::filesystem::path const& path, int found_width, int found_height, int expected_width,
+                  int expected_height, std::string const& reason) {
+    if (found_width != expected_width || found_height != expected_height) {
+        throw InputError(fmt::format("{}: has {} x {} pixels, expected {} x {} ({})", path.string(), found_width,
+                                     found_height, expected_width, expected_height, reason));
+    }
+}
+
+}  // namespace faster::io

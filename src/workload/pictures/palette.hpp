@@ -1,0 +1,15 @@
+#pragma once
+#include "workload/pictures/colour.hpp"
+
+namespace faster::pictures::palette {
+
+// Red, green and blue are those of the thesis's figures 4.3 and 4.4.
+constexpr Colour edge_map{215, 25, 28};
+constexpr Colour object_map{150, 215, 140};
+constexpr Colour observed_edges{43, 91, 200};
+constexpr Colour edge_on_observed_edge{150, 20, 190};
+constexpr Colour paper{255, 255, 255};
+constexpr Colour ink{30, 30, 30};
+constexpr Colour nothing_drawn{190, 190, 190};  ///< in a depth map; no colour of its scale is grey
+
+}  // namespace faster::pictures::palette

@@ -10,11 +10,11 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "        {\"${name}\", R\"preset(${text})preset\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Joined from configs/architectures by the build.
-#include \"faster/presets.hpp\"
+#include \"faster/faster_presets.hpp\"
 
 namespace faster {
 
-std::vector<Preset> const& presets() {
+std::vector<Preset> const& faster_presets() {
     static std::vector<Preset> const all{
 ${entries}    };
     return all;

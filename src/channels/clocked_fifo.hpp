@@ -120,7 +120,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
   private:
     /// Shows the last `count` tokens to the taps.
     void show(std::size_t count) {
-        for (TokenTap* tap : taps_) {
+        for (recording::TokenTap* tap : taps_) {
             std::int64_t* at = tap->room(count);
             for (Token const* token = tokens_.end() - count * tokens_.width(); token != tokens_.end(); ++token)
                 for (std::size_t i = 0; i < fields_; ++i)

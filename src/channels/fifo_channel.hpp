@@ -3,7 +3,7 @@
 #include <systemc>
 #include <vector>
 
-#include "channels/token_tap.hpp"
+#include "kernel/recording/token_tap.hpp"
 #include "kernel/timing/fifo_timing.hpp"
 
 namespace faster {
@@ -30,7 +30,7 @@ class FifoChannel : public sc_core::sc_prim_channel {
     /// What the FIFO's tokens consist of.
     virtual std::vector<TokenField> token_fields() const = 0;
     /// See all tokens that are appended from now on.
-    std::vector<TokenTap*>& taps() { return taps_; }
+    std::vector<recording::TokenTap*>& taps() { return taps_; }
 
     /// Bit of this FIFO in the port masks of its reader (writer).
     std::uint8_t read_port() const { return read_port_; }
@@ -55,7 +55,7 @@ class FifoChannel : public sc_core::sc_prim_channel {
     ProcessClock* writer_ = nullptr;
     std::uint8_t read_port_ = 0;
     std::uint8_t write_port_ = 0;
-    std::vector<TokenTap*> taps_;
+    std::vector<recording::TokenTap*> taps_;
     sc_core::sc_event written_;
     sc_core::sc_event read_;
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <systemc>
 
+#include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
 
 namespace faster {
@@ -14,11 +16,68 @@ std::uint64_t TimeBase::ticks_per_cycle() const {
         1, static_cast<std::uint64_t>(std::llround(seconds / sc_core::sc_get_time_resolution().to_seconds())));
 }
 
+namespace {
+timing::ProcessTiming& found_or_added(timing::CoreTiming& core, std::string const& name) {
+    for (std::size_t i = 0; i < core.processes().size(); ++i)
+        if (core.processes()[i].name() == name)
+            return core.process(i);
+    return core.add_process(name);
+}
+}  // namespace
+
+ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
+    : dataflow_core_(&core),
+      core_(core.timing()),
+      timing_(core.timing().process(core.machine().process(process))),
+      time_base_(core.time_base()),
+      ticks_per_cycle_(core.time_base().ticks_per_cycle()) {}
+
 ProcessClock::ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base)
     : core_(core),
-      timing_(core.add_process(process_name)),
+      timing_(found_or_added(core, process_name)),
       time_base_(time_base),
       ticks_per_cycle_(time_base.ticks_per_cycle()) {}
+
+void ProcessClock::connect_all() {
+    Machine const& machine = dataflow_core_->machine();
+    MachineProcess const& process = machine.processes[timing_.index()];
+    for (MachineEnd const& end : process.ends)
+        end.writes ? connect_writes(channel_of(end.fifo)) : connect_reads(channel_of(end.fifo));
+    for (std::size_t const loop : process.loops)
+        add_loop(machine.loops[loop].shape(), channels_of(machine.loops[loop].writes),
+                 channels_of(machine.loops[loop].reads));
+    set_setup_cycles(process.setup_cycles);
+}
+
+FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
+    FifoChannel* const channel = dataflow_core_->channels()[fifo];
+    if (channel == nullptr)
+        throw std::logic_error(std::string(dataflow_core_->name()) + ": the FIFO " +
+                               dataflow_core_->machine().fifos[fifo].name + " of " + timing_.name() +
+                               " has no channel, expected a ClockedFifo made with its fifo_timing()");
+    return *channel;
+}
+
+/// Of those that are there.
+std::vector<FifoChannel*> ProcessClock::channels_of(std::vector<std::size_t> const& fifos) const {
+    std::vector<FifoChannel*> channels;
+    for (std::size_t const fifo : fifos)
+        if (dataflow_core_->machine().fifos[fifo].is_present)
+            channels.push_back(&channel_of(fifo));
+    return channels;
+}
+
+unsigned ProcessClock::loop(std::string_view name) const {
+    std::vector<timing::LoopShape> const& loops = timing_.loops();
+    for (unsigned i = 0; i < loops.size(); ++i)
+        if (loops[i].name == name)
+            return i;
+    throw std::out_of_range("process " + timing_.name() + " has no loop " + std::string(name));
+}
+
+void ProcessClock::begin_sample() { dataflow_core_->begin_sample(timing_.index()); }
+
+void ProcessClock::end_sample() { dataflow_core_->end_sample(); }
 
 void ProcessClock::connect_reads(FifoChannel& fifo) {
     fifos_.push_back(&fifo);

@@ -1,23 +1,18 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "faster/run_config.hpp"
+#include "channels/time_base.hpp"
 #include "kernel/base/cycles.hpp"
 #include "kernel/base/source_site.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster {
 
+class DataflowCore;
 class FifoChannel;
-
-/// How simulated time is driven: the engine, and the length of a cycle on the SystemC kernel's clock.
-struct TimeBase {
-    Engine engine = Engine::decoupled;
-    double clock_mhz = 200.0;
-    std::uint64_t ticks_per_cycle() const;  ///< in units of the kernel's time resolution, rounded, at least 1
-};
 
 /// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says
 /// what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes
@@ -25,15 +20,33 @@ struct TimeBase {
 /// catch up later. The cycles are the same: both run through timing::ProcessTiming.
 class ProcessClock {
   public:
+    /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.
+    ProcessClock(DataflowCore& core, std::string_view process);
+    /// Of a process without a machine, which is added to the core if there is none of that name.
     ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base);
 
-    /// The process's end of a FIFO, in the program order of a step. Once, before simulation starts.
+    /// Everything that the machine says of the process: its ends of FIFOs, in the program order of a step, its loops,
+    /// and how long a setup takes. Once, at the end of elaboration: the core's channels must be there.
+    /// Errors: std::logic_error if a FIFO of the process has no channel.
+    void connect_all();
+    /// The number of a loop for enter_loop(), by its name in the process. After connect_all().
+    /// Errors: std::out_of_range if the process has no such loop.
+    unsigned loop(std::string_view name) const;
+
+    /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
+    void begin_sample();
+    void end_sample();
+
+    /// One by one, without a machine: the process's end of a FIFO, in the program order of a step. Once, before
+    /// simulation starts.
     void connect_reads(FifoChannel& fifo);
     void connect_writes(FifoChannel& fifo);
     /// A pipelined loop of the process, the FIFOs it writes, and those that it reads as well (connected before).
     /// Returns its number for enter_loop().
     unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {},
                       std::vector<FifoChannel*> const& read_as_well = {});
+    /// The cycles of a setup. Once, before simulation starts.
+    void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
 
     /// T += cycles.
     void advance(Cycles cycles) {
@@ -44,8 +57,7 @@ class ProcessClock {
             log.wait(static_cast<std::uint32_t>(left));
         });
     }
-    /// T += the cycles of a setup, told once before simulation starts.
-    void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
+    /// T += the cycles of a setup.
     void set_up() {
         say([](OperationLog& log) { log.setup(); });
     }
@@ -146,6 +158,10 @@ class ProcessClock {
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
 
+    std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
+    FifoChannel& channel_of(std::size_t fifo) const;
+
+    DataflowCore* dataflow_core_ = nullptr;  // null without a machine
     timing::CoreTiming& core_;
     timing::ProcessTiming& timing_;
     TimeBase time_base_;

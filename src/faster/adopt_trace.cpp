@@ -1,9 +1,11 @@
+#include "faster/adopt_trace.hpp"
+
 #include <fmt/format.h>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/key_faults.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/config/load_config.hpp"
 
 namespace faster {
 namespace {
@@ -22,10 +24,10 @@ constexpr char const* trace_keys[] = {"accelerator.window",
 
 void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction) {
     RunConfig of_trace;
-    of_trace.accelerator.window = window;
-    of_trace.accelerator.fraction_bits = fraction;
-    of_trace.workload.camera.width = width;
-    of_trace.workload.camera.height = height;
+    accelerator_of(of_trace).window = window;
+    accelerator_of(of_trace).fraction_bits = fraction;
+    workload_of(of_trace).camera.width = width;
+    workload_of(of_trace).camera.height = height;
 
     std::vector<std::string> contradictions;
     for (char const* const name : trace_keys) {

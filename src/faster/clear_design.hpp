@@ -1,12 +1,13 @@
 #pragma once
 #include <cstddef>
+#include <string>
 
 #include "faster/accelerator_config.hpp"
 
 namespace faster {
 
-/// How a unit's maps are cleared before a sample.
-MapClearing clearing_of(BramId bram, AcceleratorConfig const& config);
+/// How a block RAM is cleared before a sample.
+MapClearing clearing_of(std::string const& memory, AcceleratorConfig const& config);
 
 /// Iterations of edge_map_builder.clear and inlier_unit.clear; 0: the loop is not there. `window`: side of the maps
 /// [px].

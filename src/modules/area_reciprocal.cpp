@@ -5,19 +5,27 @@
 
 namespace faster {
 
+ModuleDescription AreaReciprocal::describe(AcceleratorConfig const& config) {
+    FractionBits const& fraction = config.fraction_bits;
+    ModuleDescription module("area_reciprocal");
+    module.reads_from("area");
+    module.writes_to("area_reciprocal")
+        .carries("1 / area from the reciprocal unit to the inlier unit")
+        .of_bits(static_cast<unsigned>(fraction.area_reciprocal + 2 * fraction.vertex_xy) + 1)  // that of an area of code 1
+        .flushes_after(36, "Pipeline stages from the read of an area to the write of its reciprocal.");
+    return module;
+}
+
 AreaReciprocal::AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, name_of(ModuleId::area_reciprocal), core.time_base) {
+    : sc_module(name), core_(core), clock_(core.core, "area_reciprocal") {
     SC_THREAD(run);
 }
 
-void AreaReciprocal::end_of_elaboration() {
-    clock_.connect_reads(channel_of(area_in));
-    clock_.connect_writes(channel_of(area_reciprocal_out));
-}
+void AreaReciprocal::end_of_elaboration() { clock_.connect_all(); }
 
 void AreaReciprocal::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::area_reciprocal);
+        clock_.begin_sample();
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
             clock_.here();
             std::int64_t const area = area_in.read();

@@ -16,6 +16,8 @@ class AreaReciprocal : public sc_core::sc_module {
     sc_core::sc_fifo_in<std::int64_t> area_in{"area_in"};
     sc_core::sc_fifo_out<std::uint64_t> area_reciprocal_out{"area_reciprocal_out"};
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(AreaReciprocal);
     AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core);
     ProcessClock const& clock() const { return clock_; }

@@ -1,14 +1,14 @@
 #pragma once
 #include <cstddef>
-#include <functional>
-#include <systemc>
+#include <cstdint>
 #include <vector>
 
+#include "channels/dataflow_core.hpp"
 #include "channels/process_clock.hpp"
 #include "common/stimulus.hpp"
+#include "common/token_fields.hpp"
 #include "faster/accelerator_config.hpp"
 #include "faster/lane_rows.hpp"
-#include "kernel/timing/core_timing.hpp"
 
 namespace faster {
 
@@ -27,28 +27,15 @@ class SampleProbe {
     virtual void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) = 0;
 };
 
-/// What all modules of one raster core share: the configuration, the core's part of the workload, its timing.
+/// What all modules of one raster core share: the configuration, the core's part of the workload, the core itself.
 struct CoreContext {
     AcceleratorConfig const& config;
     Stimulus const& stimulus;
-    TimeBase time_base;
+    DataflowCore& core;
     std::size_t first_sample = 0;
     std::size_t sample_count = 0;
-    timing::CoreTiming& timing;
-    SampleProbe* probe = nullptr;    ///< may be null
-    std::function<void()> progress;  ///< called after every sample; may be empty
-    /// Called by the rasterizer before it begins the i-th sample of the core.
-    std::vector<std::function<void(std::size_t i)>> sample_begins;
-    /// Called by every process before it begins its next sample.
-    std::vector<std::function<void(ModuleId)>> process_begins;
-    /// Cores need not take turns: they share nothing. One after the other keeps the host's caches warm (decoupled).
-    sc_core::sc_event const* turn = nullptr;  ///< waited for before the first sample; may be null
-    sc_core::sc_event* done = nullptr;        ///< notified after the last
+    SampleProbe* probe = nullptr;  ///< may be null
 
-    void begin_sample(ModuleId process) const {
-        for (auto const& call : process_begins)
-            call(process);
-    }
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
     /// Top-left pixel of a sample's window (SPEC section 2, sample header).
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }

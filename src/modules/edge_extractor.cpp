@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "faster/extract_design.hpp"
-#include "modules/core_shapes.hpp"
 
 namespace faster {
 
@@ -13,7 +12,7 @@ EdgeExtractor::EdgeExtractor(CoreContext const& core, ProcessClock& clock)
       extraction_(core.config.edge_extraction, core.stimulus.window, core.stimulus.fraction.depth_buffer),
       edges_(core.window_pixels()) {}
 
-void EdgeExtractor::add_loop() { loop_ = clock_.add_loop(loop_shape(LoopId::extract, core_.config)); }
+void EdgeExtractor::connect() { loop_ = clock_.loop("extract"); }
 
 void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box) {
     extraction_.extract(depth_buffer, edges_);

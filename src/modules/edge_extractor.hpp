@@ -14,8 +14,8 @@ namespace faster {
 class EdgeExtractor {
   public:
     EdgeExtractor(CoreContext const& core, ProcessClock& clock);
-    /// When elaboration has ended, behind the other loops of the process.
-    void add_loop();
+    /// When the process's clock is connected.
+    void connect();
     /// `box`: the pixels looked at; nothing is drawn outside.
     void extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box);
     /// W x W bits of the sample extracted last, row-major.

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "faster/clear_design.hpp"
-#include "modules/core_shapes.hpp"
 #include "modules/read_corners.hpp"
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
 
@@ -12,38 +13,67 @@ namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 }  // namespace
 
+ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
+    EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
+    Condition const two_buffers = has_map_buffers(config, true);
+    ModuleDescription module("edge_map_builder");
+    module.only_if(finds_edges_while_drawing(config));
+    module.reads_from("edge_token");
+    EdgeMapReadOut::describe_output(module, config, has_map_buffers(config, false));
+    module.writes_to("map_full")
+        .carries("finished maps from the edge map builder to the edge map output (edge_map.buffers 2)")
+        .of_bits(wires::buffer + wires::region(config))
+        .only_if(two_buffers);
+    module.reads_from("map_free").only_if(two_buffers);
+    EdgeMapReadOut::touch(module.loop("clear")
+                              .does("clears one pixel of both maps, or one of every bank, per iteration")
+                              .of_depth(2),
+                          design.clear);
+    EdgeMapReadOut::touch(module.loop("token")
+                              .does("takes one edge token per iteration, or finishes the object token before it")
+                              .of_depth(4)
+                              .recurs_every(design.token_recurrence),
+                          design.token, config.rasterizer.lanes);
+    EdgeMapReadOut::describe_loop(module, config).only_if(has_map_buffers(config, false));
+    auto const side = static_cast<std::uint64_t>(config.window);
+    auto const add_map = [&](char const* name, char const* contents, std::uint64_t bits) {
+        module.memory(name)
+            .holds(contents)
+            .of_words(side, side, bits)
+            .sized_by("accelerator.window")
+            .in_buffers(static_cast<std::uint64_t>(config.edge_map.buffers))
+            .read_out_by("edge_map_output");
+    };
+    add_map("edge_map", "edge bits of the window", design.bits.edge_map);
+    add_map("object_map", "object bits of the window", design.bits.object_map);
+    return module;
+}
+
 EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "edge_map_builder"),
       buffers_(buffers),
       read_out_(core, clock_) {
     SC_THREAD(run);
 }
 
 void EdgeMapBuilder::end_of_elaboration() {
+    clock_.connect_all();
     edge_token_ = channel_of(edge_token_in.pixels);
     edge_groups_ = channel_of(edge_token_in.groups);
-    clock_.connect_reads(*edge_token_in.channel());
     map_free_ = channel_of(map_free_in);
     map_full_ = channel_of(map_full_out);
-    ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out);
-    if (edge_map != nullptr) {
-        clock_.connect_writes(*edge_map);
-    } else {
-        clock_.connect_writes(*map_full_);
-        clock_.connect_reads(*map_free_);
-    }
-    clear_loop_ = clock_.add_loop(loop_shape(LoopId::edge_clear, core_.config));
-    token_loop_ = clock_.add_loop(loop_shape(LoopId::token, core_.config));
-    if (edge_map != nullptr)
-        read_out_.add_loop(*edge_map);
+    clear_loop_ = clock_.loop("clear");
+    token_loop_ = clock_.loop("token");
+    if (ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out); edge_map != nullptr)
+        read_out_.connect(*edge_map);
 }
 
 void EdgeMapBuilder::run() {
     maps_ = buffers_.claim(buffer_).get();
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::edge_map_builder);
+        clock_.begin_sample();
         clock_.advance(1);
         clear();
         edge_token_ != nullptr ? build() : build_of_groups();

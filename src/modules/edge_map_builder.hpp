@@ -29,6 +29,8 @@ class EdgeMapBuilder : public sc_core::sc_module {
     OptionalFifoOut<FullMaps> map_full_out{"map_full_out"};      ///< bound with two buffers
     OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(EdgeMapBuilder);
     EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }

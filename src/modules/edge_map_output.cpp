@@ -1,28 +1,41 @@
 #include "modules/edge_map_output.hpp"
 
 #include "channels/port_binding.hpp"
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
+
+ModuleDescription EdgeMapOutput::describe(AcceleratorConfig const& config) {
+    ModuleDescription module("edge_map_output");
+    module.only_if(finds_edges_while_drawing(config));
+    module.only_if(has_map_buffers(config, true));
+    module.reads_from("map_full");
+    module.writes_to("map_free")
+        .carries("maps read out, from the edge map output to the edge map builder (edge_map.buffers 2)")
+        .of_bits(wires::buffer);
+    EdgeMapReadOut::describe_output(module, config);
+    EdgeMapReadOut::describe_loop(module, config).with_keys_of("edge_map_builder.output");
+    return module;
+}
 
 EdgeMapOutput::EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "edge_map_output"),
       buffers_(buffers),
       read_out_(core, clock_) {
     SC_THREAD(run);
 }
 
 void EdgeMapOutput::end_of_elaboration() {
-    clock_.connect_reads(channel_of(map_full_in));
-    clock_.connect_writes(channel_of(map_free_out));
-    clock_.connect_writes(channel_of(edge_map_out));
-    read_out_.add_loop(channel_of(edge_map_out));
+    clock_.connect_all();
+    read_out_.connect(channel_of(edge_map_out));
 }
 
 void EdgeMapOutput::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::edge_map_output);
+        clock_.begin_sample();
         FullMaps const full = take();
         clock_.advance(1);
         read_out_.send(*buffers_.claim(full.buffer.number), core_.rows_of(box_of(full.region)));

@@ -22,6 +22,8 @@ class EdgeMapOutput : public sc_core::sc_module {
     sc_core::sc_fifo_out<BufferNumber> map_free_out{"map_free_out"};
     sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(EdgeMapOutput);
     EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }

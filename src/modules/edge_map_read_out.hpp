@@ -1,6 +1,7 @@
 #pragma once
 #include "channels/clocked_fifo.hpp"
 #include "datapath/edge_map/edge_map_policy.hpp"
+#include "faster/edge_map_design.hpp"
 #include "modules/core_context.hpp"
 
 namespace faster {
@@ -10,9 +11,15 @@ namespace faster {
 /// Source: thesis A.2; SPEC section 3.
 class EdgeMapReadOut {
   public:
+    /// Adds what an iteration does to the maps, bits of map_touch each, that works on `lanes` pixels of a row.
+    static void touch(LoopDescription& loop, PerMap const& touches, int lanes = 1);
+    /// Adds the writing end of edge_map, and the loop.
+    static void describe_output(ModuleDescription& module, AcceleratorConfig const& config, Condition condition = {});
+    static LoopDescription& describe_loop(ModuleDescription& module, AcceleratorConfig const& config);
+
     EdgeMapReadOut(CoreContext const& core, ProcessClock& clock) : core_(core), clock_(clock) {}
-    /// When elaboration has ended, behind the other loops of the process. `out`: connected.
-    void add_loop(ClockedFifo<std::uint8_t>& out);
+    /// When the process's clock is connected.
+    void connect(ClockedFifo<std::uint8_t>& out);
     void send(datapath::EdgeMapPolicy const& maps, LaneRows const& rows);
 
   private:

@@ -1,27 +1,41 @@
 #include "modules/inlier_sweep.hpp"
 
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
+
 namespace faster {
+
+ModuleDescription InlierSweep::describe(AcceleratorConfig const& config) {
+    ModuleDescription module("inlier_sweep");
+    module.only_if(has_depth_buffers(config, true));
+    module.reads_from("depth_full");
+    module.writes_to("depth_free")
+        .carries("swept depth buffers from the inlier sweep to the inlier unit (inlier_unit.buffers 2)")
+        .of_bits(wires::buffer);
+    Scoring::describe_ends(module, config);
+    Scoring::describe_loops(module, config);
+    for (LoopDescription& loop : module.loops)
+        loop.with_keys_of("inlier_unit." + loop.name);
+    return module;
+}
 
 InlierSweep::InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "inlier_sweep"),
       buffers_(buffers),
       scoring_(core, clock_) {
     SC_THREAD(run);
 }
 
 void InlierSweep::end_of_elaboration() {
-    clock_.connect_reads(channel_of(depth_full_in));
-    clock_.connect_writes(channel_of(depth_free_out));
+    clock_.connect_all();
     scoring_.connect(channel_of(edge_map_in), channel_of(observed_depth_in), channel_of(observed_edge_in));
-    clock_.connect_writes(channel_of(result_out));
-    scoring_.add_loops();
 }
 
 void InlierSweep::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::inlier_sweep);
+        clock_.begin_sample();
         FullDepthBuffer const full = take();
         clock_.advance(1);
         SampleCounters counters;

@@ -29,6 +29,8 @@ class InlierSweep : public sc_core::sc_module {
     sc_core::sc_fifo_in<std::uint8_t> observed_edge_in{"observed_edge_in"};
     sc_core::sc_fifo_out<SampleCounters> result_out{"result_out"};
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(InlierSweep);
     InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }

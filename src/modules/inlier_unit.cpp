@@ -3,15 +3,50 @@
 #include <algorithm>
 
 #include "faster/clear_design.hpp"
-#include "modules/core_shapes.hpp"
 #include "modules/read_corners.hpp"
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
+
+ModuleDescription InlierUnit::describe(AcceleratorConfig const& config) {
+    Condition const two_buffers = has_depth_buffers(config, true);
+    ModuleDescription module("inlier_unit");
+    module.reads_from("area_reciprocal");
+    module.reads_from("fragment_depth");
+    module.reads_from("fragment_index");
+    module.reads_from("command");
+    Scoring::describe_ends(module, config, has_depth_buffers(config, false));
+    module.writes_to("depth_full")
+        .carries("drawn depth buffers from the inlier unit to the inlier sweep (inlier_unit.buffers 2)")
+        .of_bits(wires::buffer + wires::valid_raster + wires::region(config))
+        .only_if(two_buffers);
+    module.reads_from("depth_free").only_if(two_buffers);
+    module.loop("clear")
+        .does("fills one word of the depth buffer, or one of every bank, per iteration")
+        .of_depth(2)
+        .accesses_memory("depth_buffer", {{}, {{0, 0}}});
+    module.loop("fragment")
+        .does("takes one fragment or group per iteration")
+        .of_depth(10)
+        .accesses_memory("depth_buffer", widened({{{0, 0}}, {{0, 0}}}, config.rasterizer.lanes));
+    Scoring::describe_loops(module, config, has_depth_buffers(config, false));
+    auto const side = static_cast<std::uint64_t>(config.window);
+    unsigned const edge_bit = config.flow == Flow::fpga_grip ? 1 : 0;  // extracted edge bits ride in the words
+    module.memory("depth_buffer")
+        .holds("depth buffer of the window")
+        .of_words(side, side, wires::depth + edge_bit)
+        .sized_by("accelerator.window")
+        .in_buffers(static_cast<std::uint64_t>(config.inlier_unit.buffers))
+        .read_out_by("inlier_sweep");
+    Scoring::describe_line_buffer(module, config);
+    return module;
+}
 
 InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "inlier_unit"),
       depth_unit_(core.stimulus.fraction),
       buffers_(buffers),
       scoring_(core, clock_) {
@@ -19,46 +54,29 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
 }
 
 void InlierUnit::end_of_elaboration() {
+    clock_.connect_all();
     area_reciprocal_ = &channel_of(area_reciprocal_in);
     fragment_depth_ = channel_of(fragment_depth_in.pixels);
     fragment_index_ = channel_of(fragment_index_in.pixels);
     depth_groups_ = channel_of(fragment_depth_in.groups);
     index_groups_ = channel_of(fragment_index_in.groups);
     command_ = &channel_of(command_in);
-    // Program order of the steps: (area_reciprocal, command), (fragment_depth, fragment_index, command), the sweep's
-    // three.
-    clock_.connect_reads(*area_reciprocal_);
-    clock_.connect_reads(*fragment_depth_in.channel());
-    clock_.connect_reads(*fragment_index_in.channel());
-    clock_.connect_reads(*command_);
-    connect_scoring();
-    clear_loop_ = clock_.add_loop(loop_shape(LoopId::depth_clear, core_.config));
-    fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
-    if (result_ != nullptr)
-        scoring_.add_loops();
+    result_ = channel_of(result_out);
+    depth_full_ = channel_of(depth_full_out);
+    depth_free_ = channel_of(depth_free_in);
+    clear_loop_ = clock_.loop("clear");
+    fragment_loop_ = clock_.loop("fragment");
+    if (result_ != nullptr)  // otherwise the sweep is another process's
+        scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
     triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
     fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_in.channel()->read_port() |
                                                 fragment_index_in.channel()->read_port() | command_->read_port());
 }
 
-/// Or what leads to it, where it is another process's.
-void InlierUnit::connect_scoring() {
-    result_ = channel_of(result_out);
-    depth_full_ = channel_of(depth_full_out);
-    depth_free_ = channel_of(depth_free_in);
-    if (result_ != nullptr) {
-        scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
-        clock_.connect_writes(*result_);
-    } else {
-        clock_.connect_writes(*depth_full_);
-        clock_.connect_reads(*depth_free_);
-    }
-}
-
 void InlierUnit::run() {
     depth_buffer_ = &buffers_.claim(buffer_);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::inlier_unit);
+        clock_.begin_sample();
         counters_ = SampleCounters{};
         clock_.advance(1);
         clear();

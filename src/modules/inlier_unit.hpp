@@ -39,6 +39,8 @@ class InlierUnit : public sc_core::sc_module {
     OptionalFifoIn<BufferNumber> depth_free_in{"depth_free_in"};        ///< bound with two buffers
     OptionalFifoOut<FullDepthBuffer> depth_full_out{"depth_full_out"};  ///< bound with two buffers
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(InlierUnit);
     InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
     ProcessClock const& clock() const { return clock_; }
@@ -59,7 +61,6 @@ class InlierUnit : public sc_core::sc_module {
     PixelBox turn_to_sweep();
     Corners read_region();
     FragmentIndex read_corner();
-    void connect_scoring();
     void score(std::size_t sample);
     void hand_over();
 

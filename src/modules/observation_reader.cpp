@@ -3,33 +3,51 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
-#include "modules/core_shapes.hpp"
 #include "modules/read_corners.hpp"
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
 
+ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
+    auto const lanes = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
+    ModuleDescription module("observation_reader");
+    module.reads_from("sample_observation");
+    module.reads_from("region").only_if(sweeps_touched_region(config));
+    module.writes_to("valid_depth")
+        .carries("observed pixels of valid depth from the observation reader to the result collector (sweep_region: touched)")
+        .of_bits(wires::pixel_count(config))
+        .only_if(sweeps_touched_region(config));
+    module.writes_to("observed_depth")
+        .carries("observed depths from the observation reader to the inlier unit")
+        .of_bits(wires::depth * lanes)
+        .leaves("read", 4);
+    module.writes_to("observed_edge")
+        .carries("observed edge bits from the observation reader to the inlier unit")
+        .of_bits(lanes)
+        .leaves("read", 4);
+    module.loop("read")
+        .does("reads one token of observed pixels per iteration")
+        .of_depth(5)
+        .writes_to({"observed_depth", "observed_edge"});
+    return module;
+}
+
 ObservationReader::ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    : sc_module(name), core_(core), clock_(core.core, "observation_reader") {
     if (core.sweeps_touched())
         valid_depth_.emplace(core.stimulus.observed_depth, core.stimulus.fraction.depth_buffer);
     SC_THREAD(run);
 }
 
 void ObservationReader::end_of_elaboration() {
-    clock_.connect_reads(channel_of(sample_observation_in));
-    if (core_.sweeps_touched()) {
-        clock_.connect_reads(*channel_of(region_in));
-        clock_.connect_writes(*channel_of(valid_depth_out));
-    }
-    clock_.connect_writes(channel_of(observed_depth_out));
-    clock_.connect_writes(channel_of(observed_edge_out));
-    read_loop_ = clock_.add_loop(loop_shape(LoopId::read, core_.config),
-                                 {&channel_of(observed_depth_out), &channel_of(observed_edge_out)});
+    clock_.connect_all();
+    read_loop_ = clock_.loop("read");
 }
 
 void ObservationReader::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::observation_reader);
+        clock_.begin_sample();
         clock_.here();
         SampleHeader const header = sample_observation_in.read();
         clock_.advance(1);

@@ -26,6 +26,8 @@ class ObservationReader : public sc_core::sc_module {
     sc_core::sc_fifo_out<std::uint16_t> observed_depth_out{"observed_depth_out"};
     sc_core::sc_fifo_out<std::uint8_t> observed_edge_out{"observed_edge_out"};
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(ObservationReader);
     ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core);
     ProcessClock const& clock() const { return clock_; }

@@ -1,25 +1,47 @@
 #include "modules/raster_core.hpp"
 
-#include "modules/core_shapes.hpp"
+#include "modules/raster_core_activity.hpp"
 
 namespace faster {
 
+CoreDescription describe_raster_core(AcceleratorConfig const& config) {
+    CoreDescription core;
+    core.modules = {SampleDispatcher::describe(),       VertexTransform::describe(),
+                    Rasterizer::describe(config),       AreaReciprocal::describe(config),
+                    EdgeMapBuilder::describe(config),   ObservationReader::describe(config),
+                    InlierUnit::describe(config),       ResultCollector::describe(config),
+                    EdgeMapOutput::describe(config),    InlierSweep::describe(config)};
+    // In the order of the tables (SPEC section 4).
+    core.fifos = {"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
+                  "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
+                  "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+                  "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
+    core.begins = "rasterizer";
+    core.ends = "result_collector";
+    core.pace = {"rasterizer",
+                 {{"vertex_transform", "vertex"},
+                  {"area_reciprocal", "area"},
+                  {"edge_map_builder", "edge_token"},
+                  {"inlier_unit", "command"}}};
+    return core;
+}
+
 RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig const& config, Stimulus const& stimulus,
-                       CoreShare share, TimeBase const& time_base)
-    : sc_module(name),
-      context_{config, stimulus, time_base, share.first, share.count, timing_, nullptr, {}, {}, {}, nullptr, &done_},
+                       std::shared_ptr<Machine const> machine, CoreShare share, TimeBase const& time_base)
+    : DataflowCore(name, std::move(machine), share, time_base),
+      context_{config, stimulus, *this, share.first, share.count, nullptr},
       edge_map_buffers_(make_edge_map_buffers(config.edge_map, stimulus.window)),
       depth_buffers_(make_depth_buffers(config.inlier_unit.buffers, context_.window_pixels())),
       sample_dispatcher("sample_dispatcher", context_),
       vertex_transform("vertex_transform", context_),
       rasterizer("rasterizer", context_),
       area_reciprocal_unit("area_reciprocal_unit", context_),
-      edge_map_builder(make_part<EdgeMapBuilder>(ModuleId::edge_map_builder, edge_map_buffers_)),
+      edge_map_builder(make_part<EdgeMapBuilder>("edge_map_builder", edge_map_buffers_)),
       observation_reader("observation_reader", context_),
       inlier_unit("inlier_unit", context_, depth_buffers_),
       result_collector("result_collector", context_),
-      edge_map_output(make_part<EdgeMapOutput>(ModuleId::edge_map_output, edge_map_buffers_)),
-      inlier_sweep(make_part<InlierSweep>(ModuleId::inlier_sweep, depth_buffers_)) {
+      edge_map_output(make_part<EdgeMapOutput>("edge_map_output", edge_map_buffers_)),
+      inlier_sweep(make_part<InlierSweep>("inlier_sweep", depth_buffers_)) {
     sample_dispatcher.sample_vertex_out(sample_vertex_);
     sample_dispatcher.sample_raster_out(sample_raster_);
     sample_dispatcher.sample_observation_out(sample_observation_);
@@ -58,14 +80,11 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
     }
 }
 
-/// What is not there keeps its place in the core's table of processes, unless it would be at the end: the numbers of
-/// the others rely on it.
-template <class Module, class Buffers> std::unique_ptr<Module> RasterCore::make_part(ModuleId id, Buffers& buffers) {
-    if (has_part(parts(), id))
-        return std::make_unique<Module>(name_of(id), context_, buffers);
-    if (index_of(id) < process_places(parts()))
-        timing_.add_process(name_of(id));
-    return nullptr;
+template <class Module, class Buffers>
+std::unique_ptr<Module> RasterCore::make_part(char const* module, Buffers& buffers) {
+    if (!machine().processes[machine().process(module)].is_present)
+        return nullptr;
+    return std::make_unique<Module>(module, context_, buffers);
 }
 
 void RasterCore::bind_edge_maps() {
@@ -98,29 +117,24 @@ void RasterCore::bind_scoring() {
     inlier_sweep->depth_free_out(depth_free_);
 }
 
-std::vector<FifoChannel*> RasterCore::channels() {
-    return {&sample_vertex_,
-            &sample_raster_,
-            &sample_observation_,
-            &vertex_,
-            &area_,
-            &area_reciprocal_,
-            &command_,
-            &fragment_depth_.channel(),
-            &fragment_index_.channel(),
-            &edge_token_.channel(),
-            &edge_map_,
-            &observed_depth_,
-            &observed_edge_,
-            &result_,
-            &region_,
-            &valid_depth_,
-            &map_full_,
-            &map_free_,
-            &depth_full_,
-            &depth_free_};
+Counters RasterCore::result(std::size_t i) const {
+    SampleCounters const& result = result_collector.results()[i];
+    return {result.valid_raster, result.valid_depth, result.inlier, result.valid_edge, result.edge_inlier};
 }
 
-timing::FifoShape RasterCore::fifo_shape_of(FifoId id) const { return fifo_shape(id, context_.config); }
+/// By these the rasterizer can be ahead of the last process, and one: all get their headers in one step, and the
+/// observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it near
+/// the result collector.
+std::size_t RasterCore::most_samples_ahead() const {
+    auto const capacity = [this](char const* fifo) { return machine().fifos[machine().fifo(fifo)].shape().capacity; };
+    std::uint64_t const headers = capacity("sample_observation");
+    if (context_.sweeps_touched())
+        return headers + capacity("valid_depth") + 4;
+    return headers + capacity("observed_depth") / context_.window_rows().tokens() + 4;
+}
+
+std::unique_ptr<recording::MemoryActivity> RasterCore::memory_activity() const {
+    return std::make_unique<RasterCoreActivity>(context_.config, machine());
+}
 
 }  // namespace faster

@@ -2,23 +2,75 @@
 
 #include <algorithm>
 
-#include "faster/rasterizer_design.hpp"
 #include "faster/sweep_design.hpp"
-#include "modules/core_shapes.hpp"
 #include "modules/rasterizer_scan.hpp"
+#include "modules/token_widths.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
 
 namespace {
+/// What `scan: spans` adds to a triangle's setup: 18 quotient bits, a bit per cycle, of the two divisions per edge
+/// (where it crosses the first row, how far that moves from row to row), all six side by side.
+constexpr Cycles span_division_cycles = 18;
+/// Of a z sum: weights of a point inside add up to the area. Groups have their first column's, which modulo 2^48 is
+/// enough for the covered ones, and what a column adds: signed, an extent of the triangle times one of its depths.
+constexpr unsigned z_sum_bits = wires::magnitude_of_area + wires::vertex_z;
+constexpr unsigned column_step_bits = wires::vertex_xy + wires::vertex_z + 1;
+
 /// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either
 /// way.
 int clamped_offset(std::int64_t offset) { return static_cast<int>(std::clamp<std::int64_t>(offset, -8192, 8192)); }
 }  // namespace
 
+ModuleDescription Rasterizer::describe(AcceleratorConfig const& config) {
+    bool const in_groups = config.rasterizer.lanes > 1;
+    bool const overlaps = config.rasterizer.setup_overlap > 0;
+    ModuleDescription module("rasterizer");
+    module.reads_from("sample_raster");
+    module.reads_from("vertex");
+    module.writes_to("area")
+        .carries("triangle areas from the rasterizer to the reciprocal unit")
+        .of_bits(wires::magnitude_of_area + 1);  // signed
+    module.writes_to("command")
+        .carries("commands from the rasterizer to the inlier unit")
+        .of_bits(2)
+        .leaves("scan", 7);
+    module.writes_to("fragment_depth")
+        .carries("z sums of fragments from the rasterizer to the inlier unit")
+        .of_bits(z_sum_bits + (in_groups ? column_step_bits : 0))
+        .leaves("scan", 7);
+    module.writes_to("fragment_index")
+        .carries("pixels of fragments from the rasterizer to the inlier unit")
+        .of_bits(wires::pixel + wires::mask(config))
+        .leaves("scan", 7);
+    module.writes_to("edge_token")
+        .carries("object and edge pixels from the rasterizer to the edge map builder")
+        .of_bits(wires::pixel + (in_groups ? wires::mask(config) : 2))  // an empty mask is the end; edge, object or end
+        .leaves("scan", 7)
+        .only_if(finds_edges_while_drawing(config));
+    module.writes_to("region")
+        .carries("two corners of the touched region from the rasterizer to the observation reader (sweep_region: touched)")
+        .of_bits(wires::corner(config))
+        .only_if(sweeps_touched_region(config));
+    std::vector<std::string> written{"command", "fragment_depth", "fragment_index", "edge_token"};
+    if (overlaps)
+        written.emplace_back("area");
+    module.loop("scan")
+        .does("visits one pixel or group per iteration, or sends a pending edge token")
+        .of_depth(8)
+        .writes_to(written)
+        .also_reads(overlaps ? std::vector<std::string>{"vertex"} : std::vector<std::string>{});
+    module.setup = SetupDescription{12, config.rasterizer.scan == ScanPolicy::spans ? span_division_cycles : 0,
+                                    "Cycles of the triangle setup, from the third vertex to the area.", "scan",
+                                    overlaps ? "" : "area"};
+    return module;
+}
+
 Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "rasterizer"),
       sends_near_edges_(core.config.edge_map.algorithm == EdgeMapAlgorithm::threshold),
       thresholds_(datapath::threshold_codes(core.config.edge_map.thresholds, core.stimulus.fraction.vertex_xy)),
       scan_(core.config.rasterizer.setup_overlap > 0 ? configured_scan<true>() : configured_scan<false>()) {
@@ -28,6 +80,7 @@ Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& c
 }
 
 void Rasterizer::end_of_elaboration() {
+    clock_.connect_all();
     vertex_ = &channel_of(vertex_in);
     area_ = &channel_of(area_out);
     command_ = &channel_of(command_out);
@@ -37,35 +90,17 @@ void Rasterizer::end_of_elaboration() {
     depth_groups_ = channel_of(fragment_depth_out.groups);
     index_groups_ = channel_of(fragment_index_out.groups);
     edge_groups_ = channel_of(edge_token_out.groups);
-    clock_.connect_reads(channel_of(sample_raster_in));
-    clock_.connect_reads(*vertex_);
-    clock_.connect_writes(*area_);
-    std::vector<FifoChannel*> written{command_, fragment_depth_out.channel(), fragment_index_out.channel()};
     FifoChannel* const edges = edge_token_out.channel();
-    if (edges != nullptr)
-        written.push_back(edges);
-    for (FifoChannel* const fifo : written)
-        clock_.connect_writes(*fifo);
     edge_port_ = edges != nullptr ? edges->write_port() : std::uint8_t{0};
-    fragment_ports_ = 0;
-    for (FifoChannel const* const fifo : written)
-        fragment_ports_ = static_cast<std::uint8_t>(fragment_ports_ | fifo->write_port());
-    if (touched_)
-        clock_.connect_writes(*channel_of(region_out));
-    std::vector<FifoChannel*> read_as_well;
-    if (core_.config.rasterizer.setup_overlap > 0) {
-        written.push_back(area_);
-        read_as_well.push_back(vertex_);
-    }
-    scan_loop_ = clock_.add_loop(loop_shape(LoopId::scan, core_.config), written, read_as_well);
-    clock_.set_setup_cycles(setup_cycles(core_.config));
+    fragment_ports_ =
+        static_cast<std::uint8_t>(command_->write_port() | fragment_depth_out.channel()->write_port() |
+                                  fragment_index_out.channel()->write_port() | edge_port_);
+    scan_loop_ = clock_.loop("scan");
 }
 
 void Rasterizer::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::rasterizer);
-        for (auto const& call : core_.sample_begins)
-            call(i);
+        clock_.begin_sample();
         start_sample();
         std::uint32_t const triangles = core_.sample(i).triangle_count;
         core_.config.rasterizer.setup_overlap > 0 ? draw_overlapped(triangles) : draw_one_by_one(triangles);

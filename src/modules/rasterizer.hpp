@@ -41,6 +41,8 @@ class Rasterizer : public sc_core::sc_module {
     PixelsOut<EdgeToken, PixelGroup> edge_token_out{"edge_token_out"};  ///< unbound in flow fpga_grip
     OptionalFifoOut<FragmentIndex> region_out{"region_out"};            ///< unbound unless touched
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(Rasterizer);
     Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core);
     /// Its stamps are the cycles of the sample_raster reads: the samples' start cycles.

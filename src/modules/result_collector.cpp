@@ -1,31 +1,33 @@
 #include "modules/result_collector.hpp"
 
 #include "channels/port_binding.hpp"
+#include "modules/conditions.hpp"
 
 namespace faster {
 
+ModuleDescription ResultCollector::describe(AcceleratorConfig const& config) {
+    ModuleDescription module("result_collector");
+    module.reads_from("result");
+    module.reads_from("valid_depth").only_if(sweeps_touched_region(config));
+    return module;
+}
+
 ResultCollector::ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    : sc_module(name), core_(core), clock_(core.core, "result_collector") {
     SC_THREAD(run);
 }
 
-void ResultCollector::end_of_elaboration() {
-    clock_.connect_reads(channel_of(result_in));
-    if (core_.sweeps_touched())
-        clock_.connect_reads(*channel_of(valid_depth_in));
-}
+void ResultCollector::end_of_elaboration() { clock_.connect_all(); }
 
 void ResultCollector::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::result_collector);
+        clock_.begin_sample();
         results_.push_back(receive());
         clock_.stamp();
         clock_.advance(1);
         clock_.resolve();  // all of the sample is known now: a good moment to give it its cycles
-        if (core_.progress)
-            core_.progress();
+        clock_.end_sample();
     }
-    core_.done->notify(sc_core::SC_ZERO_TIME);
 }
 
 SampleCounters ResultCollector::receive() {

@@ -18,6 +18,8 @@ class ResultCollector : public sc_core::sc_module {
     sc_core::sc_fifo_in<SampleCounters> result_in{"result_in"};
     OptionalFifoIn<std::uint64_t> valid_depth_in{"valid_depth_in"};  ///< unbound unless touched
 
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
     SC_HAS_PROCESS(ResultCollector);
     ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core);
     /// By sample of this core.

@@ -1,25 +1,34 @@
 #include "modules/sample_dispatcher.hpp"
 
 #include "channels/port_binding.hpp"
+#include "modules/token_widths.hpp"
 
 namespace faster {
 
+ModuleDescription SampleDispatcher::describe() {
+    ModuleDescription module("sample_dispatcher");
+    module.writes_to("sample_vertex")
+        .carries("sample headers from the dispatcher to the vertex transform")
+        .of_bits(wires::header);
+    module.writes_to("sample_raster")
+        .carries("sample headers from the dispatcher to the rasterizer")
+        .of_bits(wires::header);
+    module.writes_to("sample_observation")
+        .carries("sample headers from the dispatcher to the observation reader")
+        .of_bits(wires::header);
+    return module;
+}
+
 SampleDispatcher::SampleDispatcher(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.timing, basename(), core.time_base) {
+    : sc_module(name), core_(core), clock_(core.core, "sample_dispatcher") {
     SC_THREAD(run);
 }
 
-void SampleDispatcher::end_of_elaboration() {
-    clock_.connect_writes(channel_of(sample_vertex_out));
-    clock_.connect_writes(channel_of(sample_raster_out));
-    clock_.connect_writes(channel_of(sample_observation_out));
-}
+void SampleDispatcher::end_of_elaboration() { clock_.connect_all(); }
 
 void SampleDispatcher::run() {
-    if (core_.turn != nullptr)
-        wait(*core_.turn);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::sample_dispatcher);
+        clock_.begin_sample();
         SampleInput const& sample = core_.sample(i);
         SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row,
                                   sample.centre_col, sample.triangle_count};

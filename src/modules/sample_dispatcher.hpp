@@ -16,6 +16,8 @@ class SampleDispatcher : public sc_core::sc_module {
     sc_core::sc_fifo_out<SampleHeader> sample_raster_out{"sample_raster_out"};
     sc_core::sc_fifo_out<SampleHeader> sample_observation_out{"sample_observation_out"};
 
+    static ModuleDescription describe();
+
     SC_HAS_PROCESS(SampleDispatcher);
     SampleDispatcher(sc_core::sc_module_name const& name, CoreContext const& core);
     ProcessClock const& clock() const { return clock_; }

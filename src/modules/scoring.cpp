@@ -3,9 +3,49 @@
 #include <algorithm>
 
 #include "faster/sweep_design.hpp"
-#include "modules/core_shapes.hpp"
+#include "faster/extract_design.hpp"
+#include "modules/conditions.hpp"
+#include "modules/token_widths.hpp"
 
 namespace faster {
+
+void Scoring::describe_ends(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition) {
+    module.reads_from("edge_map").only_if(finds_edges_while_drawing(config)).only_if(condition);
+    module.reads_from("observed_depth").only_if(condition);
+    module.reads_from("observed_edge").only_if(condition);
+    module.writes_to("result")
+        .carries("counters of a sample from the inlier unit to the result collector")
+        .of_bits(wires::result(config))
+        .only_if(condition);
+}
+
+void Scoring::describe_loops(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition) {
+    module.loop("sweep")
+        .does("judges one token of pixels per iteration")
+        .of_depth(8)
+        .accesses_memory("depth_buffer", sweep_design(config).accesses)
+        .only_if(condition);
+    module.loop("extract")
+        .does("looks for an edge at one pixel of the window per iteration (flow fpga_grip)")
+        .of_depth(12, config.edge_extraction.square_root_latency + config.edge_extraction.divider_latency)
+        .accesses_memory("depth_buffer", extract_design(config).accesses)
+        .only_if(extracts_edges(config))
+        .only_if(condition);
+}
+
+/// The last rows of the depth buffer, side by side, that `neighbour_access: window` keeps: two of the sweep, a token per
+/// word, or all but one of eq. 2.2's neighbourhood, a pixel per word (flow fpga_grip).
+void Scoring::describe_line_buffer(ModuleDescription& module, AcceleratorConfig const& config) {
+    bool const extracts = config.flow == Flow::fpga_grip;  // pixel by pixel, whatever the sweep's lanes
+    std::uint64_t const rows = extracts                                  ? extract_design(config).line_buffer_rows
+                               : sweep_design(config).has_line_buffers ? 2
+                                                                         : 0;
+    if (rows == 0)
+        return;
+    LaneRows const tokens(config.window, config.inlier_unit.sweep_lanes);
+    std::uint64_t const words = extracts ? static_cast<std::uint64_t>(config.window) : tokens.tokens_per_row();
+    module.line_buffer({"line_buffers", words, rows * (extracts ? 1 : tokens.lanes()) * wires::depth});
+}
 
 Scoring::Scoring(CoreContext const& core, ProcessClock& clock)
     : core_(core),
@@ -21,18 +61,11 @@ void Scoring::connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint
     edge_map_ = edge_map;
     observed_depth_ = &observed_depth;
     observed_edge_ = &observed_edge;
-    if (edge_map_ != nullptr)
-        clock_.connect_reads(*edge_map_);
-    clock_.connect_reads(observed_depth);
-    clock_.connect_reads(observed_edge);
     unsigned const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : 0U;
     ports_ = static_cast<std::uint8_t>(edge_port | observed_depth.read_port() | observed_edge.read_port());
-}
-
-void Scoring::add_loops() {
-    loop_ = clock_.add_loop(loop_shape(LoopId::sweep, core_.config));
+    loop_ = clock_.loop("sweep");
     if (edge_extractor_)
-        edge_extractor_->add_loop();
+        edge_extractor_->connect();
 }
 
 /// In a region nothing is known of the rest of the window: its valid depths come to the host another way.

@@ -17,12 +17,17 @@ namespace faster {
 /// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
 class Scoring {
   public:
+    /// Adds the ends, the loops and the line buffer of this part to the module whose process it belongs to.
+    static void describe_ends(ModuleDescription& module, AcceleratorConfig const& config,
+                              Condition const& condition = {});
+    static void describe_loops(ModuleDescription& module, AcceleratorConfig const& config,
+                               Condition const& condition = {});
+    static void describe_line_buffer(ModuleDescription& module, AcceleratorConfig const& config);
+
     Scoring(CoreContext const& core, ProcessClock& clock);
-    /// When elaboration has ended: the reads, in program order. `edge_map`: null in flow fpga_grip.
+    /// When the process's clock is connected. `edge_map`: null in flow fpga_grip.
     void connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint16_t>& observed_depth,
                  ClockedFifo<std::uint8_t>& observed_edge);
-    /// Behind the other loops of the process.
-    void add_loops();
     /// Adds to the counters of a sample what a box of pixels has, and clears the box, if that is what clears a region.
     void score(std::size_t sample, std::vector<std::uint16_t>& depth_buffer, PixelBox const& box,
                SampleCounters& counters);

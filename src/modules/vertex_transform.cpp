@@ -3,27 +3,37 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
-#include "modules/core_shapes.hpp"
+#include "modules/token_widths.hpp"
 
 namespace faster {
+
+ModuleDescription VertexTransform::describe() {
+    ModuleDescription module("vertex_transform");
+    module.reads_from("sample_vertex");
+    module.writes_to("vertex")
+        .carries("vertices from the vertex transform to the rasterizer")
+        .of_bits(2 * wires::vertex_xy + wires::vertex_z)
+        .leaves("vertex", 40);
+    module.loop("vertex").does("transforms one vertex per iteration").of_depth(41).writes_to({"vertex"});
+    return module;
+}
 
 VertexTransform::VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core)
     : sc_module(name),
       core_(core),
-      clock_(core.timing, basename(), core.time_base),
+      clock_(core.core, "vertex_transform"),
       transformer_(core.stimulus.posed, core.stimulus.fraction) {
     SC_THREAD(run);
 }
 
 void VertexTransform::end_of_elaboration() {
-    clock_.connect_reads(channel_of(sample_vertex_in));
-    clock_.connect_writes(channel_of(vertex_out));
-    vertex_loop_ = clock_.add_loop(loop_shape(LoopId::vertex, core_.config), {&channel_of(vertex_out)});
+    clock_.connect_all();
+    vertex_loop_ = clock_.loop("vertex");
 }
 
 void VertexTransform::run() {
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        core_.begin_sample(ModuleId::vertex_transform);
+        clock_.begin_sample();
         clock_.here();
         SampleHeader const header = sample_vertex_in.read();
         clock_.advance(1);

@@ -6,21 +6,23 @@
 #include <memory>
 #include <set>
 
-#include "faster/presets.hpp"
+#include "faster/faster_config.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/base/process_pool.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/plain_value.hpp"
 #include "kernel/report/architecture_table.hpp"
 #include "kernel/report/html/architectures_html.hpp"
 #include "tb/edge_map_judge.hpp"
-#include "tb/exit_codes.hpp"
-#include "tb/progress_line.hpp"
-#include "tb/simulation/simulate.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/progress_line.hpp"
+#include "modules/faster_simulation.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/options.hpp"
 
 namespace faster {
 
@@ -40,7 +42,7 @@ struct Point {
 std::string name_of(std::string const& file) { return std::filesystem::path(file).stem().string(); }
 
 bool is_preset(std::string const& name) {
-    return std::any_of(presets().begin(), presets().end(),
+    return std::any_of(design().presets().begin(), design().presets().end(),
                        [&name](Preset const& preset) { return preset.name == name; });
 }
 
@@ -116,13 +118,10 @@ quality::ContourSide contour_side(AcceleratorConfig const& config) {
 report::ArchitectureRow measured(Point const& point, std::size_t judged_samples) {
     LoadedConfig loaded = point.loaded;
     Stimulus const stimulus = load_stimulus(loaded);
-    AcceleratorConfig const& config = loaded.config.accelerator;
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
     EdgeMapJudge judge(stimulus, contour_side(config), judged_samples);
-    SimulationOptions options;
-    if (judged_samples > 0)
-        options.probe = &judge;
-    report::ArchitectureRow row =
-        report::architecture_row(config, simulate(config, stimulus, loaded.config.simulation.engine, options));
+    report::ArchitectureRow row = report::architecture_row(
+        simulate(config, stimulus, loaded.config.simulation.engine, {}, judged_samples > 0 ? &judge : nullptr));
     set_quality(judge.sums(), row);
     return row;
 }
@@ -183,6 +182,35 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
         if (!file.empty())
             fmt::print("\nwritten: {}\n", file);
     return exit_done;
+}
+
+Subcommand compare_architectures_command() {
+    return {"compare-architectures", "Run several architectures on several workloads, side by side",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<CompareArchitecturesRequest>();
+                command
+                    .add_option("architectures", request->architectures,
+                                "Presets (accelerator.architecture), or files that say what an architecture changes; "
+                                "the first is 1. None: all presets")
+                    ->type_name("NAME|FILE");
+                command
+                    .add_option("--workloads", request->workloads,
+                                "Configurations to run them on, e.g. configs/banana.yaml")
+                    ->required()
+                    ->type_name("CONFIG");
+                add_overrides(command, request->overrides);
+                add_jobs(command, request->jobs, "Simulations at once");
+                command
+                    .add_option("--quality", request->judged_samples,
+                                "Judge the edge maps of the first N samples of each run")
+                    ->type_name("N")
+                    ->check(CLI::Range(1, 1000000));
+                command.add_option("--csv", request->csv, "Write a row per architecture and workload to this file")
+                    ->type_name("FILE");
+                command.add_option("--html", request->html, "Write the table and its plots as one HTML page")
+                    ->type_name("FILE");
+                return [request] { return compare_architectures(*request); };
+            }};
 }
 
 }  // namespace faster

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tool/subcommand.hpp"
+
 namespace faster {
 
 /// `faster-sim compare-architectures`.
@@ -22,5 +24,8 @@ struct CompareArchitecturesRequest {
 /// architecture's file sets win over the workload's. Throws InputError on bad input. Exit code 1 if a simulation
 /// crashed.
 int compare_architectures(CompareArchitecturesRequest const& request);
+
+/// `compare-architectures`.
+Subcommand compare_architectures_command();
 
 }  // namespace faster

@@ -9,13 +9,14 @@
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
-#include "kernel/config/enum_names.hpp"
+#include "faster/enum_names.hpp"
 #include "reference/quality/survey_table.hpp"
-#include "tb/exit_codes.hpp"
+#include "tool/exit_codes.hpp"
 #include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
 #include "workload/pictures/overlay.hpp"
+#include "tool/options.hpp"
 
 namespace faster {
 
@@ -73,6 +74,34 @@ int edge_quality(EdgeQualityRequest const& request) {
     }
     fmt::print("{}", quality::survey_markdown(rows));
     return exit_done;
+}
+
+Subcommand edge_quality_command() {
+    return {"edge-quality", "Judge the edge maps of the algorithms by the exact contours of many random poses",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<EdgeQualityRequest>();
+                command.add_option("--poses", request->poses, "Poses per class")
+                    ->type_name("N")
+                    ->capture_default_str()
+                    ->check(CLI::Range(1, 100000));
+                command.add_option("--seed", request->seed, "Seed of the poses")
+                    ->type_name("N")
+                    ->capture_default_str()
+                    ->check(CLI::NonNegativeNumber);
+                command.add_option("--classes", request->classes, "Built-in objects, with commas between (all)")
+                    ->type_name("NAMES")
+                    ->delimiter(',');
+                command
+                    .add_option("--algorithms", request->algorithms,
+                                "Of accelerator.edge_map.algorithm, likewise (all)")
+                    ->type_name("NAMES")
+                    ->delimiter(',');
+                command
+                    .add_option("--out", request->out,
+                                "Write quality.csv and pictures of the best and worst poses to this folder")
+                    ->type_name("DIR");
+                return [request] { return edge_quality(*request); };
+            }};
 }
 
 }  // namespace faster

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tool/subcommand.hpp"
+
 namespace faster {
 
 /// `faster-sim edge-quality`.
@@ -16,5 +18,8 @@ struct EdgeQualityRequest {
 
 /// Judges the edge maps of the algorithms. Throws InputError on bad input.
 int edge_quality(EdgeQualityRequest const& request);
+
+/// `edge-quality`.
+Subcommand edge_quality_command();
 
 }  // namespace faster

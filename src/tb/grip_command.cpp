@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "faster/faster_config.hpp"
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
@@ -12,10 +13,11 @@
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/load_config.hpp"
 #include "reference/scorer.hpp"
-#include "tb/exit_codes.hpp"
+#include "tool/exit_codes.hpp"
 #include "tb/grip_comparison.hpp"
 #include "tb/workload_source.hpp"
 #include "workload/object_pose.hpp"
+#include "tool/options.hpp"
 
 namespace faster {
 
@@ -31,9 +33,9 @@ double seconds_since(HostClock::time_point start) {
 
 /// A trace has triangles, but no poses to render.
 void require_poses(LoadedConfig const& loaded) {
-    if (!loaded.config.workload.trace.empty())
+    if (!workload_of(loaded.config).trace.empty())
         throw InputError(complaint(loaded, "workload.trace", "none: grip renders poses, which a trace does not have"));
-    if (loaded.config.workload.samples.count == 0)
+    if (workload_of(loaded.config).samples.count == 0)
         throw InputError(complaint(loaded, "workload.samples.count", "at least 1: grip compares samples"));
 }
 
@@ -64,16 +66,16 @@ std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
 
 GripComparison compare_with_flow(GripRequest const& request, RunConfig const& config, Stimulus const& stimulus) {
     GripComparison comparison;
-    comparison.flow = config.accelerator.flow;
-    comparison.architecture = config.accelerator.architecture;
+    comparison.flow = accelerator_of(config).flow;
+    comparison.architecture = accelerator_of(config).architecture;
     comparison.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     auto start = HostClock::now();
-    comparison.grip = grip::score_poses(stimulus, settings_of(request, config.workload), comparison.jobs);
+    comparison.grip = grip::score_poses(stimulus, settings_of(request, workload_of(config)), comparison.jobs);
     comparison.grip_seconds = seconds_since(start);
     start = HostClock::now();
-    comparison.counters = flow_counters(config.accelerator, stimulus);
+    comparison.counters = flow_counters(accelerator_of(config), stimulus);
     comparison.reference_seconds = seconds_since(start);
-    comparison.add_m = pose_errors(stimulus, workload::configured_pose(config.workload.target));
+    comparison.add_m = pose_errors(stimulus, workload::configured_pose(workload_of(config).target));
     return comparison;
 }
 
@@ -94,6 +96,29 @@ int grip_baseline(GripRequest const& request) {
     folder->commit();
     fmt::print("\nwritten: {}\n", request.out);
     return exit_done;
+}
+
+Subcommand grip_command() {
+    return {"grip",
+            "Score the poses by the thesis's CPU and GPU baseline, untimed, and compare the ranking with the "
+            "configured design's",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<GripRequest>();
+                command.add_option("config", request->config, "Configuration file (YAML)")
+                    ->required()
+                    ->type_name("CONFIG");
+                command.add_option("--out", request->out, "Write scores.csv and summary.json to this folder")
+                    ->type_name("DIR");
+                add_overrides(command, request->overrides);
+                add_jobs(command, request->jobs, "Threads");
+                command
+                    .add_option("--inlier-distance", request->inlier_distance_m,
+                                "Points closer than this agree (eq. 2.1)")
+                    ->type_name("METRES")
+                    ->capture_default_str()
+                    ->check(number_in(0.000001, 10));
+                return [request] { return grip_baseline(*request); };
+            }};
 }
 
 }  // namespace faster

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tool/subcommand.hpp"
+
 namespace faster {
 
 /// `faster-sim grip`.
@@ -17,5 +19,8 @@ struct GripRequest {
 /// Scores a configuration's poses by the thesis's CPU + GPU baseline, and compares them with those of the configured
 /// flow. Throws InputError on bad input.
 int grip_baseline(GripRequest const& request);
+
+/// `grip`.
+Subcommand grip_command();
 
 }  // namespace faster

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "kernel/config/enum_names.hpp"
+#include "faster/enum_names.hpp"
 #include "reference/grip/rank_correlation.hpp"
 
 namespace faster {

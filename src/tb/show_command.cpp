@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "tb/exit_codes.hpp"
+#include "tool/exit_codes.hpp"
 #include "tb/run_folder.hpp"
 #include "tb/terminal.hpp"
 #include "workload/pictures/depth_scale.hpp"
 #include "workload/pictures/terminal_picture.hpp"
+#include "tool/options.hpp"
 
 namespace faster {
 
@@ -71,6 +72,23 @@ int show(ShowRequest const& request) {
     if (!drawn.empty())
         print_picture(fitted(drawn, terminal, static_cast<int>(request.width)), in_colours);
     return exit_done;
+}
+
+Subcommand show_command() {
+    return {"show", "Print a small picture of one sample of an older run", [](CLI::App& command) {
+                auto const request = std::make_shared<ShowRequest>();
+                command.add_option("folder", request->folder, "Results of run --out DIR --images K")
+                    ->required()
+                    ->type_name("DIR");
+                command.add_option("--sample", request->sample, "Index of the sample (0)")
+                    ->type_name("N")
+                    ->check(CLI::Range(0, 1000000));
+                command.add_flag("--depth", request->depth, "The depth buffer instead of edge and object map");
+                command.add_option("--width", request->width, "Columns at most (those of the terminal, else 80)")
+                    ->type_name("N")
+                    ->check(CLI::Range(10, 1000));
+                return [request] { return show(*request); };
+            }};
 }
 
 }  // namespace faster

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <string>
 
+#include "tool/subcommand.hpp"
+
 namespace faster {
 
 /// `faster-sim show`.
@@ -14,5 +16,8 @@ struct ShowRequest {
 
 /// Prints a sample's figures and a small picture of it. Returns the exit code; throws InputError on bad input.
 int show(ShowRequest const& request);
+
+/// `show`.
+Subcommand show_command();
 
 }  // namespace faster

@@ -1,16 +1,19 @@
 #include "tb/workload_source.hpp"
 
 #include "datapath/vertex_transform.hpp"
+#include "faster/adopt_trace.hpp"
+#include "faster/faster_config.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
 
 Stimulus load_stimulus(LoadedConfig& loaded) {
-    RunConfig& config = loaded.config;
-    if (config.workload.trace.empty())
-        return workload::build_stimulus(config.workload, config.accelerator.window, config.accelerator.fraction_bits);
-    Stimulus stimulus = io::read_trace(config.workload.trace);
+    WorkloadConfig const& config = workload_of(loaded.config);
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    if (config.trace.empty())
+        return workload::build_stimulus(config, accelerator.window, accelerator.fraction_bits);
+    Stimulus stimulus = io::read_trace(config.trace);
     adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
     return stimulus;
 }

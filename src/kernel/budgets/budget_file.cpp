@@ -11,6 +11,7 @@
 #include "kernel/budgets/limit_reader.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/key_faults.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
 #include "kernel/config/yaml_document.hpp"
@@ -98,7 +99,7 @@ class BudgetReader {
 
     void read_overrides(MapEntry const& set) {
         if (!set.value.IsMap())
-            return reject(set, "a map of dotted keys, e.g. {accelerator.raster_cores: 1}");
+            return reject(set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
         for (MapEntry const& entry : read_entries(set.value, "set.", faults_))
             read_override(entry);
     }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_value.hpp"
 
@@ -17,10 +18,8 @@ enum class Group { shape, work, waiting, result, none };
 constexpr std::array<std::string_view, 5> work_of_modules{"busy_cycles", "fill_drain_cycles", "setup_cycles",
                                                           "port_conflict_cycles", "recurrence_cycles"};
 constexpr std::array<std::string_view, 3> waiting_of_fifos{"full_stall_cycles", "empty_stall_cycles", "max_occupancy"};
-constexpr std::array<std::string_view, 5> results_of_samples{"valid_raster", "valid_depth", "inlier", "valid_edge",
-                                                             "edge_inlier"};
 
-template <std::size_t N> bool is_one_of(std::string const& word, std::array<std::string_view, N> const& words) {
+template <class Words> bool is_one_of(std::string const& word, Words const& words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -28,7 +27,7 @@ Group group_of(std::vector<std::string> const& parts) {
     std::string const& table = parts.front();
     std::string const& figure = parts.back();
     if (table == "samples" && parts.size() > 1)
-        return is_one_of(figure, results_of_samples) ? Group::result : Group::none;
+        return is_one_of(figure, design().counters()) ? Group::result : Group::none;
     if (table == "cores" || table == "total_cycles")
         return Group::none;
     if (table == "modules")

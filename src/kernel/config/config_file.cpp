@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "faster/presets.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/config_sources.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
@@ -79,8 +79,9 @@ std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedCon
 
 std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded) {
     auto const has_name = [&name](Preset const& preset) { return preset.name == name; };
-    auto const preset = std::find_if(presets().begin(), presets().end(), has_name);
-    if (preset == presets().end())
+    std::vector<Preset> const& presets = design().presets();
+    auto const preset = std::find_if(presets.begin(), presets.end(), has_name);
+    if (preset == presets.end())
         throw std::out_of_range("no preset " + name);
     return FileReader(place_of_preset(name), KeySource::preset, loaded).read(parse_document(preset->text));
 }

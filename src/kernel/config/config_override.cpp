@@ -11,7 +11,7 @@ namespace {
 
 /// A list is YAML; everything else is taken as it stands, so that a path needs no quotes against `#` or `: `.
 YAML::Node node_of(Key const& key, std::string const& value) {
-    bool const is_list = key.kind == KeyKind::vector || key.kind == KeyKind::objects;
+    bool const is_list = key.kind == KeyKind::vector || key.kind == KeyKind::items;
     return is_list ? parse_document(value) : YAML::Node(value);
 }
 

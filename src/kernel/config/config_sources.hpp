@@ -9,7 +9,7 @@ namespace faster {
 
 /// The steps of load_config. Each returns its complaints, ready to print, and applies what is sound.
 
-/// `name`: one of presets().
+/// `name`: one of preset_names().
 std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded);
 
 /// Throws InputError if there is no YAML document to read from.
@@ -18,11 +18,11 @@ std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedCon
 /// `setting` is "a.b.c=value".
 std::vector<std::string> apply_override(std::string const& setting, LoadedConfig& loaded);
 
-/// What no key can say on its own: see SPEC sections 2 (fraction bits) and 3 (write latencies).
+/// What no key can say on its own: machine_complaints(), Design::complaints(), and keys of parts that are not there.
 std::vector<std::string> cross_check(LoadedConfig const& loaded);
 
-/// Part of cross_check(): banks need words, and a factor a type.
-void check_partition(LoadedConfig const& loaded, BramId bram, std::vector<std::string>& complaints);
+/// Part of cross_check(): what contradicts itself in any machine.
+std::vector<std::string> machine_complaints(LoadedConfig const& loaded);
 
 /// "KEY = 3", with "(default)" behind it unless it was asked for.
 std::string with_value(LoadedConfig const& loaded, std::string const& key);

@@ -42,6 +42,14 @@ std::string number_range(NumberRange const& range) {
 
 }  // namespace
 
+Key key_of(ItemField const& field) {
+    Key key;
+    key.text = field.text;
+    key.kind = field.kind;
+    key.words = field.words;
+    return key;
+}
+
 std::string expectation(Key const& key) {
     switch (key.kind) {
         case KeyKind::boolean:
@@ -55,10 +63,10 @@ std::string expectation(Key const& key) {
         case KeyKind::path:
             return "a path";
         case KeyKind::object:
-            return "an object class or the path of a mesh file";
+            return key.words.expectation;
         case KeyKind::vector:
             return "a list of 3 numbers";
-        case KeyKind::objects:
+        case KeyKind::items:
             return "a list of maps";
     }
     return {};
@@ -77,10 +85,10 @@ std::string range_text(Key const& key) {
         case KeyKind::path:
             return "path";
         case KeyKind::object:
-            return "class or path";
+            return key.words.range;
         case KeyKind::vector:
             return "3 numbers";
-        case KeyKind::objects:
+        case KeyKind::items:
             return "list of maps";
     }
     return {};

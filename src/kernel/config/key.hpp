@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "faster/run_config.hpp"
 #include "kernel/config/key_value.hpp"
+#include "kernel/config/run_config.hpp"
 
 namespace faster {
 
@@ -15,11 +15,11 @@ enum class KeyKind {
     boolean,
     integer,
     number,
-    choice,   ///< one of Key::choices
-    path,     ///< a file or folder; empty for none
-    object,   ///< a built-in object class or the path of a mesh file
-    vector,   ///< three numbers
-    objects,  ///< a list of maps, see scene_object_keys()
+    choice,  ///< one of Key::choices
+    path,    ///< a file or folder; empty for none
+    object,  ///< the bare name of something that the design knows, or the path of a file
+    vector,  ///< three numbers
+    items,   ///< a list of maps, see Key::fields
 };
 
 struct IntegerRange {
@@ -41,6 +41,21 @@ struct KeyText {
     std::string source;   ///< where the key or its default comes from
 };
 
+/// What a KeyKind::object accepts, in the design's words.
+struct ObjectWords {
+    std::string expectation = "a name or the path of a file";
+    std::string range = "name or path";
+};
+
+/// A field of the items of a KeyKind::items.
+struct ItemField {
+    KeyText text;                      ///< the name is the last part only
+    KeyKind kind = KeyKind::vector;    ///< object or vector
+    bool required = false;             ///< every item has to give it
+    ItemPart otherwise;                ///< its value where it is not given
+    ObjectWords words = ObjectWords{};  ///< KeyKind::object
+};
+
 /// One configuration key: all there is to know about it, once. Loader, resolved dump and documentation read this. The
 /// default is what `read` finds in a default-constructed RunConfig.
 struct Key {
@@ -49,11 +64,20 @@ struct Key {
     IntegerRange integers;             ///< KeyKind::integer
     NumberRange numbers;               ///< KeyKind::number
     std::vector<std::string> choices;  ///< KeyKind::choice
+    ObjectWords words;                 ///< KeyKind::object
+    std::vector<ItemField> fields;     ///< KeyKind::items, in the order in which they are written
+    /// May be changed without running the function again, unless Design::decides_function() says otherwise.
+    bool decides_time = false;
+    /// A whole number of a time or size that the sensitivities change by one.
+    bool is_step = false;
     std::function<KeyValue(RunConfig const&)> read;
     std::function<void(RunConfig&, KeyValue const&)> write;
 
     std::string const& name() const { return text.name; }
 };
+
+/// A field as a key of its own, as far as what it accepts goes.
+Key key_of(ItemField const& field);
 
 /// What the key accepts, to follow "expected": "an integer from 1 to 4096".
 std::string expectation(Key const& key);

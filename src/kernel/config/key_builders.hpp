@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -6,9 +7,6 @@
 #include "kernel/config/key.hpp"
 
 namespace faster {
-
-/// Makers of table entries. A `Field` is a generic lambda from a configuration to a reference to one member of it,
-/// `[](auto& config) -> auto& { return config.accelerator.window; }`: reading and writing follow from it.
 
 template <class Member> KeyValue value_of(Member const& member) {
     if constexpr (std::is_enum_v<Member>) {
@@ -30,36 +28,68 @@ template <class Member> void assign(Member& member, KeyValue const& value) {
     }
 }
 
-template <class Field> Key make_key(KeyText text, KeyKind kind, Field field) {
-    Key key;
-    key.text = std::move(text);
-    key.kind = kind;
-    key.read = [field](RunConfig const& config) { return value_of(field(config)); };
-    key.write = [field](RunConfig& config, KeyValue const& value) { assign(field(config), value); };
+template <class Member> void assign(std::optional<Member>& member, KeyValue const& value) {
+    assign(member.emplace(), value);
+}
+
+/// The part of a configuration that a KeyMaker's fields are of.
+template <class Config, class Whole> auto& part_of(Whole& config) {
+    if constexpr (std::is_same_v<Config, RunConfig>) {
+        return config;
+    } else if constexpr (std::is_same_v<Config, MachineSettings>) {
+        return config.machine();
+    } else {
+        return config.template as<Config>();
+    }
+}
+
+/// Makers of keys. `Config`: the design's class of DesignConfig, or MachineSettings, or RunConfig. A `Field` is a
+/// generic lambda from it to a reference to one member, `[](auto& config) -> auto& { return config.window; }`: reading
+/// and writing follow from it.
+template <class Config> struct KeyMaker {
+    template <class Field> static Key make_key(KeyText text, KeyKind kind, Field field) {
+        Key key;
+        key.text = std::move(text);
+        key.kind = kind;
+        key.read = [field](RunConfig const& config) { return value_of(field(part_of<Config>(config))); };
+        key.write = [field](RunConfig& config, KeyValue const& value) { assign(field(part_of<Config>(config)), value); };
+        return key;
+    }
+
+    template <class Field> static Key integer_key(KeyText text, IntegerRange range, Field field) {
+        Key key = make_key(std::move(text), KeyKind::integer, field);
+        key.integers = range;
+        return key;
+    }
+
+    template <class Field> static Key number_key(KeyText text, NumberRange range, Field field) {
+        Key key = make_key(std::move(text), KeyKind::number, field);
+        key.numbers = range;
+        return key;
+    }
+
+    template <class Field> static Key choice_key(KeyText text, Field field) {
+        using Choice = std::remove_reference_t<decltype(field(std::declval<Config&>()))>;
+        Key key = make_key(std::move(text), KeyKind::choice, field);
+        key.choices = names_of_choices<Choice>();
+        return key;
+    }
+
+    template <class Field> static Key boolean_key(KeyText text, Field field) {
+        return make_key(std::move(text), KeyKind::boolean, field);
+    }
+};
+
+/// A key that may be changed without running the function again.
+inline Key of_time(Key key) {
+    key.decides_time = true;
     return key;
 }
 
-template <class Field> Key integer_key(KeyText text, IntegerRange range, Field field) {
-    Key key = make_key(std::move(text), KeyKind::integer, field);
-    key.integers = range;
-    return key;
-}
-
-template <class Field> Key number_key(KeyText text, NumberRange range, Field field) {
-    Key key = make_key(std::move(text), KeyKind::number, field);
-    key.numbers = range;
-    return key;
-}
-
-template <class Field> Key choice_key(KeyText text, Field field) {
-    using Choice = std::remove_reference_t<decltype(field(std::declval<RunConfig&>()))>;
-    Key key = make_key(std::move(text), KeyKind::choice, field);
-    key.choices = names_of_choices<Choice>();
-    return key;
-}
-
-template <class Field> Key boolean_key(KeyText text, Field field) {
-    return make_key(std::move(text), KeyKind::boolean, field);
+/// Such a key that the sensitivities change by one.
+inline Key step_of_time(Key key) {
+    key.is_step = true;
+    return of_time(std::move(key));
 }
 
 }  // namespace faster

@@ -24,15 +24,19 @@ std::string text_of(std::array<double, 3> const& value) {
     return fmt::format("[{}, {}, {}]", value[0], value[1], value[2]);
 }
 
-std::string text_of(SceneObjectConfig const& value) {
-    return fmt::format(R"({{"object": {}, "translation_m": {}, "rotation_deg": {}}})", text_of(value.object),
-                       text_of(value.translation_m), text_of(value.rotation_deg));
+std::string text_of(ItemValue const& value) {
+    std::string text = "{";
+    for (auto const& [name, part] : value.fields) {
+        text += (text.size() > 1 ? ", " : "") + text_of(name) + ": ";
+        text += std::visit([](auto const& held) { return text_of(held); }, part);
+    }
+    return text + '}';
 }
 
-std::string text_of(std::vector<SceneObjectConfig> const& value) {
+std::string text_of(std::vector<ItemValue> const& value) {
     std::string text = "[";
-    for (auto const& object : value) {
-        text += (text.size() > 1 ? ", " : "") + text_of(object);
+    for (ItemValue const& item : value) {
+        text += (text.size() > 1 ? ", " : "") + text_of(item);
     }
     return text + ']';
 }

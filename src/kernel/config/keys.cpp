@@ -6,24 +6,25 @@
 #include <utility>
 
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/key_builders.hpp"
 
 namespace faster {
 namespace {
 
 Keys simulation_keys() {
-    return {choice_key(
+    return {KeyMaker<RunConfig>::choice_key(
         {"simulation.engine", "",
          "How the SystemC kernel follows the processes: at every operation (lockstep, for waveforms) or "
          "only when they must wait (decoupled); the results are the same.",
-         "SPEC 3"},
+         "timing model"},
         [](auto& config) -> auto& { return config.simulation.engine; })};
 }
 
 Keys make_all_keys() {
-    Keys all;
-    for (Keys part : {accelerator_keys(), workload_keys(), simulation_keys()}) {
-        std::move(part.begin(), part.end(), std::back_inserter(all));
+    Keys all = design().keys();
+    for (Key& key : simulation_keys()) {
+        all.push_back(std::move(key));
     }
     return all;
 }
@@ -87,6 +88,25 @@ Keys const& all_keys() {
     return all;
 }
 
+Keys timing_keys(RunConfig const& config) {
+    IdleKeys const idle = idle_keys(config);
+    Keys keys;
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
+                 [&idle](Key const& key) { return key.is_step && idle.decider_of(key.name()) == nullptr; });
+    return keys;
+}
+
+Keys retiming_keys() {
+    Keys keys;
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
+                 [](Key const& key) { return key.decides_time; });
+    return keys;
+}
+
+bool is_retimable(Key const& key, RunConfig const& config) {
+    return key.decides_time && !design().decides_function(key.name(), config);
+}
+
 Key const* find_key(std::string_view name) {
     auto const found =
         std::find_if(all_keys().begin(), all_keys().end(), [&](Key const& key) { return key.name() == name; });
@@ -124,6 +144,12 @@ std::string unknown_key_problem(std::string_view name) {
     }
     std::string const where = part.section.empty() ? "at the top" : "in " + part.section;
     return fmt::format("unknown key, expected {} one of {}", where, fmt::join(names_in_section(part.section), ", "));
+}
+
+std::string const& example_key() {
+    auto const found = std::find_if(all_keys().begin(), all_keys().end(),
+                                    [](Key const& key) { return key.kind == KeyKind::integer; });
+    return (found == all_keys().end() ? all_keys().front() : *found).name();
 }
 
 }  // namespace faster

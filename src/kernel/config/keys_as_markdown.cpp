@@ -26,15 +26,13 @@ std::string row(KeyText const& text, std::string const& name, std::string const&
                        range, value.empty() ? "-" : '`' + value + '`', text.source);
 }
 
-/// The keys of one item of the list, below the row of the list itself.
-std::string scene_object_rows() {
-    SceneObjectConfig const defaults;
+/// The fields of one item of the list, below the row of the list itself.
+std::string rows_of_fields(Key const& list) {
     std::string rows;
-    for (SceneObjectKey const& key : scene_object_keys()) {
-        Key typed;
-        typed.kind = key.kind;
-        std::string const value = key.required ? "" : json_text(defaults.*key.numbers);
-        rows += row(key.text, "workload.scene.objects[i]." + key.text.name, range_text(typed), value);
+    for (ItemField const& field : list.fields) {
+        std::string const value =
+            field.required ? "" : std::visit([](auto const& held) { return json_text(held); }, field.otherwise);
+        rows += row(field.text, list.name() + "[i]." + field.text.name, range_text(key_of(field)), value);
     }
     return rows;
 }
@@ -57,9 +55,7 @@ std::string keys_as_markdown() {
             text += heading(group);
         }
         text += row(key.text, key.name(), range_text(key), default_text(key));
-        if (key.kind == KeyKind::objects) {
-            text += scene_object_rows();
-        }
+        text += rows_of_fields(key);
     }
     return text;
 }

@@ -2,6 +2,8 @@
 
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/key_faults.hpp"
+#include "kernel/config/key_names.hpp"
+#include "kernel/config/keys.hpp"
 
 namespace faster {
 
@@ -27,9 +29,9 @@ std::vector<std::string> apply_all(Files const& files, std::vector<std::string> 
 LoadedConfig layered_config(Files const& files, std::vector<std::string> const& overrides) {
     LoadedConfig loaded;
     std::vector<std::string> complaints = apply_all(files, overrides, loaded);
-    if (loaded.origins.is_explicit("accelerator.architecture")) {
+    if (loaded.origins.is_explicit(architecture_key_name)) {
         // A preset lies below files and command line, and any may name it: it is known only when all have been read.
-        std::string const architecture = loaded.config.accelerator.architecture;
+        auto const architecture = std::get<std::string>(find_key(architecture_key_name)->read(loaded.config));
         loaded = {};
         throw_first(apply_preset(architecture, loaded));
         complaints = apply_all(files, overrides, loaded);

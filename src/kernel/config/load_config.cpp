@@ -2,6 +2,7 @@
 
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/key_faults.hpp"
+#include "kernel/config/key_names.hpp"
 #include "kernel/config/layered_config.hpp"
 
 namespace faster {
@@ -13,7 +14,7 @@ LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::str
 LoadedConfig load_preset(std::string const& name) {
     LoadedConfig loaded;
     throw_first(apply_preset(name, loaded));
-    throw_first(apply_override("accelerator.architecture=" + name, loaded));
+    throw_first(apply_override(std::string(architecture_key_name) + '=' + name, loaded));
     throw_first(cross_check(loaded));
     return loaded;
 }

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "common/fixed_point.hpp"
-#include "faster/run_config.hpp"
 #include "kernel/config/key_origins.hpp"
+#include "kernel/config/run_config.hpp"
 
 namespace faster {
 
@@ -24,11 +23,7 @@ struct LoadedConfig {
 /// that contradict each other. The message is the first fault, and how many more there are.
 LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::string> const& overrides = {});
 
-/// What a preset alone sets; everything else has its default. `name`: one of presets().
+/// What a preset alone sets; everything else has its default. `name`: one of preset_names().
 LoadedConfig load_preset(std::string const& name);
-
-/// A stimulus trace determines the size of image and window, and the fraction bits (SPEC section 4): its values replace
-/// those of the configuration. Throws InputError if an override explicitly asks for something else.
-void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction);
 
 }  // namespace faster

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "faster/run_config.hpp"
 #include "kernel/config/key_value.hpp"
+#include "kernel/config/run_config.hpp"
 
 namespace faster {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/value_reader.hpp"
 #include "kernel/config/yaml_document.hpp"
 
@@ -18,7 +19,7 @@ Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
     settings.line = item.Mark().line + 1;
     if (!item.IsMap())
         fail(path, settings.line,
-             fmt::format("{}, expected a map such as {{accelerator.raster_cores: 4}}", shown(item)));
+             fmt::format("{}, expected a map such as {{{}: 4}}", shown(item), example_key()));
     KeyFaults faults;
     for (MapEntry const& entry : read_entries(item, "", faults)) {
         if (!entry.value.IsScalar())
@@ -35,7 +36,8 @@ Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
 std::vector<Settings> read_settings_list(std::filesystem::path const& path) {
     YAML::Node const root = load_document(path);
     if (!root.IsSequence())
-        fail(path, 1, "expected a list of maps, one per configuration, such as - {accelerator.raster_cores: 4}");
+        fail(path, 1,
+             fmt::format("expected a list of maps, one per configuration, such as - {{{}: 4}}", example_key()));
     std::vector<Settings> list;
     for (YAML::Node const& item : root)
         list.push_back(read_item(path, item));

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <map>
 
-#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 
 namespace faster {
@@ -43,25 +42,28 @@ class Reader {
                 return held(object(node, expectation(key)));
             case KeyKind::vector:
                 return held(vector(node, expectation(key)));
-            case KeyKind::objects:
-                return objects(node, expectation(key));
+            case KeyKind::items:
+                return items(key, node);
         }
         return std::nullopt;
     }
 
-    std::optional<SceneObjectConfig> scene_object(YAML::Node const& node) const {
+    std::optional<ItemValue> item(std::vector<ItemField> const& fields, YAML::Node const& node) const {
         if (!node.IsMap()) {
             expected(node, "a map");
             return std::nullopt;
         }
         std::size_t const faults_before = faults_.size();
-        SceneObjectConfig result;
+        ItemValue result;
+        for (ItemField const& field : fields) {
+            result.fields.emplace_back(field.text.name, field.otherwise);
+        }
         std::vector<std::string> given;
         for (MapEntry const& entry : read_entries(node, name_ + '.', faults_)) {
-            read_field(entry, result);
+            read_field(fields, entry, result);
             given.push_back(entry.name);
         }
-        require_fields(given);
+        require_fields(fields, given);
         return faults_.size() == faults_before ? std::optional{result} : std::nullopt;
     }
 
@@ -122,7 +124,7 @@ class Reader {
         return name->empty() ? *name : beside_folder(*name);
     }
 
-    /// A class is a bare name; whatever has a slash or a point is a file.
+    /// A name is bare; whatever has a slash or a point is a file.
     std::optional<std::string> object(YAML::Node const& node, std::string const& expectation) const {
         auto const name = text(node);
         if (!name || name->empty()) {
@@ -151,54 +153,53 @@ class Reader {
         return is_good ? std::optional{values} : std::nullopt;
     }
 
-    std::optional<KeyValue> objects(YAML::Node const& node, std::string const& expectation) const {
+    std::optional<KeyValue> items(Key const& key, YAML::Node const& node) const {
         if (!node.IsSequence()) {
-            expected(node, expectation);
+            expected(node, expectation(key));
             return std::nullopt;
         }
-        std::vector<SceneObjectConfig> result;
+        std::vector<ItemValue> result;
         for (std::size_t index = 0; index < node.size(); ++index) {
-            if (auto const object = element(index, node[index]).scene_object(node[index])) {
-                result.push_back(*object);
+            if (auto const one = element(index, node[index]).item(key.fields, node[index])) {
+                result.push_back(*one);
             }
         }
         return result.size() == node.size() ? std::optional<KeyValue>{result} : std::nullopt;
     }
 
-    void read_field(MapEntry const& entry, SceneObjectConfig& result) const {
+    void read_field(std::vector<ItemField> const& fields, MapEntry const& entry, ItemValue& result) const {
         Reader const reader(name_ + '.' + entry.name, entry.line, folder_, faults_);
-        for (SceneObjectKey const& key : scene_object_keys()) {
-            if (key.text.name == entry.name && key.kind == KeyKind::object) {
-                result.*key.object = reader.object(entry.value, expectation_of(key)).value_or("");
-                return;
-            }
-            if (key.text.name == entry.name) {
-                result.*key.numbers = reader.vector(entry.value, expectation_of(key)).value_or(std::array<double, 3>{});
+        for (std::size_t index = 0; index < fields.size(); ++index) {
+            if (fields[index].text.name == entry.name) {
+                reader.read_part(fields[index], entry.value, result.fields[index].second);
                 return;
             }
         }
         faults_.push_back({entry.line, reader.name_, std::nullopt,
-                           fmt::format("unknown key, expected one of {}", fmt::join(field_names(), ", "))});
+                           fmt::format("unknown key, expected one of {}", fmt::join(names_of(fields), ", "))});
     }
 
-    static std::string expectation_of(SceneObjectKey const& field) {
-        Key key;
-        key.kind = field.kind;
-        return expectation(key);
+    void read_part(ItemField const& field, YAML::Node const& node, ItemPart& part) const {
+        std::string const what = expectation(key_of(field));
+        if (field.kind == KeyKind::object) {
+            part = object(node, what).value_or("");
+        } else {
+            part = vector(node, what).value_or(std::array<double, 3>{});
+        }
     }
 
-    static std::vector<std::string> field_names() {
+    static std::vector<std::string> names_of(std::vector<ItemField> const& fields) {
         std::vector<std::string> names;
-        for (SceneObjectKey const& key : scene_object_keys()) {
-            names.push_back(key.text.name);
+        for (ItemField const& field : fields) {
+            names.push_back(field.text.name);
         }
         return names;
     }
 
-    void require_fields(std::vector<std::string> const& given) const {
-        for (SceneObjectKey const& key : scene_object_keys()) {
-            if (key.required && std::find(given.begin(), given.end(), key.text.name) == given.end()) {
-                faults_.push_back({line_, name_, std::nullopt, "no key " + key.text.name + ", expected one"});
+    void require_fields(std::vector<ItemField> const& fields, std::vector<std::string> const& given) const {
+        for (ItemField const& field : fields) {
+            if (field.required && std::find(given.begin(), given.end(), field.text.name) == given.end()) {
+                faults_.push_back({line_, name_, std::nullopt, "no key " + field.text.name + ", expected one"});
             }
         }
     }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "faster/parts.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/config_sources.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/event_file_format.hpp"
@@ -38,7 +38,7 @@ class Reader {
             if (index.at("header_checksum") != header_checksum_)
                 fail("its header does not belong to its index, expected both from one run");
             read_configuration(header.at("configuration"), file.loaded);
-            read_machine(header.at("machine"), Parts(file.loaded.config.accelerator), file.run);
+            read_machine(header.at("machine"), machine_of(file.loaded.config), file.run);
             read_samples(index.at("samples"), file);
             file.summary = index.at("summary").dump();
         } catch (Json::exception const& error) {
@@ -121,6 +121,7 @@ class Reader {
     }
 
     void read_samples(Json const& rows, EventFile& file) {
+        std::size_t const counters = design().counters().size();
         std::vector<retiming::OperationTape::Block> blocks;
         std::uint64_t at = opening_bytes + std::uint64_t{header_bytes_};
         for (Json const& row : rows) {
@@ -129,12 +130,11 @@ class Reader {
                 fail("is damaged: its samples do not add up to its size, expected the file as it was written");
             blocks.push_back({at, value(0), value(1), row.at(2).get<std::uint32_t>()});
             at += value(0);
-            file.samples.push_back({file.samples.size(),
-                                    value(3),
-                                    value(4),
-                                    value(5),
-                                    {value(6), value(7), value(8), value(9), value(10)}});
-            file.run.counters.push_back(file.samples.back().counters);
+            SampleStatistics sample{file.samples.size(), value(3), value(4), value(5), {}};
+            for (std::size_t i = 0; i < counters; ++i)
+                sample.counters.push_back(value(6 + i));
+            file.run.counters.push_back(sample.counters);
+            file.samples.push_back(std::move(sample));
         }
         if (at != index_at_)
             fail("is damaged: its samples do not add up to its size, expected the file as it was written");

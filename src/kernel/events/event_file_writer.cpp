@@ -28,17 +28,10 @@ std::string header_of(RunConfig const& config, retiming::RecordedRun const& run)
 }
 
 Json sample_json(retiming::OperationTape::Block const& block, SampleStatistics const& sample) {
-    return {block.bytes,
-            block.content_bytes,
-            block.checksum,
-            sample.core,
-            sample.start_cycle,
-            sample.end_cycle,
-            sample.counters.valid_raster,
-            sample.counters.valid_depth,
-            sample.counters.inlier,
-            sample.counters.valid_edge,
-            sample.counters.edge_inlier};
+    Json row{block.bytes, block.content_bytes, block.checksum, sample.core, sample.start_cycle, sample.end_cycle};
+    for (std::uint64_t const counter : sample.counters)
+        row.push_back(counter);
+    return row;
 }
 
 std::string index_of_file(std::string const& header, retiming::RecordedRun const& run, RunStatistics const& statistics,

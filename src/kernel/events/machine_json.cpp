@@ -5,8 +5,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "faster/machine.hpp"
-
 namespace faster::events {
 
 namespace {
@@ -37,28 +35,21 @@ Json loops_json(timing::ProcessTiming const& process) {
     return loops;
 }
 
-template <std::size_t N> std::size_t number_of(std::string const& name, std::array<char const*, N> const& names) {
-    auto const found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        throw std::invalid_argument("unknown part " + name);
-    return static_cast<std::size_t>(found - names.begin());
-}
-
 /// Builds a run's blueprint.
 class MachineReader {
   public:
-    MachineReader(Parts const& parts, retiming::RecordedRun& run) : parts_(parts), run_(run) {
+    MachineReader(Machine const& machine, retiming::RecordedRun& run) : machine_(machine), run_(run) {
         run_.blueprint = std::make_unique<timing::CoreTiming>();
-        for (char const* name : fifo_names) {
+        for (MachineFifo const& fifo : machine_.fifos) {
             timing::FifoShape shape;
-            shape.name = name;
+            shape.name = fifo.name;
             run_.blueprint->add_fifo(shape);
         }
     }
 
     void read_process(Json const& json) {
         timing::ProcessTiming& process = run_.blueprint->add_process(json.at("process").get<std::string>());
-        if (process.index() >= module_count || process.name() != module_names[process.index()])
+        if (process.index() >= machine_.processes.size() || process.name() != machine_.processes[process.index()].name)
             throw std::invalid_argument("process " + process.name() + " out of order");
         for (Json const& port : json.at("ports"))
             read_port(port, process);
@@ -68,12 +59,12 @@ class MachineReader {
 
   private:
     void read_port(Json const& json, timing::ProcessTiming& process) {
-        std::size_t const number = number_of(json.at("fifo").get<std::string>(), fifo_names);
+        std::size_t const number = number_of_fifo(json.at("fifo").get<std::string>());
+        MachineFifo const& described = machine_.fifos[number];
         bool const writes = json.at("access") == "write";
-        FifoEnds const ends = ends_of(parts_, static_cast<FifoId>(number));
-        if (index_of(writes ? ends.writer : ends.reader) != process.index() ||
+        if ((writes ? described.writer : described.reader) != process.index() ||
             !taken_[writes ? 1 : 0].insert(number).second)
-            throw std::invalid_argument("process " + process.name() + " is at no such end of " + fifo_names[number]);
+            throw std::invalid_argument("process " + process.name() + " is at no such end of " + described.name);
         timing::FifoTiming& fifo = run_.blueprint->fifo(number);
         unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
         process.note_site(static_cast<std::uint8_t>(1U << port), read_site(json.at("source")));
@@ -82,10 +73,10 @@ class MachineReader {
     void read_loop(Json const& json, timing::ProcessTiming& process) {
         timing::LoopShape shape;
         shape.name = json.at("loop").get<std::string>();
-        auto const is_known = [&](LoopName const& loop) {
-            return shape.name == loop.name && index_of(loop.module) == process.index();
+        auto const is_it = [&](MachineLoop const& loop) {
+            return shape.name == loop.name && loop.process == process.index();
         };
-        if (std::none_of(loop_names.begin(), loop_names.end(), is_known))
+        if (std::none_of(machine_.loops.begin(), machine_.loops.end(), is_it))
             throw std::invalid_argument("unknown loop " + shape.name);
         for (Json const& write : json.at("writes")) {
             auto const port = write.get<unsigned>();
@@ -103,12 +94,19 @@ class MachineReader {
         process.note_loop_site(loop, read_site(json.at("source")));
     }
 
+    std::size_t number_of_fifo(std::string const& name) const {
+        for (std::size_t i = 0; i < machine_.fifos.size(); ++i)
+            if (machine_.fifos[i].name == name)
+                return i;
+        throw std::invalid_argument("unknown part " + name);
+    }
+
     SourceSite read_site(Json const& json) {
         run_.source_files.push_back(json.at(0).get<std::string>());
         return {run_.source_files.back().c_str(), json.at(1).get<unsigned>()};
     }
 
-    Parts parts_;
+    Machine const& machine_;
     retiming::RecordedRun& run_;
     std::array<std::set<std::size_t>, 2> taken_;  ///< FIFOs that are read, that are written
 };
@@ -123,11 +121,11 @@ Json machine_json(timing::CoreTiming const& blueprint) {
     return processes;
 }
 
-void read_machine(Json const& machine, Parts const& parts, retiming::RecordedRun& run) {
-    MachineReader reader(parts, run);
-    for (Json const& process : machine)
+void read_machine(Json const& json, Machine const& machine, retiming::RecordedRun& run) {
+    MachineReader reader(machine, run);
+    for (Json const& process : json)
         reader.read_process(process);
-    if (run.blueprint->processes().size() != process_places(parts))
+    if (run.blueprint->processes().size() != machine.process_places())
         throw std::invalid_argument("missing processes");
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-
-#include "faster/parts.hpp"
 #include "kernel/base/json.hpp"
+#include "kernel/machine/machine.hpp"
 #include "kernel/replay/recorded_run.hpp"
 
 namespace faster::events {
@@ -9,8 +8,8 @@ namespace faster::events {
 /// A core's processes with their ports and loops, and where those stand in the source.
 Json machine_json(timing::CoreTiming const& blueprint);
 
-/// And back: blueprint, with these parts, and source files of a run. Throws Json::exception or std::invalid_argument
-/// for what is no machine of this version.
-void read_machine(Json const& machine, Parts const& parts, retiming::RecordedRun& run);
+/// And back: blueprint and source files of a run on `machine`. Throws Json::exception or std::invalid_argument for what
+/// says anything else than that machine has.
+void read_machine(Json const& json, Machine const& machine, retiming::RecordedRun& run);
 
 }  // namespace faster::events

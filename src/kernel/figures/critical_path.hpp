@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "faster/machine.hpp"
 #include "kernel/base/cycles.hpp"
 
 namespace faster {
@@ -12,8 +11,8 @@ namespace faster {
 /// What the critical path spends a cycle with.
 enum class PathCause : std::size_t {
     busy,           ///< an operation, or an iteration at its target interval
-    fill_drain,     ///< a pipeline fills or empties; a token goes through the reciprocal unit
-    setup,          ///< the rasterizer prepares a triangle
+    fill_drain,     ///< a pipeline fills or empties; a token goes through a flushing pipeline
+    setup,          ///< a process prepares what its next loop works on
     port_conflict,  ///< a block RAM has too few ports for the target interval
     recurrence,     ///< a loop-carried dependence forbids the target interval
     read_latency,   ///< a token that is waited for goes through a FIFO
@@ -23,14 +22,14 @@ constexpr std::size_t path_cause_count = 7;
 constexpr std::array<char const*, path_cause_count> path_cause_names{
     "busy", "fill_drain", "setup", "port_conflict", "recurrence", "read_latency", "backpressure"};
 
-inline char const* name_of(PathCause cause) { return path_cause_names[index_of(cause)]; }
+inline char const* name_of(PathCause cause) { return path_cause_names[static_cast<std::size_t>(cause)]; }
 
 /// Cycles of the critical path that go into one thing.
 struct PathRow {
-    ModuleId module = ModuleId::sample_dispatcher;
-    std::optional<LoopId> loop;  ///< none: outside loops
+    std::size_t module = 0;           ///< numbers of parts of the machine
+    std::optional<std::size_t> loop;  ///< none: outside loops
     PathCause cause = PathCause::busy;
-    std::optional<FifoId> fifo;  ///< of read_latency and backpressure
+    std::optional<std::size_t> fifo;  ///< of read_latency and backpressure
     std::string bram;            ///< of port_conflict
     Cycles cycles = 0;
     std::uint64_t crossings = 0;  ///< of read_latency and backpressure: how often the path leaves the module there

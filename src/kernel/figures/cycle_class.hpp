@@ -2,15 +2,13 @@
 #include <array>
 #include <cstddef>
 
-#include "faster/machine.hpp"
-
 namespace faster {
 
 /// What a process does in a cycle: always exactly one of these.
 enum class CycleClass : std::size_t {
     busy,           ///< works: an operation, or an iteration at its target interval
     fill_drain,     ///< a loop's pipeline fills or empties
-    setup,          ///< the rasterizer prepares a triangle
+    setup,          ///< prepares what its next loop works on
     empty_stall,    ///< an input FIFO is empty
     full_stall,     ///< an output FIFO is full
     port_conflict,  ///< a block RAM has too few ports for the target interval
@@ -23,6 +21,7 @@ constexpr std::array<char const*, cycle_class_count> cycle_class_names{"busy",  
                                                                        "empty_stall", "full_stall",  "port_conflict",
                                                                        "recurrence",  "idle_before", "idle_after"};
 
+constexpr std::size_t index_of(CycleClass which) { return static_cast<std::size_t>(which); }
 inline char const* name_of(CycleClass which) { return cycle_class_names[index_of(which)]; }
 
 }  // namespace faster

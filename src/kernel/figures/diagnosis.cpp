@@ -16,8 +16,8 @@ std::size_t last_to_end(RunStatistics const& run) {
     return static_cast<std::size_t>(std::max_element(run.cores.begin(), run.cores.end(), before) - run.cores.begin());
 }
 
-std::size_t least_waiting(CoreStatistics const& core, Parts const& parts) {
-    std::vector<std::size_t> const modules = modules_of(parts);
+std::size_t least_waiting(CoreStatistics const& core, Machine const& machine) {
+    std::vector<std::size_t> const modules = modules_of(machine);
     auto const waits_less = [&core](std::size_t a, std::size_t b) {
         return waits_of(core.processes[a]) < waits_of(core.processes[b]);
     };
@@ -41,7 +41,7 @@ Diagnosis diagnose(RunStatistics const& run) {
         return diagnosis;
     diagnosis.core = last_to_end(run);
     CoreStatistics const& core = run.cores[diagnosis.core];
-    diagnosis.module = least_waiting(core, run.parts);
+    diagnosis.module = least_waiting(core, run.machine);
     diagnosis.cycles = run.total_cycles;
     ProcessStatistics const& process = core.processes[diagnosis.module];
     diagnosis.waits = waits_of(process);
@@ -52,13 +52,13 @@ Diagnosis diagnose(RunStatistics const& run) {
         if (cause.cycles > 0)
             diagnosis.causes.push_back(cause);
     };
-    for (std::size_t f = 0; f < fifo_count; ++f)
+    for (std::size_t f = 0; f < process.stalls.size(); ++f)
         add({Cause::Kind::stall, f, process.stalls[f]});
     add({Cause::Kind::setup, 0, process[CycleClass::setup]});
     add({Cause::Kind::fill_drain, 0, process[CycleClass::fill_drain]});
     add({Cause::Kind::idle, 0, process[CycleClass::idle_before] + process[CycleClass::idle_after]});
-    for (std::size_t i = 0; i < loop_count; ++i)
-        if (index_of(loop_names[i].module) == diagnosis.module)
+    for (std::size_t i = 0; i < core.loops.size(); ++i)
+        if (run.machine.loops[i].process == diagnosis.module)
             add(loop_cause(core.loops[i], i));
     add({Cause::Kind::between_loops, 0, left});
     std::stable_sort(diagnosis.causes.begin(), diagnosis.causes.end(),

@@ -10,7 +10,7 @@ namespace faster {
 struct Cause {
     enum class Kind { loop, stall, setup, fill_drain, idle, between_loops };
     Kind kind = Kind::loop;
-    std::size_t item = 0;      ///< number of a LoopId or FifoId
+    std::size_t item = 0;      ///< number of a loop or FIFO of the machine
     Cycles cycles = 0;         ///< of one core
     Cycles port_conflict = 0;  ///< of them, in a loop
     Cycles recurrence = 0;

@@ -32,20 +32,22 @@ std::vector<StuckProcess> RunStatistics::wait_cycle() const {
 }
 
 namespace {
-template <std::size_t N> void add(std::array<Cycles, N>& sum, std::array<Cycles, N> const& cycles) {
+template <class Row> void add(Row& sum, Row const& cycles) {
     std::transform(sum.begin(), sum.end(), cycles.begin(), sum.begin(), std::plus<>());
 }
 }  // namespace
 
-Cycles port_conflict_cycles(CoreStatistics const& core, BramId id) {
+Cycles port_conflict_cycles(CoreStatistics const& core, std::string const& memory) {
     Cycles conflicts = 0;
     for (LoopStatistics const& loop : core.loops)
-        conflicts += loop.limited_by == name_of(id) ? loop.port_conflict_cycles : 0;
+        conflicts += loop.limited_by == memory ? loop.port_conflict_cycles : 0;
     return conflicts;
 }
 
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
     ProcessStatistics sum;
+    sum.stalls.resize(run.machine.fifos.size());
+    sum.port_conflicts.resize(run.machine.memories.size());
     for (CoreStatistics const& core : run.cores) {
         ProcessStatistics const& process = core.processes[module];
         add(sum.cycles, process.cycles);
@@ -58,10 +60,10 @@ ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
 std::string leftover_tokens(RunStatistics const& run) {
     std::string text;
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t i = 0; i < fifo_count; ++i) {
+        for (std::size_t i = 0; i < run.machine.fifos.size(); ++i) {
             FifoStatistics const& fifo = run.cores[core].fifos[i];
             if (fifo.writes != fifo.reads)
-                text += (text.empty() ? "" : ", ") + std::string(fifo_names[i]) + " of core " + std::to_string(core) +
+                text += (text.empty() ? "" : ", ") + run.machine.fifos[i].name + " of core " + std::to_string(core) +
                         " (" + std::to_string(fifo.writes - fifo.reads) + ")";
         }
     return text;

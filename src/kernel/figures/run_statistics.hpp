@@ -5,22 +5,24 @@
 #include <string>
 #include <vector>
 
-#include "common/tokens.hpp"
-#include "faster/parts.hpp"
 #include "kernel/base/cycles.hpp"
 #include "kernel/figures/critical_path.hpp"
 #include "kernel/figures/cycle_class.hpp"
 #include "kernel/figures/sensitivity.hpp"
+#include "kernel/machine/machine.hpp"
 
 namespace faster {
+
+/// What a sample's result consists of, in the order of Design::counters().
+using Counters = std::vector<std::uint64_t>;
 
 /// One row of samples.csv (SPEC section 4).
 struct SampleStatistics {
     std::uint64_t sample = 0;
     std::uint64_t core = 0;
-    Cycles start_cycle = 0;  ///< of its sample_raster read
-    Cycles end_cycle = 0;    ///< of its result read
-    SampleCounters counters;
+    Cycles start_cycle = 0;  ///< of the stamp with which it begins
+    Cycles end_cycle = 0;    ///< of the stamp with which it ends
+    Counters counters;
 
     Cycles latency_cycles() const { return end_cycle + 1 - start_cycle; }
 };
@@ -56,8 +58,8 @@ struct LoopStatistics {
 /// Where the cycles of one process went. Every cycle of the run is in exactly one class: they add up to total_cycles.
 struct ProcessStatistics {
     std::array<Cycles, cycle_class_count> cycles{};
-    std::array<Cycles, fifo_count> stalls{};          ///< full or empty, by the FIFO that caused them
-    std::array<Cycles, bram_count> port_conflicts{};  ///< by the block RAM that has too few ports
+    std::vector<Cycles> stalls;          ///< full or empty, by the FIFO that caused them
+    std::vector<Cycles> port_conflicts;  ///< by the block RAM that has too few ports
 
     Cycles& operator[](CycleClass which) { return cycles[index_of(which)]; }
     Cycles operator[](CycleClass which) const { return cycles[index_of(which)]; }
@@ -67,9 +69,9 @@ struct ProcessStatistics {
 struct CoreStatistics {
     std::uint64_t samples = 0;
     Cycles end_cycle = 0;  ///< one past its last result read; 0 without samples
-    std::array<FifoStatistics, fifo_count> fifos;
-    std::array<LoopStatistics, loop_count> loops;
-    std::array<ProcessStatistics, module_count> processes;
+    std::vector<FifoStatistics> fifos;          ///< by their numbers in the machine
+    std::vector<LoopStatistics> loops;
+    std::vector<ProcessStatistics> processes;
 };
 
 /// One process of a stuck core.
@@ -88,7 +90,7 @@ struct StuckProcess {
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
 struct RunStatistics {
-    Parts parts;  ///< modules, FIFOs, loops and block RAMs that there are
+    Machine machine;  ///< what the figures are of
     Cycles total_cycles = 0;
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
@@ -106,7 +108,7 @@ struct RunStatistics {
 std::string leftover_tokens(RunStatistics const& run);
 
 /// Of the loops that a block RAM limits, in one core.
-Cycles port_conflict_cycles(CoreStatistics const& core, BramId id);
+Cycles port_conflict_cycles(CoreStatistics const& core, std::string const& memory);
 
 /// One module of all cores together.
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);

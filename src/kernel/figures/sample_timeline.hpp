@@ -1,9 +1,7 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "faster/machine.hpp"
 #include "kernel/base/cycles.hpp"
 
 namespace faster {
@@ -11,9 +9,9 @@ namespace faster {
 /// What one module did from one cycle to another.
 struct TimelineSpan {
     enum class Kind { loop, empty_stall, full_stall };
-    std::size_t module = 0;  ///< number of a ModuleId
+    std::size_t module = 0;  ///< number of a process of the machine
     Kind kind = Kind::loop;
-    std::size_t item = 0;  ///< number of the LoopId, or of the FifoId that caused the stall
+    std::size_t item = 0;  ///< number of the loop, or of the FIFO that caused the stall
     Cycles begin = 0;
     Cycles end = 0;    ///< one past the last cycle
     Cycles count = 0;  ///< iterations of a loop; stalled cycles: short stalls on one FIFO close together are one span
@@ -29,10 +27,10 @@ struct OccupancyPoint {
 struct SampleTimeline {
     std::uint64_t core = 0;
     std::uint64_t sample = 0;
-    Cycles begin = 0;                 ///< the rasterizer reads the sample's header
-    Cycles end = 0;                   ///< one past the cycle in which the collector reads its result
+    Cycles begin = 0;                 ///< the sample begins
+    Cycles end = 0;                   ///< one past its last cycle
     std::vector<TimelineSpan> spans;  ///< by begin
-    std::array<std::vector<OccupancyPoint>, fifo_count> occupancy;
+    std::vector<std::vector<OccupancyPoint>> occupancy;  ///< by FIFO
 };
 
 }  // namespace faster

@@ -13,7 +13,7 @@ std::uint64_t banks_along(std::uint64_t dimension, PartitionConfig const& config
     return is_split ? config.factor : 1;
 }
 
-std::int64_t largest_share(int side, std::uint64_t banks) {
+std::int64_t largest_share(std::int64_t side, std::uint64_t banks) {
     auto const parts = static_cast<std::int64_t>(banks);
     return (side + parts - 1) / parts;
 }
@@ -32,12 +32,12 @@ std::vector<PixelOffset> all_accesses(AccessPattern const& pattern) {
 
 }  // namespace
 
-BankPartition::BankPartition(PartitionConfig const& config, int side)
+BankPartition::BankPartition(PartitionConfig const& config, std::int64_t rows, std::int64_t cols)
     : type_(config.type),
       row_banks_(banks_along(1, config)),
       col_banks_(banks_along(2, config)),
-      block_rows_(largest_share(side, row_banks_)),
-      block_cols_(largest_share(side, col_banks_)) {}
+      block_rows_(largest_share(rows, row_banks_)),
+      block_cols_(largest_share(cols, col_banks_)) {}
 
 std::uint64_t BankPartition::bank_words() const { return static_cast<std::uint64_t>(block_rows_ * block_cols_); }
 

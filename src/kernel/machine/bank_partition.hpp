@@ -6,13 +6,15 @@
 
 namespace faster {
 
-/// The banks of a memory of `side` x `side` words. A bank has the ports of a memory to itself.
+/// The banks of a memory of `rows` x `cols` words. A bank has the ports of a memory to itself.
 ///
 /// Cyclic with factor F: rows r, r + F, r + 2F, ... share a bank (dimension 1; 2: columns; 0: both, in F x F banks).
-/// Block: so do the first ceil(side / F) rows, then the next. Source: array_partition of Vitis HLS.
+/// Block: so do the first ceil(rows / F) rows, then the next. Source: array_partition of Vitis HLS.
 class BankPartition {
   public:
-    BankPartition(PartitionConfig const& config, int side);
+    BankPartition(PartitionConfig const& config, std::int64_t rows, std::int64_t cols);
+    /// Of a square.
+    BankPartition(PartitionConfig const& config, int side) : BankPartition(config, side, side) {}
 
     std::uint64_t banks() const { return row_banks_ * col_banks_; }
 

@@ -7,21 +7,29 @@ namespace faster::recording {
 using Kind = Event::Kind;
 using timing::ProcessTiming;
 
-CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample,
-                         std::uint64_t tokens_in_use, Spools& spools)
+CoreCapture::CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
+                         std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools)
     : core_(core), taps_(taps), first_sample_(first_sample), tokens_in_use_(tokens_in_use), spools_(spools) {
-    for (std::size_t loop = loop_count; loop-- > 0;)
-        first_loop_[index_of(loop_names[loop].module)] = static_cast<std::uint8_t>(loop);
-    for (ProcessTiming const& process : core.processes())
-        for (unsigned port = 0; port < process.port_count(); ++port) {
-            std::size_t const fifo = core.number_of(process.fifo(port));
-            fifo_at_[process.index()][port] = static_cast<std::uint8_t>(fifo);
-            if (process.writes(port))
-                writers_[fifo] = process.index();
-        }
+    number_parts(machine);
     take_down_state();
     for (std::size_t i = 0; i < core.processes().size(); ++i)
         core.process(i).set_observer(this);
+}
+
+/// A process numbers its ports and loops from 0 on.
+void CoreCapture::number_parts(Machine const& machine) {
+    writers_.resize(machine.fifos.size());
+    for (ProcessTiming const& process : core_.processes()) {
+        std::vector<std::uint32_t>& fifos = fifos_at_.emplace_back();
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            fifos.push_back(static_cast<std::uint32_t>(core_.number_of(process.fifo(port))));
+            if (process.writes(port))
+                writers_[fifos.back()] = process.index();
+        }
+        std::vector<std::uint32_t>& loops = loops_at_.emplace_back();
+        for (timing::LoopShape const& loop : process.loops())
+            loops.push_back(static_cast<std::uint32_t>(machine.loop(process.index(), loop.name)));
+    }
 }
 
 void CoreCapture::take_down_state() {
@@ -37,14 +45,14 @@ void CoreCapture::take_down_state() {
 void CoreCapture::take_down_tokens(ProcessTiming const& process) {
     struct Access {
         Cycles cycle;
-        std::uint8_t fifo;
+        std::uint32_t fifo;
         std::uint64_t number;
         bool writes;
     };
     std::vector<Access> accesses;
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
-        std::uint8_t const number = fifo_at(process, port);
+        std::uint32_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
         Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
         Cycles const read_at = fifo.shape().issue_latency + (writers_[number] > process.index() ? 1 : 0);
@@ -60,7 +68,7 @@ void CoreCapture::take_down_tokens(ProcessTiming const& process) {
                       : put_read(process, access.fifo, access.cycle);
 }
 
-void CoreCapture::put_read(ProcessTiming const& process, std::uint8_t fifo, Cycles cycle) {
+void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cycles cycle) {
     Event event;
     event.cycle = cycle;
     event.kind = Kind::read;
@@ -77,7 +85,7 @@ void CoreCapture::entered_loop(ProcessTiming const& process, unsigned loop, Cycl
     Event event;
     event.cycle = cycle;
     event.kind = Kind::enter;
-    event.item = static_cast<std::uint8_t>(first_loop_[process.index()] + loop);
+    event.item = loops_at_[process.index()][loop];
     put(process, event);
 }
 
@@ -120,7 +128,7 @@ void CoreCapture::accessed(ProcessTiming const& process, std::uint8_t ports, Cyc
     }
 }
 
-void CoreCapture::put_write(ProcessTiming const& process, std::uint8_t fifo, std::uint64_t number, Cycles cycle) {
+void CoreCapture::put_write(ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle) {
     std::int64_t const* const values = taps_[fifo].token(number);
     Event event;
     event.cycle = cycle;

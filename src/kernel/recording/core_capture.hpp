@@ -1,23 +1,20 @@
 #pragma once
-#include <array>
 #include <vector>
 
-#include "channels/token_tap.hpp"
-#include "faster/machine.hpp"
+#include "kernel/machine/machine.hpp"
 #include "kernel/recording/event_spool.hpp"
+#include "kernel/recording/token_tap.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster::recording {
 
-using Spools = std::array<EventSpool, module_count>;
-
 /// Takes down what the processes of one core do, with the tokens they write.
 class CoreCapture : public timing::StepObserver {
   public:
-    /// Observes `core` from where it stands, its loops and the tokens in its FIFOs included. `taps`: by FifoId;
-    /// they still hold the last `tokens_in_use` tokens that have been read.
-    CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& taps, std::size_t first_sample,
-                std::uint64_t tokens_in_use, Spools& spools);
+    /// Observes `core` from where it stands, its loops and the tokens in its FIFOs included. `taps`: by FIFO; they
+    /// still hold the last `tokens_in_use` tokens that have been read. `spools`: as many as processes.
+    CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
+                std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools);
 
     /// Events after this cycle are not wanted.
     void set_end(Cycles last) { last_ = last; }
@@ -32,12 +29,13 @@ class CoreCapture : public timing::StepObserver {
 
   private:
     void put(timing::ProcessTiming const& process, Event const& event);
-    void put_write(timing::ProcessTiming const& process, std::uint8_t fifo, std::uint64_t number, Cycles cycle);
-    void put_read(timing::ProcessTiming const& process, std::uint8_t fifo, Cycles cycle);
+    void put_write(timing::ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle);
+    void put_read(timing::ProcessTiming const& process, std::uint32_t fifo, Cycles cycle);
+    void number_parts(Machine const& machine);
     void take_down_state();
     void take_down_tokens(timing::ProcessTiming const& process);
-    std::uint8_t fifo_at(timing::ProcessTiming const& process, unsigned port) const {
-        return fifo_at_[process.index()][port];
+    std::uint32_t fifo_at(timing::ProcessTiming const& process, unsigned port) const {
+        return fifos_at_[process.index()][port];
     }
 
     timing::CoreTiming& core_;
@@ -46,9 +44,10 @@ class CoreCapture : public timing::StepObserver {
     std::uint64_t tokens_in_use_;
     Spools& spools_;
     Cycles last_ = ~Cycles{0};
-    std::array<std::array<std::uint8_t, 8>, module_count> fifo_at_{};  // by process and port
-    std::array<std::size_t, fifo_count> writers_{};                    // number of the process
-    std::array<std::uint8_t, module_count> first_loop_{};              // LoopId of each process's loop 0
+    // Numbers of parts of the machine.
+    std::vector<std::vector<std::uint32_t>> fifos_at_;  // by process and port
+    std::vector<std::vector<std::uint32_t>> loops_at_;  // by process and number of the loop in it
+    std::vector<std::size_t> writers_;                  // by FIFO: the process that writes it
 };
 
 }  // namespace faster::recording

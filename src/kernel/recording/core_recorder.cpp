@@ -17,12 +17,9 @@ Cycles earliest_of(timing::CoreTiming const& timing) {
         earliest = std::min(earliest, process.local_time());
     return earliest;
 }
-auto const& stamps_of(timing::CoreTiming const& timing, ModuleId module) {
-    return timing.processes()[index_of(module)].stamps();
-}
 }  // namespace
 
-CoreRecorder::CoreRecorder(RasterCore& core, RecordingWindow const& window) : core_(core) {
+CoreRecorder::CoreRecorder(RunningCore& core, RecordingWindow const& window) : core_(core) {
     CoreShare const share = core.share();
     if (window.samples) {
         std::size_t const first = std::max(window.samples->first, share.first);
@@ -37,11 +34,11 @@ CoreRecorder::CoreRecorder(RasterCore& core, RecordingWindow const& window) : co
     }
     if (phase_ == Phase::done)
         return;
-    std::vector<FifoChannel*> const channels = core.channels();
-    for (FifoChannel const* channel : channels)
-        taps_.emplace_back(channel->token_fields());
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        channels[i]->taps().push_back(&taps_[i]);
+    spools_.resize(core.timing().processes().size());
+    for (std::size_t fifo = 0; fifo < core.machine().fifos.size(); ++fifo)
+        taps_.emplace_back(core.token_fields(fifo));
+    for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
+        core.add_tap(fifo, taps_[fifo]);
 }
 
 void CoreRecorder::tape_to(Tape* tape) {
@@ -66,11 +63,18 @@ void CoreRecorder::sample_begins(std::size_t i) {
     }
     core_.catch_up();
     learn_window();
+    if (!needs_checkpoint())
+        return;
     make_checkpoint();
     drop_checkpoints(i);
     // Otherwise, a later begin may do as well.
     if (from_ && checkpoints_.back().latest > *from_)
         start();
+}
+
+/// Not while nobody can tell whether it is early enough: the first one will do.
+bool CoreRecorder::needs_checkpoint() const {
+    return from_.has_value() || core_.most_samples_ahead() != RunningCore::unknown;
 }
 
 void CoreRecorder::make_checkpoint() {
@@ -86,34 +90,20 @@ void CoreRecorder::drop_checkpoints(std::size_t i) {
     if (from_)
         while (checkpoints_.size() > 1 && checkpoints_[1].latest <= *from_)
             checkpoints_.pop_front();
-    else if (i + longest_lead() <= samples_->first)
+    else if (i + core_.most_samples_ahead() <= samples_->first)
         while (checkpoints_.size() > 1)
             checkpoints_.pop_front();
     for (std::size_t f = 0; f < taps_.size(); ++f)
-        taps_[f].forget_before(std::max(checkpoints_.front().timing->fifos()[f].reads(), tokens_in_use()) -
-                               tokens_in_use());
+        taps_[f].forget_before(std::max(checkpoints_.front().timing->fifos()[f].reads(), core_.tokens_in_use()) -
+                               core_.tokens_in_use());
 }
-
-/// Samples by which the rasterizer can be ahead of the last process, and one: all get their headers in one step, and
-/// the observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it
-/// near the result collector.
-std::size_t CoreRecorder::longest_lead() const {
-    auto const& fifos = core_.timing().fifos();
-    std::uint64_t const headers = fifos[index_of(FifoId::sample_observation)].shape().capacity;
-    if (core_.parts().sweep_region == SweepRegion::touched)
-        return headers + fifos[index_of(FifoId::valid_depth)].shape().capacity + 4;
-    std::uint64_t const observed = fifos[index_of(FifoId::observed_depth)].shape().capacity / core_.window_tokens();
-    return headers + observed + 4;
-}
-
-/// Tokens read last that still decide what a process does: one, or the two corners of a region.
-std::uint64_t CoreRecorder::tokens_in_use() const { return core_.parts().sweep_region == SweepRegion::touched ? 2 : 1; }
 
 void CoreRecorder::learn_window() {
     if (!samples_)
         return;
-    auto const& starts = stamps_of(core_.timing(), ModuleId::rasterizer);
-    auto const& ends = stamps_of(core_.timing(), ModuleId::result_collector);
+    Machine const& machine = core_.machine();
+    std::vector<Cycles> const& starts = core_.timing().process(machine.begins).stamps();
+    std::vector<Cycles> const& ends = core_.timing().process(machine.ends).stamps();
     if (!from_ && starts.size() > samples_->first)
         from_ = starts[samples_->first];
     if (!to_ && ends.size() > samples_->last)
@@ -123,7 +113,8 @@ void CoreRecorder::learn_window() {
 void CoreRecorder::start() {
     phase_ = Phase::recording;
     detail_ = std::move(checkpoints_.front().timing);
-    capture_ = std::make_unique<CoreCapture>(*detail_, taps_, core_.share().first, tokens_in_use(), spools_);
+    capture_ = std::make_unique<CoreCapture>(core_.machine(), *detail_, taps_, core_.share().first,
+                                             core_.tokens_in_use(), spools_);
     feed();
 }
 
@@ -168,11 +159,8 @@ void CoreRecorder::stop() {
     phase_ = Phase::done;
     if (taped_to_ != nullptr)
         tape_to(nullptr);
-    std::vector<FifoChannel*> const channels = core_.channels();
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        auto& taps = channels[i]->taps();
-        taps.erase(std::find(taps.begin(), taps.end(), &taps_[i]));
-    }
+    for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
+        core_.remove_tap(fifo, taps_[fifo]);
     checkpoints_.clear();
     capture_.reset();
     detail_.reset();

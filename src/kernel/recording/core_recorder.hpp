@@ -1,11 +1,12 @@
 #pragma once
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "kernel/recording/core_capture.hpp"
 #include "kernel/recording/recording_window.hpp"
-#include "modules/raster_core.hpp"
+#include "kernel/recording/running_core.hpp"
 
 namespace faster::recording {
 
@@ -15,13 +16,13 @@ namespace faster::recording {
 /// worked out twice.
 class CoreRecorder {
   public:
-    CoreRecorder(RasterCore& core, RecordingWindow const& window);
+    CoreRecorder(RunningCore& core, RecordingWindow const& window);
 
     /// False if the core scores none of the wanted samples.
     bool records() const { return phase_ != Phase::done; }
     /// The core is wired up, and nothing has happened yet.
     void before_start();
-    /// The rasterizer is about to begin the i-th sample of the core.
+    /// The core is about to begin its i-th sample.
     void sample_begins(std::size_t i);
     /// The run is over.
     void finish();
@@ -48,17 +49,16 @@ class CoreRecorder {
     void feed();
     void stop();
     void tape_to(Tape* tape);
-    std::size_t longest_lead() const;
-    std::uint64_t tokens_in_use() const;
+    bool needs_checkpoint() const;
 
-    RasterCore& core_;
+    RunningCore& core_;
     std::optional<RecordingWindow::Samples> samples_;  ///< of the core, from 0
     std::optional<Cycles> from_;
     std::optional<Cycles> to_;
     Phase phase_ = Phase::waiting;
     std::deque<Checkpoint> checkpoints_;
     Tape* taped_to_ = nullptr;
-    std::vector<TokenTap> taps_;  // by FifoId
+    std::vector<TokenTap> taps_;  // by FIFO
     Spools spools_;
     std::unique_ptr<timing::CoreTiming> detail_;  ///< observed
     std::unique_ptr<CoreCapture> capture_;

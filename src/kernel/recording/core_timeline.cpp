@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "faster/parts.hpp"
+#include "kernel/recording/event_merge.hpp"
 
 namespace faster::recording {
 
@@ -12,9 +12,16 @@ using Kind = Event::Kind;
 
 class TimelineMaker {
   public:
-    TimelineMaker(RecordedCore const& core, TimelineGrain const& grain) : core_(core), grain_(grain) {
+    TimelineMaker(RecordedCore const& core, TimelineGrain const& grain)
+        : core_(core),
+          machine_(*core.machine),
+          grain_(grain),
+          loops_(machine_.processes.size()),
+          stalls_(machine_.processes.size()),
+          occupancy_(machine_.fifos.size()) {
         timeline_.core = core.core;
-        timeline_.parts = core.parts;
+        timeline_.machine = core.machine;
+        timeline_.occupancy.resize(machine_.fifos.size());
     }
 
     void take(CoreEvent const& event);
@@ -39,11 +46,12 @@ class TimelineMaker {
     void put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens);
 
     RecordedCore const& core_;
+    Machine const& machine_;
     TimelineGrain grain_;
     CoreTimeline timeline_;
-    std::array<Open, module_count> loops_;
-    std::array<Open, module_count> stalls_;
-    std::array<Occupancy, fifo_count> occupancy_;
+    std::vector<Open> loops_;   // by process
+    std::vector<Open> stalls_;  // by process
+    std::vector<Occupancy> occupancy_;
 };
 
 /// Adds the part of a span that lies in the window.
@@ -59,7 +67,7 @@ void TimelineMaker::close(Open& open, Cycles end) {
 
 void TimelineMaker::take(CoreEvent const& core_event) {
     Event const& event = core_event.event;
-    std::size_t const module = core_event.module;
+    std::size_t const module = core_event.process;
     switch (event.kind) {
         case Kind::enter:
             close(stalls_[module], event.cycle);
@@ -97,7 +105,7 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
         open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
     if (!goes_on) {
         close(open, open.span.end);
-        bool const writes = index_of(ends_of(core_.parts, FifoId{event.item}).writer) == module;
+        bool const writes = machine_.fifos[event.item].writer == module;
         auto const kind = writes ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
         open = {{module, kind, event.item, event.cycle, 0, 0}, true};
     }
@@ -111,10 +119,10 @@ void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
     auto const sample = static_cast<std::size_t>(event.value);
     if (event.cycle < core_.from || event.cycle > core_.to)
         return;
-    if (module == index_of(ModuleId::rasterizer)) {
+    if (module == machine_.begins)
         timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
+    if (module != machine_.ends)
         return;
-    }
     for (CoreTimeline::Sample& begun : timeline_.samples)
         if (begun.sample == sample)
             begun = {sample, begun.begin, event.cycle + 1, true};
@@ -147,11 +155,11 @@ void TimelineMaker::put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t 
 }
 
 CoreTimeline TimelineMaker::finish() {
-    for (std::size_t module = 0; module < module_count; ++module) {
+    for (std::size_t module = 0; module < loops_.size(); ++module) {
         close(stalls_[module], stalls_[module].span.end);
         close(loops_[module], core_.to + 1);
     }
-    for (std::size_t const fifo : fifos_of(core_.parts)) {
+    for (std::size_t const fifo : fifos_of(machine_)) {
         Occupancy const& last = occupancy_[fifo];
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);

@@ -1,9 +1,8 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "kernel/figures/sample_timeline.hpp"
-#include "kernel/recording/vcd_core.hpp"
+#include "kernel/recording/recorded_core.hpp"
 
 namespace faster::recording {
 
@@ -11,14 +10,14 @@ namespace faster::recording {
 struct CoreTimeline {
     struct Sample {
         std::size_t sample = 0;
-        Cycles begin = 0;       ///< the rasterizer reads its header
-        Cycles end = 0;         ///< one past the cycle in which the collector reads its result, or past the window
+        Cycles begin = 0;
+        Cycles end = 0;         ///< one past its last cycle, or past the window
         bool complete = false;  ///< ends in the window
     };
     std::size_t core = 0;
-    Parts parts;
+    Machine const* machine = nullptr;
     std::vector<TimelineSpan> spans;  ///< by begin
-    std::array<std::vector<OccupancyPoint>, fifo_count> occupancy;
+    std::vector<std::vector<OccupancyPoint>> occupancy;  ///< by FIFO
     std::vector<Sample> samples;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "kernel/base/cycles.hpp"
 
@@ -8,7 +9,7 @@ namespace faster::recording {
 /// Something that a process did, as it is taken down. Its own cycles never go back.
 struct Event {
     enum class Kind : std::uint8_t {
-        enter,    ///< a loop; item: LoopId
+        enter,    ///< a loop; item: its number in the machine
         leave,    ///< the loop it is in
         iterate,  ///< `count` iterations begin, numbered from `value`, `stride` cycles apart
         stall,    ///< for the FIFO `item`, until cycle `value`
@@ -23,7 +24,10 @@ struct Event {
     std::uint64_t count = 0;
     std::uint32_t stride = 0;
     Kind kind = Kind::stamp;
-    std::uint8_t item = 0;
+    std::uint32_t item = 0;
 };
+
+/// The fields of a token, in the order of its layout.
+using TokenValues = std::vector<std::int64_t>;
 
 }  // namespace faster::recording

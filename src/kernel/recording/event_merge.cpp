@@ -10,20 +10,20 @@ namespace {
 /// The next event of one process, with what follows it in the same breath.
 struct Source {
     std::size_t core;
-    std::size_t module;
+    std::size_t process;
     EventStream stream;
     Event event;
     bool has_event = false;
 
-    Source(std::size_t core_number, std::size_t module_number, EventSpool& spool)
-        : core(core_number), module(module_number), stream(spool) {
+    Source(std::size_t core_number, std::size_t process_number, EventSpool& spool)
+        : core(core_number), process(process_number), stream(spool) {
         has_event = stream.get(event);
     }
 };
 
 /// Takes the next event out of a source, with all fields of a token.
 void take(Source& source, CoreEvent& event, TokenValues& fields) {
-    event = {source.core, source.module, source.event, nullptr};
+    event = {source.core, source.process, source.event, nullptr};
     source.has_event = source.stream.get(source.event);
     if (event.event.kind != Event::Kind::write)
         return;
@@ -42,8 +42,8 @@ void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
                     std::function<void(CoreEvent const&)> const& visit) {
     std::vector<std::unique_ptr<Source>> sources;
     for (auto const& [core, spools] : cores)
-        for (std::size_t module = 0; module < module_count; ++module)
-            sources.push_back(std::make_unique<Source>(core, module, (*spools)[module]));
+        for (std::size_t process = 0; process < spools->size(); ++process)
+            sources.push_back(std::make_unique<Source>(core, process, (*spools)[process]));
     TokenValues fields{};
     CoreEvent event;
     for (;;) {

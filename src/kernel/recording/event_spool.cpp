@@ -15,8 +15,8 @@ namespace {
                      ", expected room in the system's folder for temporary files");
 }
 
-/// A number in four bits: the item itself has a byte of its own.
-constexpr unsigned large_item = 0xF;
+/// A number in four bits: the item itself follows.
+constexpr std::uint32_t large_item = 0xF;
 
 /// Small numbers of either sign become small numbers without.
 std::uint64_t folded(std::int64_t value) {
@@ -35,10 +35,10 @@ void EventSpool::put(Event const& event) {
     }
     if (end_ - at_ < static_cast<std::ptrdiff_t>(longest_event))
         spill();
-    unsigned const item = std::min<unsigned>(event.item, large_item);
+    unsigned const item = std::min(event.item, large_item);
     *at_++ = static_cast<std::uint8_t>(static_cast<unsigned>(event.kind) << 4 | item);
     if (item == large_item)
-        *at_++ = event.item;
+        put_number(event.item);
     put_number(folded(static_cast<std::int64_t>(event.cycle - cycle_)));
     put_number(folded(event.value));
     if (event.kind == Event::Kind::iterate) {
@@ -95,7 +95,7 @@ bool EventSpool::get(Event& event) {
     event.kind = static_cast<Event::Kind>(head >> 4);
     event.item = head & large_item;
     if (event.item == large_item)
-        event.item = *at_++;
+        event.item = static_cast<std::uint32_t>(get_number());
     cycle_ += static_cast<Cycles>(unfolded(get_number()));
     event.cycle = cycle_;
     event.value = unfolded(get_number());

@@ -50,4 +50,7 @@ class EventSpool {
     std::vector<std::uint8_t> last_;  ///< put after the last spill
 };
 
+/// Those of a core, by process.
+using Spools = std::vector<EventSpool>;
+
 }  // namespace faster::recording

@@ -1,10 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 
-#include "faster/accelerator_config.hpp"
-#include "kernel/recording/event_merge.hpp"
+#include "kernel/recording/event.hpp"
 #include "kernel/timing/fifo_timing.hpp"
 
 namespace faster::recording {

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "faster/parts.hpp"
 #include "kernel/base/input_error.hpp"
-#include "kernel/recording/bram_ports.hpp"
+#include "kernel/recording/port_names.hpp"
+#include "kernel/recording/state_codes.hpp"
 
 namespace faster::recording {
 
@@ -36,10 +36,10 @@ class SaveText {
         flags(radix);
         put("{}{}\n", path, range(bits));
     }
-    void translated_signal(std::string const& path, std::string const& table) {
+    void translated_signal(std::string const& path, unsigned bits, std::string const& table) {
         flags(translated);
         put("^1 {}\n", table);
-        put("{}[7:0]\n", path);
+        put("{}{}\n", path, range(bits));
     }
     std::string const& text() const { return text_; }
 
@@ -52,15 +52,18 @@ class SaveText {
     std::string text_;
 };
 
+/// Files that translate numbers to names.
 struct Tables {
     std::string states;
     std::string stalls;
 };
 
-void add_module(SaveText& save, std::string const& path, std::string const& name, Tables const& tables) {
+void add_module(SaveText& save, std::string const& path, Machine const& machine, std::size_t module,
+                Tables const& tables) {
+    std::string const& name = machine.processes[module].name;
     save.open_group(name, false);
-    save.translated_signal(path + ".state", tables.states);
-    save.translated_signal(path + ".stall", tables.stalls);
+    save.translated_signal(path + ".state", state_bits(machine), tables.states);
+    save.translated_signal(path + ".stall", stall_bits(machine), tables.stalls);
     save.signal(decimal, path + ".iteration", 32);
     save.close_group(name);
 }
@@ -75,57 +78,70 @@ void add_fifo(SaveText& save, std::string const& path, RecordedCore const& core,
                         field.bits);
 }
 
-void add_bram(SaveText& save, std::string const& path, AcceleratorConfig const& config, std::size_t bram) {
-    auto const side = static_cast<std::uint64_t>(config.window);
-    for (std::string const& port : bram_port_names(static_cast<BramId>(bram), config)) {
+void add_memory(SaveText& save, std::string const& path, MachineMemory const& memory) {
+    for (std::string const& port : port_names(memory)) {
         save.signal(binary, fmt::format("{}.{}_enable", path, port), 1);
         save.signal(binary, fmt::format("{}.{}_write_enable", path, port), 1);
-        save.signal(decimal, fmt::format("{}.{}_address", path, port), bits_for(side * side - 1));
+        save.signal(decimal, fmt::format("{}.{}_address", path, port), address_bits(memory));
     }
 }
 
-void add_core(SaveText& save, AcceleratorConfig const& config, RecordedCore const& core, SignalFilter const& filter,
-              Tables const& tables) {
+void add_fifos(SaveText& save, std::string const& path, RecordedCore const& core, SignalFilter const& filter) {
+    for (std::size_t fifo = 0; fifo < core.machine->fifos.size(); ++fifo) {
+        if (!filter.shows_fifo(fifo))
+            continue;
+        std::string const& name = core.machine->fifos[fifo].name;
+        save.open_group("fifo " + name, true);
+        add_fifo(save, fmt::format("{}.fifo_{}", path, name), core, fifo);
+        save.close_group("fifo " + name);
+    }
+}
+
+void add_memories(SaveText& save, std::string const& path, Machine const& machine, SignalFilter const& filter) {
+    for (std::size_t i = 0; i < machine.memories.size(); ++i) {
+        if (!filter.shows_memory(i))
+            continue;
+        MachineMemory const& memory = machine.memories[i];
+        save.open_group("bram " + memory.name, true);
+        add_memory(save, fmt::format("{}.bram_{}", path, memory.name), memory);
+        save.close_group("bram " + memory.name);
+    }
+}
+
+void add_core(SaveText& save, RecordedCore const& core, SignalFilter const& filter, Tables const& tables) {
+    Machine const& machine = *core.machine;
     std::string const name = fmt::format("core_{}", core.core);
     std::string const path = "accelerator." + name;
     save.open_group(name, false);
     for (char const* const number : {"started", "ended"})
         save.signal(decimal, fmt::format("{}.sample.{}", path, number), 32);
-    for (std::size_t module = 0; module < module_count; ++module)
-        if (filter.shows(static_cast<ModuleId>(module)))
-            add_module(save, fmt::format("{}.{}", path, module_names[module]), module_names[module], tables);
-    for (std::size_t fifo = 0; fifo < fifo_count; ++fifo) {
-        if (!filter.shows(static_cast<FifoId>(fifo)))
-            continue;
-        std::string const group = fmt::format("fifo {}", fifo_names[fifo]);
-        save.open_group(group, true);
-        add_fifo(save, fmt::format("{}.fifo_{}", path, fifo_names[fifo]), core, fifo);
-        save.close_group(group);
-    }
-    for (std::size_t bram = 0; bram < bram_count; ++bram) {
-        if (!filter.shows(static_cast<BramId>(bram)))
-            continue;
-        std::string const group = fmt::format("bram {}", bram_names[bram]);
-        save.open_group(group, true);
-        add_bram(save, fmt::format("{}.bram_{}", path, bram_names[bram]), config, bram);
-        save.close_group(group);
-    }
+    for (std::size_t module = 0; module < machine.processes.size(); ++module)
+        if (filter.shows_process(module))
+            add_module(save, fmt::format("{}.{}", path, machine.processes[module].name), machine, module, tables);
+    add_fifos(save, path, core, filter);
+    add_memories(save, path, machine, filter);
     save.close_group(name);
 }
 
-std::string state_table(Parts const& parts) {
-    std::string text = fmt::format("{:02X} -\n", between_loops);
-    for (std::size_t const loop : loops_of(parts))
-        text += fmt::format("{:02X} {}\n", in_loop(loop), loop_names[loop].name);
+/// A line of a table: a value as GTKWave shows it in hexadecimal, and what it means.
+std::string translation(std::int64_t value, unsigned bits, std::string const& meaning) {
+    return fmt::format("{:0{}X} {}\n", value, (bits + 3) / 4, meaning);
+}
+
+std::string state_table(Machine const& machine) {
+    unsigned const bits = state_bits(machine);
+    std::string text = translation(between_loops, bits, "-");
+    for (std::size_t const loop : loops_of(machine))
+        text += translation(in_loop(loop), bits, machine.loops[loop].name);
     return text;
 }
 
-std::string stall_table(Parts const& parts) {
-    std::string text = fmt::format("{:02X} -\n", no_stall);
-    for (std::size_t const fifo : fifos_of(parts))
+std::string stall_table(Machine const& machine) {
+    unsigned const bits = stall_bits(machine);
+    std::string text = translation(no_stall, bits, "-");
+    for (std::size_t const fifo : fifos_of(machine))
         for (bool const is_full : {false, true})
-            text +=
-                fmt::format("{:02X} {} {}\n", stall_on(fifo, is_full), fifo_names[fifo], is_full ? "full" : "empty");
+            text += translation(stall_on(fifo, is_full), bits, machine.fifos[fifo].name + (is_full ? " full" : " empty"));
     return text;
 }
 
@@ -140,7 +156,7 @@ void write(std::filesystem::path const& file, std::string const& text) {
 
 }  // namespace
 
-void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig const& config,
+void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine,
                         std::vector<RecordedCore> const& cores, SignalFilter const& filter) {
     auto const beside = [&vcd](char const* ending) {
         return std::filesystem::absolute(std::filesystem::path(vcd).replace_extension(ending)).lexically_normal();
@@ -148,7 +164,7 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     Tables const tables{beside(".states.txt").string(), beside(".stalls.txt").string()};
     SaveText save;
     // The zoom is the logarithm of the time between two marks.
-    double const ticks = ticks_per_cycle(config.clock_mhz);
+    double const ticks = ticks_per_cycle(machine.clock_mhz);
     double const zoom = std::log2(first_cycles / ticks_across * ticks);
     Cycles first = cores.empty() ? 0 : ~Cycles{0};
     for (RecordedCore const& core : cores)
@@ -157,9 +173,9 @@ void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig cons
     save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
-        add_core(save, config, core, filter, tables);
-    write(tables.states, state_table(Parts(config)));
-    write(tables.stalls, stall_table(Parts(config)));
+        add_core(save, core, filter, tables);
+    write(tables.states, state_table(machine));
+    write(tables.stalls, stall_table(machine));
     write(beside(".gtkw"), save.text());
 }
 

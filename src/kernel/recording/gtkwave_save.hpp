@@ -2,13 +2,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "kernel/recording/vcd_core.hpp"
+#include "kernel/recording/recorded_core.hpp"
+#include "kernel/recording/signal_filter.hpp"
 
 namespace faster::recording {
 
 /// Writes the GTKWave save file of a value change dump: signals in groups, numbers in sensible radices, states and
 /// stalls as text.
-void write_gtkwave_save(std::filesystem::path const& vcd, AcceleratorConfig const& config,
+void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine,
                         std::vector<RecordedCore> const& cores, SignalFilter const& filter);
 
 }  // namespace faster::recording

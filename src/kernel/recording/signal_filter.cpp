@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fnmatch.h>
-#include <utility>
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
@@ -11,24 +10,26 @@
 namespace faster::recording {
 
 namespace {
-std::vector<std::string> all_names(Parts const& parts) {
+
+std::vector<std::string> all_names(Machine const& machine) {
     std::vector<std::string> names;
-    for (std::size_t const module : modules_of(parts))
-        names.emplace_back(module_names[module]);
-    for (std::size_t const fifo : fifos_of(parts))
-        names.emplace_back(fifo_names[fifo]);
-    for (std::size_t const bram : brams_of(parts))
-        names.emplace_back(bram_names[bram]);
+    for (std::size_t const process : modules_of(machine))
+        names.push_back(machine.processes[process].name);
+    for (std::size_t const fifo : fifos_of(machine))
+        names.push_back(machine.fifos[fifo].name);
+    for (std::size_t const memory : brams_of(machine))
+        names.push_back(machine.memories[memory].name);
     return names;
 }
-bool fits(std::string const& pattern, char const* name) { return fnmatch(pattern.c_str(), name, 0) == 0; }
-}  // namespace
 
-SignalFilter::SignalFilter(std::vector<std::string> patterns, Parts const& parts)
-    : patterns_(std::move(patterns)), parts_(parts) {
-    std::vector<std::string> const names = all_names(parts);
-    for (std::string const& pattern : patterns_) {
-        auto const hit = [&pattern](std::string const& name) { return fits(pattern, name.c_str()); };
+bool fits(std::string const& pattern, std::string const& name) {
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+void require_matches(std::vector<std::string> const& patterns, Machine const& machine) {
+    std::vector<std::string> const names = all_names(machine);
+    for (std::string const& pattern : patterns) {
+        auto const hit = [&pattern](std::string const& name) { return fits(pattern, name); };
         if (std::none_of(names.begin(), names.end(), hit))
             throw InputError(
                 fmt::format("--vcd-modules {}: matches no module, FIFO or block RAM, expected a name or a "
@@ -37,18 +38,23 @@ SignalFilter::SignalFilter(std::vector<std::string> patterns, Parts const& parts
     }
 }
 
-bool SignalFilter::matches(char const* name) const {
-    return patterns_.empty() || std::any_of(patterns_.begin(), patterns_.end(),
-                                            [name](std::string const& pattern) { return fits(pattern, name); });
-}
+}  // namespace
 
-bool SignalFilter::shows(ModuleId module) const { return has_part(parts_, module) && matches(name_of(module)); }
-bool SignalFilter::shows(FifoId fifo) const {
-    FifoEnds const ends = ends_of(parts_, fifo);
-    return has_part(parts_, fifo) && (matches(name_of(fifo)) || shows(ends.writer) || shows(ends.reader));
-}
-bool SignalFilter::shows(BramId bram) const {
-    return has_part(parts_, bram) && (matches(name_of(bram)) || shows(owner_of(bram)) || shows(reader_of(bram)));
+SignalFilter::SignalFilter(std::vector<std::string> const& patterns, Machine const& machine) {
+    require_matches(patterns, machine);
+    auto const matches = [&patterns](std::string const& name) {
+        return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&name](std::string const& pattern) {
+                   return fits(pattern, name);
+               });
+    };
+    for (MachineProcess const& process : machine.processes)
+        processes_.push_back(process.is_present && matches(process.name));
+    for (MachineFifo const& fifo : machine.fifos)
+        fifos_.push_back(fifo.is_present &&
+                         (matches(fifo.name) || processes_[fifo.writer] || processes_[fifo.reader]));
+    for (MachineMemory const& memory : machine.memories)
+        memories_.push_back(memory.is_present &&
+                            (matches(memory.name) || processes_[memory.owner] || processes_[memory.reader]));
 }
 
 }  // namespace faster::recording

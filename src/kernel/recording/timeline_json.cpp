@@ -1,6 +1,5 @@
 #include "kernel/recording/timeline_json.hpp"
 
-#include "faster/parts.hpp"
 #include "kernel/base/json.hpp"
 
 namespace faster::recording {
@@ -20,10 +19,10 @@ class Writer {
             add_slice(core.core, samples_track, "sample " + std::to_string(sample.sample), "sample", sample.begin,
                       sample.end, {{"sample", sample.sample}, {"complete", sample.complete}});
         for (TimelineSpan const& span : core.spans)
-            add_span(core.core, span);
-        for (std::size_t fifo = 0; fifo < fifo_count; ++fifo)
+            add_span(core, span);
+        for (std::size_t fifo = 0; fifo < core.occupancy.size(); ++fifo)
             for (OccupancyPoint const& point : core.occupancy[fifo])
-                add_event({{"name", fifo_names[fifo]},
+                add_event({{"name", core.machine->fifos[fifo].name},
                            {"ph", "C"},
                            {"pid", core.core},
                            {"ts", microseconds(point.cycle)},
@@ -41,8 +40,8 @@ class Writer {
         std::size_t const core = timeline.core;
         name("process_name", core, 0, "core " + std::to_string(core));
         name("thread_name", core, samples_track, "samples");
-        for (std::size_t const module : modules_of(timeline.parts))
-            name("thread_name", core, track_of(module), module_names[module]);
+        for (std::size_t const module : modules_of(*timeline.machine))
+            name("thread_name", core, track_of(module), timeline.machine->processes[module].name);
     }
     void name(char const* what, std::size_t core, std::size_t track, std::string const& text) {
         add_event({{"name", what}, {"ph", "M"}, {"pid", core}, {"tid", track}, {"args", {{"name", text}}}});
@@ -58,17 +57,18 @@ class Writer {
                    {"dur", microseconds(end - begin)},
                    {"args", args}});
     }
-    void add_span(std::size_t core, TimelineSpan const& span) {
+    void add_span(CoreTimeline const& timeline, TimelineSpan const& span) {
+        std::size_t const core = timeline.core;
         std::size_t const track = track_of(span.module);
         if (span.kind == TimelineSpan::Kind::loop) {
-            add_slice(core, track, loop_names[span.item].name, "loop", span.begin, span.end,
+            add_slice(core, track, timeline.machine->loops[span.item].name, "loop", span.begin, span.end,
                       {{"begin_cycle", span.begin}, {"end_cycle", span.end}, {"iterations", span.count}});
             return;
         }
         bool const is_full = span.kind == TimelineSpan::Kind::full_stall;
-        add_slice(core, track, std::string(fifo_names[span.item]) + (is_full ? " full" : " empty"), "stall", span.begin,
-                  span.end,
-                  {{"fifo", fifo_names[span.item]},
+        std::string const& fifo = timeline.machine->fifos[span.item].name;
+        add_slice(core, track, fifo + (is_full ? " full" : " empty"), "stall", span.begin, span.end,
+                  {{"fifo", fifo},
                    {"begin_cycle", span.begin},
                    {"end_cycle", span.end},
                    {"stalled_cycles", span.count}});

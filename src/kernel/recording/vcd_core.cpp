@@ -2,25 +2,33 @@
 
 #include <fmt/format.h>
 
-#include "kernel/recording/bram_ports.hpp"
+#include "kernel/recording/port_names.hpp"
+#include "kernel/recording/state_codes.hpp"
 
 namespace faster::recording {
 
 using Kind = Event::Kind;
 
-VcdCore::VcdCore(VcdFile& vcd, RecordedCore const& core, AcceleratorConfig const& config, SignalFilter const& filter,
-                 std::size_t domain)
-    : vcd_(vcd), core_(core), bram_model_(config) {
-    for (timing::FifoShape const& shape : core.fifos)
-        fifos_.emplace_back(shape);
+VcdCore::VcdCore(VcdFile& vcd, RecordedCore const& core, SignalFilter const& filter, std::size_t domain)
+    : vcd_(vcd),
+      core_(core),
+      machine_(*core.machine),
+      memory_trace_(core),
+      fifos_(core.fifos.begin(), core.fifos.end()),
+      fifo_signals_(machine_.fifos.size()),
+      module_signals_(machine_.processes.size()),
+      memory_signals_(machine_.memories.size()) {
     vcd.open_scope(fmt::format("core_{}", core.core));
     declare_samples(domain);
-    for (std::size_t i = 0; i < module_count; ++i)
-        declare_module(i, filter, domain);
-    for (std::size_t i = 0; i < bram_count; ++i)
-        declare_bram(i, config, filter, domain);
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        declare_fifo(i, filter, domain);
+    for (std::size_t i = 0; i < machine_.processes.size(); ++i)
+        if (filter.shows_process(i))
+            declare_module(i, domain);
+    for (std::size_t i = 0; i < machine_.memories.size(); ++i)
+        if (filter.shows_memory(i))
+            declare_memory(i, domain);
+    for (std::size_t i = 0; i < machine_.fifos.size(); ++i)
+        if (filter.shows_fifo(i))
+            declare_fifo(i, domain);
     vcd.close_scope();
 }
 
@@ -33,20 +41,26 @@ void VcdCore::declare_samples(std::size_t domain) {
     vcd_.close_scope();
 }
 
-void VcdCore::declare_module(std::size_t module, SignalFilter const& filter, std::size_t domain) {
-    if (!filter.shows(static_cast<ModuleId>(module)))
-        return;
-    vcd_.open_scope(module_names[module]);
-    module_signals_[module] = {vcd_.add("state", 8, domain), vcd_.add("iteration", 32, domain),
-                               vcd_.add("stall", 8, domain)};
+void VcdCore::declare_module(std::size_t module, std::size_t domain) {
+    vcd_.open_scope(machine_.processes[module].name);
+    module_signals_[module] = {vcd_.add("state", state_bits(machine_), domain), vcd_.add("iteration", 32, domain),
+                               vcd_.add("stall", stall_bits(machine_), domain)};
     vcd_.close_scope();
 }
 
-void VcdCore::declare_fifo(std::size_t fifo, SignalFilter const& filter, std::size_t domain) {
-    if (!filter.shows(static_cast<FifoId>(fifo)))
-        return;
+void VcdCore::declare_memory(std::size_t memory, std::size_t domain) {
+    MachineMemory const& shape = machine_.memories[memory];
+    vcd_.open_scope(fmt::format("bram_{}", shape.name));
+    for (std::string const& port : port_names(shape))
+        memory_signals_[memory].push_back({vcd_.add(port + "_enable", 1, domain),
+                                           vcd_.add(port + "_write_enable", 1, domain),
+                                           vcd_.add(port + "_address", address_bits(shape), domain)});
+    vcd_.close_scope();
+}
+
+void VcdCore::declare_fifo(std::size_t fifo, std::size_t domain) {
     FifoSignals& signals = fifo_signals_[fifo];
-    vcd_.open_scope(fmt::format("fifo_{}", fifo_names[fifo]));
+    vcd_.open_scope(fmt::format("fifo_{}", machine_.fifos[fifo].name));
     signals.write = vcd_.add("write", 1, domain);
     signals.read = vcd_.add("read", 1, domain);
     signals.occupancy = vcd_.add("occupancy", bits_for(core_.fifos[fifo].capacity), domain);
@@ -59,21 +73,8 @@ void VcdCore::declare_fifo(std::size_t fifo, SignalFilter const& filter, std::si
     vcd_.close_scope();
 }
 
-void VcdCore::declare_bram(std::size_t bram, AcceleratorConfig const& config, SignalFilter const& filter,
-                           std::size_t domain) {
-    if (!filter.shows(static_cast<BramId>(bram)))
-        return;
-    auto const side = static_cast<std::uint64_t>(config.window);
-    vcd_.open_scope(fmt::format("bram_{}", bram_names[bram]));
-    for (std::string const& port : bram_port_names(static_cast<BramId>(bram), config))
-        bram_signals_[bram].push_back({vcd_.add(port + "_enable", 1, domain),
-                                       vcd_.add(port + "_write_enable", 1, domain),
-                                       vcd_.add(port + "_address", bits_for(side * side - 1), domain)});
-    vcd_.close_scope();
-}
-
 void VcdCore::begin() {
-    for (std::size_t fifo = 0; fifo < fifo_count; ++fifo)
+    for (std::size_t fifo = 0; fifo < fifos_.size(); ++fifo)
         show_occupancy(fifo);
 }
 
@@ -99,7 +100,7 @@ void VcdCore::arrive() {
 
 void VcdCore::take(CoreEvent const& core_event) {
     Event const& event = core_event.event;
-    ModuleSignals const& module = module_signals_[core_event.module];
+    ModuleSignals const& module = module_signals_[core_event.process];
     switch (event.kind) {
         case Kind::enter:
             set(module.state, in_loop(event.item));
@@ -111,8 +112,7 @@ void VcdCore::take(CoreEvent const& core_event) {
             set(module.iteration, event.value);
             break;
         case Kind::stall:
-            set(module.stall,
-                stall_on(event.item, index_of(ends_of(core_.parts, FifoId{event.item}).writer) == core_event.module));
+            set(module.stall, stall_on(event.item, machine_.fifos[event.item].writer == core_event.process));
             break;
         case Kind::resume:
             set(module.stall, no_stall);
@@ -129,7 +129,7 @@ void VcdCore::take(CoreEvent const& core_event) {
         case Kind::field:
             break;
     }
-    show_bram(bram_model_.take(core_event, token_read_));
+    show_accesses(memory_trace_.take(core_event, token_read_));
 }
 
 void VcdCore::take_write(CoreEvent const& event) {
@@ -157,16 +157,21 @@ void VcdCore::take_read(CoreEvent const& event) {
 }
 
 void VcdCore::take_stamp(CoreEvent const& event) {
-    bool const starts = event.module == index_of(ModuleId::rasterizer);
-    vcd_.set(starts ? started_ : ended_, event.event.value);
-    vcd_.pulse(starts ? start_ : end_);
+    if (event.process == machine_.begins) {
+        vcd_.set(started_, event.event.value);
+        vcd_.pulse(start_);
+    }
+    if (event.process == machine_.ends) {
+        vcd_.set(ended_, event.event.value);
+        vcd_.pulse(end_);
+    }
 }
 
-void VcdCore::show_bram(std::vector<BramAccess> const& accesses) {
-    for (BramAccess const& access : accesses) {
-        if (bram_signals_[access.bram].empty())
+void VcdCore::show_accesses(std::vector<PortAccess> const& accesses) {
+    for (PortAccess const& access : accesses) {
+        if (memory_signals_[access.memory].empty())
             continue;
-        BramPort const& port = bram_signals_[access.bram][access.port];
+        MemoryPort const& port = memory_signals_[access.memory][access.port];
         vcd_.set_at(access.cycle, port.enable, 1);
         vcd_.set_at(access.cycle, port.write_enable, access.writes ? 1 : 0);
         vcd_.set_at(access.cycle, port.address, static_cast<std::int64_t>(access.address));

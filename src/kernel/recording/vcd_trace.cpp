@@ -27,15 +27,15 @@ void arrive_until(Cycles cycle, VcdFile& vcd, Cores const& cores) {
 
 }  // namespace
 
-void write_vcd(std::filesystem::path const& file, AcceleratorConfig const& config,
-               std::vector<RecordedCore> const& cores, SignalFilter const& filter) {
-    VcdFile vcd(file, config.clock_mhz);
+void write_vcd(std::filesystem::path const& file, Machine const& machine, std::vector<RecordedCore> const& cores,
+               SignalFilter const& filter) {
+    VcdFile vcd(file, machine.clock_mhz);
     Cores signals;
     std::vector<std::pair<Cycles, Cycles>> windows;
     std::vector<std::pair<std::size_t, Spools*>> spools;
     vcd.open_scope("accelerator");
     for (std::size_t i = 0; i < cores.size(); ++i) {
-        signals.push_back(std::make_unique<VcdCore>(vcd, cores[i], config, filter, i));
+        signals.push_back(std::make_unique<VcdCore>(vcd, cores[i], filter, i));
         windows.emplace_back(cores[i].from, cores[i].to);
         spools.emplace_back(i, cores[i].spools);
     }
@@ -53,7 +53,7 @@ void write_vcd(std::filesystem::path const& file, AcceleratorConfig const& confi
     for (auto const& [from, to] : windows)
         arrive_until(to, vcd, signals);
     vcd.finish();
-    write_gtkwave_save(file, config, cores, filter);
+    write_gtkwave_save(file, machine, cores, filter);
 }
 
 }  // namespace faster::recording

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "faster/rasterizer_design.hpp"
-#include "modules/core_shapes.hpp"
-
 namespace faster::retiming {
 
 namespace {
 
-FifoStatistics fifo_statistics(FifoId id, timing::FifoTiming const& timing, AcceleratorConfig const& config) {
+FifoStatistics fifo_statistics(MachineFifo const& fifo, timing::FifoTiming const& timing) {
     FifoStatistics row;
-    row.kind = resolved_kind(config.fifo(id));
-    row.depth = config.fifo(id).depth;
+    row.kind = fifo.kind;
+    row.depth = fifo.depth;
     row.capacity = timing.shape().capacity;
     row.write_latency = timing.shape().write_latency;
     row.writes = timing.writes();
@@ -23,28 +20,25 @@ FifoStatistics fifo_statistics(FifoId id, timing::FifoTiming const& timing, Acce
     return row;
 }
 
-timing::LoopCounters counters_of(LoopId id, timing::ProcessTiming const& process) {
-    char const* name = loop_names[index_of(id)].name;
+/// Zeros for a loop that its process does not have.
+timing::LoopCounters counters_of(MachineLoop const& loop, timing::CoreTiming const& core) {
+    if (loop.process >= core.processes().size())
+        return {};
+    timing::ProcessTiming const& process = core.processes()[loop.process];
     for (unsigned i = 0; i < process.loops().size(); ++i)
-        if (process.loops()[i].name == name)
+        if (process.loops()[i].name == loop.name)
             return process.loop_counters(i);
     return {};
 }
 
-template <std::size_t N> std::size_t number_of(std::string const& name, std::array<char const*, N> const& names) {
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, AcceleratorConfig const& config) {
-    timing::InitiationInterval const interval = initiation_interval(id, config);
-    std::size_t const process = index_of(loop_names[index_of(id)].module);
-    timing::LoopCounters const counters =
-        process < core.processes().size() ? counters_of(id, core.processes()[process]) : timing::LoopCounters{};
+LoopStatistics loop_statistics(MachineLoop const& loop, timing::CoreTiming const& core) {
+    timing::InitiationInterval const& interval = loop.interval;
+    timing::LoopCounters const counters = counters_of(loop, core);
     LoopStatistics row;
     row.ii_target = interval.target;
     row.ii_recurrence = interval.recurrence;
     row.ii = interval.achieved;
-    row.depth = loop_depth(id, config);
+    row.depth = loop.depth;
     row.entries = counters.entries;
     row.iterations = counters.iterations;
     row.port_conflict_cycles = counters.iterations * interval.port_conflict_per_iteration;
@@ -55,33 +49,79 @@ LoopStatistics loop_statistics(LoopId id, timing::CoreTiming const& core, Accele
     return row;
 }
 
+/// Works out where the cycles of the processes of one core went.
+class CycleSorter {
+  public:
+    CycleSorter(timing::CoreTiming const& core, Machine const& machine, Cycles total_cycles)
+        : core_(core), machine_(machine), total_cycles_(total_cycles) {}
+
+    /// A process that drains a deep pipeline, or clears a map for a sample that does not come, may end after the last
+    /// result was read; what lies beyond is not part of the run. One that the core does not have is idle.
+    ProcessStatistics row_of(std::size_t number) const {
+        ProcessStatistics row;
+        row.stalls.resize(machine_.fifos.size());
+        row.port_conflicts.resize(machine_.memories.size());
+        if (number >= core_.processes().size()) {
+            row[CycleClass::idle_after] = total_cycles_;
+            return row;
+        }
+        timing::ProcessTiming const& process = core_.processes()[number];
+        add_stalls(process, row);
+        add_loop_costs(process, row);
+        row[CycleClass::setup] = cycles_of_setups(process);
+        Cycles const end = std::min(process.local_time(), total_cycles_);
+        cut_off(process, process.local_time() - end, row);
+        row[CycleClass::busy] = end - row.sum();
+        row[CycleClass::idle_after] = total_cycles_ - end;
+        return row;
+    }
+
+  private:
+    void add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) const;
+    void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) const;
+    Cycles cycles_of_setups(timing::ProcessTiming const& process) const;
+    void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) const;
+
+    timing::CoreTiming const& core_;
+    Machine const& machine_;
+    Cycles total_cycles_;
+};
+
 /// By FIFO: what its reader or writer waited for. The wait for a process's first token is no stall.
-void add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) {
+void CycleSorter::add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) const {
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
         bool const writes = process.writes(port);
         Cycles const idle = port == process.first_port() ? process.idle_before_cycles() : 0;
         Cycles const stall = (writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles()) - idle;
-        row.stalls[number_of(fifo.name(), fifo_names)] += stall;
+        row.stalls[core_.number_of(fifo)] += stall;
         row[writes ? CycleClass::full_stall : CycleClass::empty_stall] += stall;
     }
     row[CycleClass::idle_before] = process.idle_before_cycles();
 }
 
-void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) {
+void CycleSorter::add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) const {
     for (unsigned i = 0; i < process.loops().size(); ++i) {
         timing::LoopCost const cost = process.loop_cost(i);
         row[CycleClass::port_conflict] += cost.port_conflict_cycles;
         row[CycleClass::recurrence] += cost.recurrence_cycles;
         row[CycleClass::fill_drain] += cost.fill_drain_cycles;
         if (cost.port_conflict_cycles > 0)
-            row.port_conflicts[number_of(process.loops()[i].interval.bram, bram_names)] += cost.port_conflict_cycles;
+            row.port_conflicts[machine_.memory(process.loops()[i].interval.bram)] += cost.port_conflict_cycles;
     }
+}
+
+/// In which the process does nothing but prepare what its next loop works on.
+Cycles CycleSorter::cycles_of_setups(timing::ProcessTiming const& process) const {
+    MachineProcess const& described = machine_.processes[process.index()];
+    if (!described.setup_counter)
+        return process.awaited_setup_cycles();
+    return core_.fifos()[*described.setup_counter].writes() * described.setup_cycles;
 }
 
 /// Takes the last `beyond` cycles of a process away, which are not part of the run: of the drain of its last loop, and
 /// then of that loop's iterations, which end with what a port conflict and a recurrence cost.
-void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) {
+void CycleSorter::cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) const {
     Cycles const drain = std::min(row[CycleClass::fill_drain], beyond);
     row[CycleClass::fill_drain] -= drain;
     beyond -= drain;
@@ -96,55 +136,29 @@ void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatist
         std::min(row[CycleClass::port_conflict], (iterations + 1) * all.port_conflict - done.port_conflict);
     row[CycleClass::port_conflict] -= conflict;
     if (conflict > 0)
-        row.port_conflicts[number_of(interval.bram, bram_names)] -= conflict;
+        row.port_conflicts[machine_.memory(interval.bram)] -= conflict;
     row[CycleClass::recurrence] -=
         std::min(row[CycleClass::recurrence], (iterations + 1) * all.recurrence - done.recurrence);
 }
 
-/// A process that drains a deep pipeline, or clears a map for a sample that does not come, may end after the last
-/// result was read; what lies beyond is not part of the run.
-ProcessStatistics process_statistics(timing::ProcessTiming const& process, Cycles setup_cycles, Cycles total_cycles) {
-    ProcessStatistics row;
-    add_stalls(process, row);
-    add_loop_costs(process, row);
-    row[CycleClass::setup] = setup_cycles;
-    Cycles const end = std::min(process.local_time(), total_cycles);
-    cut_off(process, process.local_time() - end, row);
-    row[CycleClass::busy] = end - row.sum();
-    row[CycleClass::idle_after] = total_cycles - end;
-    return row;
-}
-
-/// Cycles in which a process of a core does nothing but prepare triangles: the rasterizer, one area each.
-Cycles cycles_of_setups(std::size_t process, timing::CoreTiming const& core, AcceleratorConfig const& config) {
-    if (process != index_of(ModuleId::rasterizer))
-        return 0;
-    if (config.rasterizer.setup_overlap > 0)
-        return core.processes()[process].awaited_setup_cycles();
-    return core.fifos()[index_of(FifoId::area)].writes() * setup_cycles(config);
-}
-
-std::vector<Cycles> const& stamps_of(ModuleId module, timing::CoreTiming const& core) {
-    return core.processes()[index_of(module)].stamps();
-}
-
-CoreStatistics core_statistics(FinishedCore const& core, AcceleratorConfig const& config) {
+CoreStatistics core_statistics(FinishedCore const& core, Machine const& machine) {
     CoreStatistics statistics;
     statistics.samples = core.share.count;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        statistics.fifos[i] = fifo_statistics(static_cast<FifoId>(i), core.timing.fifos()[i], config);
-    for (std::size_t i = 0; i < loop_count; ++i)
-        statistics.loops[i] = loop_statistics(static_cast<LoopId>(i), core.timing, config);
-    auto const& ends = stamps_of(ModuleId::result_collector, core.timing);
+    for (std::size_t i = 0; i < machine.fifos.size(); ++i)
+        statistics.fifos.push_back(fifo_statistics(machine.fifos[i], core.timing.fifos()[i]));
+    for (MachineLoop const& loop : machine.loops)
+        statistics.loops.push_back(loop_statistics(loop, core.timing));
+    std::vector<Cycles> const& ends = core.timing.process(machine.ends).stamps();
     statistics.end_cycle = ends.empty() ? 0 : ends.back() + 1;
     return statistics;
 }
 
-void add_samples(FinishedCore const& core, std::uint64_t index, std::vector<SampleStatistics>& rows) {
-    auto const& starts = stamps_of(ModuleId::rasterizer, core.timing);
-    auto const& ends = stamps_of(ModuleId::result_collector, core.timing);
-    for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
-        rows.push_back({core.share.first + i, index, starts[i], ends[i], core.counters[i]});
+void add_samples(FinishedCore const& core, std::uint64_t index, Machine const& machine,
+                 std::vector<SampleStatistics>& rows) {
+    std::vector<Cycles> const& begins = core.timing.process(machine.begins).stamps();
+    std::vector<Cycles> const& ends = core.timing.process(machine.ends).stamps();
+    for (std::size_t i = 0; i < std::min(begins.size(), ends.size()); ++i)
+        rows.push_back({core.share.first + i, index, begins[i], ends[i], core.counters[i]});
 }
 
 void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
@@ -155,25 +169,21 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 
 }  // namespace
 
-RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config) {
+RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine) {
     RunStatistics run;
-    run.parts = Parts(config);
+    run.machine = machine;
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
         add_stuck(core.timing, index, run.stuck);
-        add_samples(core, index, run.samples);
-        run.cores.push_back(core_statistics(core, config));
+        add_samples(core, index, machine, run.samples);
+        run.cores.push_back(core_statistics(core, machine));
         run.total_cycles = std::max(run.total_cycles, run.cores.back().end_cycle);
     }
-    for (std::size_t k = 0; k < run.cores.size(); ++k)
-        for (std::size_t i = 0; i < module_count; ++i) {
-            timing::CoreTiming const& core = cores[k].timing;
-            if (i < core.processes().size())
-                run.cores[k].processes[i] =
-                    process_statistics(core.processes()[i], cycles_of_setups(i, core, config), run.total_cycles);
-            else
-                run.cores[k].processes[i][CycleClass::idle_after] = run.total_cycles;
-        }
+    for (std::size_t k = 0; k < run.cores.size(); ++k) {
+        CycleSorter const sorter(cores[k].timing, machine, run.total_cycles);
+        for (std::size_t i = 0; i < machine.processes.size(); ++i)
+            run.cores[k].processes.push_back(sorter.row_of(i));
+    }
     return run;
 }
 

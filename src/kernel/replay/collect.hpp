@@ -1,10 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "common/tokens.hpp"
-#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/machine/core_share.hpp"
+#include "kernel/machine/machine.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster::retiming {
@@ -13,10 +12,10 @@ namespace faster::retiming {
 struct FinishedCore {
     CoreShare share;
     timing::CoreTiming& timing;
-    SampleCounters const* counters;  ///< by sample of its share, as far as it got
+    Counters const* counters;  ///< by sample of its share, as far as it got
 };
 
-/// The figures of a finished (or stuck) run.
-RunStatistics collect(std::vector<FinishedCore> const& cores, AcceleratorConfig const& config);
+/// The figures of a finished (or stuck) run of a machine.
+RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine);
 
 }  // namespace faster::retiming

@@ -1,15 +1,12 @@
 #include "kernel/replay/core_variant.hpp"
 
-#include "faster/rasterizer_design.hpp"
-#include "modules/core_shapes.hpp"
-
 namespace faster::retiming {
 
 namespace {
 
 timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTiming const& variant,
-                             AcceleratorConfig const& config) {
-    timing::LoopShape shape = loop_shape(loop_named(static_cast<ModuleId>(variant.index()), loop.name), config);
+                             Machine const& machine) {
+    timing::LoopShape shape = machine.loops[machine.loop(variant.index(), loop.name)].shape();
     for (timing::LoopWrite const& write : loop.writes)
         shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
     shape.reads = loop.reads;
@@ -26,10 +23,10 @@ void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& var
 
 }  // namespace
 
-std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& blueprint, AcceleratorConfig const& config) {
+std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& blueprint, Machine const& machine) {
     auto core = std::make_unique<timing::CoreTiming>();
-    for (std::size_t i = 0; i < blueprint.fifos().size(); ++i)
-        core->add_fifo(fifo_shape(static_cast<FifoId>(i), config));
+    for (MachineFifo const& fifo : machine.fifos)
+        core->add_fifo(fifo.shape());
     for (timing::ProcessTiming const& process : blueprint.processes()) {
         timing::ProcessTiming& variant = core->add_process(process.name());
         for (unsigned port = 0; port < process.port_count(); ++port) {
@@ -37,9 +34,9 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
             process.writes(port) ? variant.add_writes(fifo) : variant.add_reads(fifo);
         }
         for (timing::LoopShape const& loop : process.loops())
-            variant.add_loop(variant_of(loop, variant, config));
+            variant.add_loop(variant_of(loop, variant, machine));
         copy_sites(process, variant);
-        variant.set_setup_cycles(setup_cycles(config));
+        variant.set_setup_cycles(machine.processes[variant.index()].setup_cycles);
     }
     return core;
 }

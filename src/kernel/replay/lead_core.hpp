@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 
-#include "faster/parts.hpp"
 #include "kernel/timing/core_timing.hpp"
 #include "kernel/timing/group.hpp"
 
@@ -9,9 +8,11 @@ namespace faster::retiming {
 
 /// A core that has done nothing yet, to write operations on and to check them with, and its lead group.
 struct LeadCore {
-    LeadCore(timing::CoreTiming const& blueprint, timing::Lead const& lead);
-    /// The lead is the rasterizer's.
-    LeadCore(timing::CoreTiming const& blueprint, Parts const& parts);
+    LeadCore(timing::CoreTiming const& blueprint, timing::Lead const& lead)
+        : core(blueprint.blank_copy()), group(*core, lead) {}
+
+    /// Without followers, nothing is worth being told as phrases.
+    bool has_followers() const { return group.members().size() > 1; }
 
     std::unique_ptr<timing::CoreTiming> core;
     timing::Group group;

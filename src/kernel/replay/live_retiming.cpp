@@ -7,7 +7,6 @@
 #include "kernel/replay/collect.hpp"
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/sample_cutter.hpp"
-#include "modules/core_shapes.hpp"
 
 namespace faster::retiming {
 
@@ -31,12 +30,13 @@ class LiveRetiming::Window : public ScriptSource {
 };
 
 struct LiveRetiming::Core {
-    Core(CoreShare its_share, timing::PhraseBook const& book, std::unique_ptr<timing::CoreTiming> its_timing)
+    Core(CoreShare its_share, timing::PhraseBook const& book, timing::Lead const& lead,
+         std::unique_ptr<timing::CoreTiming> its_timing)
         : share(its_share),
           timing(std::move(its_timing)),
           window(book, share.first),
           replay(
-              window, [this](std::size_t /*sample*/) { return std::move(plain); }, share, *timing) {}
+              window, [this](std::size_t /*sample*/) { return std::move(plain); }, share, *timing, lead) {}
 
     /// As far as the next sample is known as well: the supplier is a sample ahead.
     void put(ScriptedSample scripted) {
@@ -61,14 +61,14 @@ struct LiveRetiming::Core {
     Replay replay;
 };
 
-LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
+LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, Machine const& machine,
                            std::vector<CoreShare> const& shares)
-    : config_(config), lead_(blueprint, Parts(config)), cutter_(blueprint, rasterizer_and_followers(Parts(config))) {
+    : machine_(machine), lead_(blueprint, machine.lead), cutter_(blueprint, machine.lead) {
     auto const automaton = std::make_shared<timing::Automaton>(timing::Automaton::use_by(shares.size()));
     for (CoreShare const& share : shares) {
-        std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, config);
-        timing->let_follow(rasterizer_and_followers(Parts(config)), automaton);
-        cores_.push_back(std::make_unique<Core>(share, book_, std::move(timing)));
+        std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, machine);
+        timing->let_follow(machine.lead, automaton);
+        cores_.push_back(std::make_unique<Core>(share, book_, machine.lead, std::move(timing)));
     }
 }
 
@@ -99,7 +99,7 @@ void LiveRetiming::put(std::size_t sample, ScriptedSample scripted, timing::Phra
     core.put(std::move(scripted));
 }
 
-std::optional<RunStatistics> LiveRetiming::finish(std::vector<SampleCounters> const& counters) {
+std::optional<RunStatistics> LiveRetiming::finish(std::vector<Counters> const& counters) {
     std::vector<FinishedCore> cores;
     for (std::unique_ptr<Core> const& core : cores_) {
         if (is_stuck_ || core->replay.is_stuck())
@@ -107,7 +107,7 @@ std::optional<RunStatistics> LiveRetiming::finish(std::vector<SampleCounters> co
         core->timing->resolve();
         cores.push_back({core->share, *core->timing, counters.data() + core->share.first});
     }
-    RunStatistics run = collect(cores, config_);
+    RunStatistics run = collect(cores, machine_);
     if (run.deadlocked())
         return std::nullopt;
     return run;

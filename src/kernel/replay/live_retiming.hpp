@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/replay/lead_core.hpp"
@@ -20,10 +19,9 @@ namespace faster::retiming {
 /// samples are timed as operations: memory does not grow with the run.
 class LiveRetiming {
   public:
-    /// For cores like `blueprint` but with the timing of a configuration, which must outlive this, and their shares of
-    /// the samples.
-    LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
-                 std::vector<CoreShare> const& shares);
+    /// For cores like `blueprint` but with the timing of a machine, which must outlive this, and their shares of the
+    /// samples.
+    LiveRetiming(timing::CoreTiming const& blueprint, Machine const& machine, std::vector<CoreShare> const& shares);
     ~LiveRetiming();
     LiveRetiming(LiveRetiming const&) = delete;
     LiveRetiming& operator=(LiveRetiming const&) = delete;
@@ -32,7 +30,7 @@ class LiveRetiming {
     void put(std::size_t sample, ScriptedSample scripted, timing::PhraseBook const& book);
     /// The figures of the run; `counters` by sample. None if it got stuck: who wants to know why has to time the
     /// operations.
-    std::optional<RunStatistics> finish(std::vector<SampleCounters> const& counters);
+    std::optional<RunStatistics> finish(std::vector<Counters> const& counters);
 
   private:
     /// The samples of one core that it has not done yet.
@@ -43,7 +41,7 @@ class LiveRetiming {
 
     Core& core_of(std::size_t sample);
 
-    AcceleratorConfig const& config_;
+    Machine const& machine_;
     LeadCore lead_;
     timing::PhraseBook book_;
     timing::PhraseCutter cutter_;

@@ -4,8 +4,8 @@
 
 namespace faster::retiming {
 
-PlainReader::PlainReader(RecordedRun const& run, Parts const& parts)
-    : tape_(run.tape, LeadCore(*run.blueprint, parts)) {}
+PlainReader::PlainReader(RecordedRun const& run, timing::Lead const& lead)
+    : tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
 
 SampleOperations PlainReader::read(std::size_t sample) {
     return joined(tape_.read(sample), tape_.known().book(), tape_.known().lead().group);

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 
-#include "faster/parts.hpp"
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/sample_operations.hpp"
 #include "kernel/replay/tape_reader.hpp"
@@ -11,7 +10,7 @@ namespace faster::retiming {
 /// Reads samples from the tape of a run as operations, no phrases.
 class PlainReader {
   public:
-    PlainReader(RecordedRun const& run, Parts const& parts);
+    PlainReader(RecordedRun const& run, timing::Lead const& lead);
     SampleOperations read(std::size_t sample);
 
   private:

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/tokens.hpp"
+#include "kernel/figures/run_statistics.hpp"
 #include "kernel/replay/operation_tape.hpp"
 #include "kernel/timing/core_timing.hpp"
 
@@ -16,7 +16,7 @@ struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
     OperationTape tape;
-    std::vector<SampleCounters> counters;  ///< the samples' results
+    std::vector<Counters> counters;  ///< the samples' results
 };
 
 }  // namespace faster::retiming

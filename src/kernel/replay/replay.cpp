@@ -7,12 +7,30 @@
 
 namespace faster::retiming {
 
-Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, Leaves leaves)
+namespace {
+
+/// The first follower that writes what the driver reads of it.
+std::size_t supplier_of(timing::CoreTiming const& core, timing::Lead const& lead) {
+    for (timing::Lead::Follower const& follower : lead.followers) {
+        timing::ProcessTiming const& process = core.processes()[follower.process];
+        for (unsigned port = 0; port < process.port_count(); ++port)
+            if (process.writes(port) && core.number_of(process.fifo(port)) == follower.anchor)
+                return follower.process;
+    }
+    return core.processes().size();
+}
+
+}  // namespace
+
+Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core,
+               timing::Lead const& lead, Leaves leaves)
     : source_(source),
       plain_(std::move(plain)),
       share_(share),
       core_(core),
       leaves_(std::move(leaves)),
+      has_followers_(!lead.followers.empty()),
+      supplier_(supplier_of(core, lead)),
       is_stuck_(core.processes().size(), false) {}
 
 bool Replay::go_on() {
@@ -41,13 +59,13 @@ void Replay::go_on_to(std::size_t sample) {
 
 bool Replay::is_stuck() const { return std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end(); }
 
-/// False if the sample has none that could be followed.
+/// False if there is nothing to be followed.
 bool Replay::begin_script(std::size_t sample) {
     times_before_ = all_times();
     is_scripted_ = sample < source_.size() && !is_stuck();
     if (is_scripted_)
         take_up(source_[sample], sample);
-    return is_scripted_;
+    return is_scripted_ && has_followers_;
 }
 
 void Replay::end_sample(std::size_t sample) {
@@ -60,14 +78,16 @@ void Replay::end_sample(std::size_t sample) {
 void Replay::feed_plain(std::size_t sample) {
     SampleOperations const operations = plain_(sample);
     for (std::size_t i = 0; i < operations.size(); ++i)
-        if (!is_stuck_[i] && !(i == supplier && sample < supplied_))
+        if (!is_stuck_[i] && !(i == supplier_ && sample < supplied_))
             append_sample(operations[i], core_.process(i).log());
 }
 
 void Replay::take_up(ScriptedSample const& scripted, std::size_t sample) {
     for (std::size_t i = 0; i < scripted.before.size(); ++i)
-        if (i != supplier)
+        if (i != supplier_)
             append_sample(scripted.before[i], core_.process(i).log());
+    if (!has_followers_)
+        return;
     supply(sample + 2);
     script_ = scripted.script;
     script_.book = &source_.book();
@@ -84,9 +104,11 @@ void Replay::feed_rest(ScriptedSample const& scripted) {
 
 /// The supplier is a sample ahead, so that what it goes on with after the one at hand is known.
 void Replay::supply(std::size_t end) {
+    if (supplier_ == core_.processes().size())
+        return;
     std::size_t const last = std::min({end, share_.first + share_.count, source_.size()});
     for (supplied_ = std::max(supplied_, share_.first); supplied_ < last; ++supplied_)
-        append_sample(source_[supplied_].before[supplier], core_.process(supplier).log());
+        append_sample(source_[supplied_].before[supplier_], core_.process(supplier_).log());
 }
 
 std::size_t Replay::backlog() {
@@ -109,7 +131,7 @@ Cycles Replay::all_times() const {
 void Replay::find_stuck() {
     core_.resolve();
     for (std::size_t i = 0; i < is_stuck_.size(); ++i)
-        is_stuck_[i] = i != supplier && !core_.processes()[i].finished();
+        is_stuck_[i] = i != supplier_ && !core_.processes()[i].finished();
     auto const is_left = [](timing::ProcessTiming const& process) { return !process.finished(); };
     is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
 }

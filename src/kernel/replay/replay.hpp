@@ -3,7 +3,6 @@
 #include <functional>
 #include <vector>
 
-#include "faster/machine.hpp"
 #include "kernel/base/cycles.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/replay/retime.hpp"
@@ -18,9 +17,10 @@ class Replay {
     /// Reads a sample as operations.
     using Plain = std::function<SampleOperations(std::size_t sample)>;
 
-    /// Samples that the source does not have, and all of a core that is stuck, are plain. Everything must outlive it
-    /// but `plain` and `leaves`.
-    Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, Leaves leaves = nullptr);
+    /// Samples that the source does not have, and all of a core that is stuck, are plain. The core follows `lead`.
+    /// Everything must outlive it but `plain`, `lead` and `leaves`.
+    Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, timing::Lead const& lead,
+           Leaves leaves = nullptr);
 
     /// As far as a walk of the core, or a walk further; false: all is done, or left, or nothing can be done any more.
     bool go_on();
@@ -33,7 +33,6 @@ class Replay {
 
   private:
     static constexpr std::size_t usual_backlog = std::size_t{1} << 18;  // operations: a few samples' worth
-    static constexpr std::size_t supplier = index_of(ModuleId::vertex_transform);
 
     bool begin_script(std::size_t sample);
     void end_sample(std::size_t sample);
@@ -50,10 +49,12 @@ class Replay {
     CoreShare share_;
     timing::CoreTiming& core_;
     Leaves leaves_;
+    bool has_followers_;          ///< without, scripts have no phrases
+    std::size_t supplier_;        ///< the process that is ahead of the driver; none: the number of no process
     std::vector<bool> is_stuck_;  ///< by process
     Cycles times_before_ = 0;     ///< the sample at hand
     bool is_over_ = false;        ///< nobody will do anything any more
-    std::size_t supplied_ = 0;    ///< samples whose vertices have been asked for
+    std::size_t supplied_ = 0;    ///< samples that the supplier has been asked for
     std::size_t fed_ = 0;         ///< samples done
     bool is_scripted_ = false;    ///< the sample at hand
     bool is_walking_ = false;

@@ -8,7 +8,6 @@
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/plain_reader.hpp"
 #include "kernel/replay/replay.hpp"
-#include "modules/core_shapes.hpp"
 
 namespace faster::retiming {
 
@@ -38,12 +37,12 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Autom
 Replay::Plain plain_reader(ScriptedRun const& run) {
     return [&run, reader = std::shared_ptr<PlainReader>()](std::size_t sample) mutable {
         if (reader == nullptr)
-            reader = std::make_shared<PlainReader>(run.run(), run.parts());
+            reader = std::make_shared<PlainReader>(run.run(), run.lead());
         return reader->read(sample);
     };
 }
 
-Cores retime_cores(ScriptedRun const& run, Following following, AcceleratorConfig const& config,
+Cores retime_cores(ScriptedRun const& run, Following following, Machine const& machine,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     static NoScripts const no_scripts;
     ScriptSource const& source = following == Following::scripts ? static_cast<ScriptSource const&>(run) : no_scripts;
@@ -51,49 +50,50 @@ Cores retime_cores(ScriptedRun const& run, Following following, AcceleratorConfi
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
-        cores.push_back(core_variant(*run.run().blueprint, config));
-        cores.back()->let_follow(rasterizer_and_followers(Parts(config)), automaton);
+        cores.push_back(core_variant(*run.run().blueprint, machine));
+        cores.back()->let_follow(run.lead(), automaton);
         if (options.leave_trails)
             cores.back()->leave_trail();
-        CoreShare const share = share_of(number, config.raster_cores, run.run().tape.samples());
-        replays.push_back(std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), options.leaves));
+        CoreShare const share = share_of(number, machine.cores, run.run().tape.samples());
+        replays.push_back(
+            std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), run.lead(), options.leaves));
     }
     feed_all(replays, *automaton);
     return cores;
 }
 
-RunStatistics retime(ScriptedRun const& run, Following following, AcceleratorConfig const& config) {
-    std::vector<std::size_t> numbers(config.raster_cores);
+RunStatistics retime(ScriptedRun const& run, Following following, Machine const& machine) {
+    std::vector<std::size_t> numbers(machine.cores);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    Cores const timings = retime_cores(run, following, config, numbers, {});
+    Cores const timings = retime_cores(run, following, machine, numbers, {});
     std::vector<FinishedCore> cores;
     for (std::size_t const k : numbers) {
-        CoreShare const share = share_of(k, config.raster_cores, run.run().tape.samples());
+        CoreShare const share = share_of(k, machine.cores, run.run().tape.samples());
         cores.push_back({share, *timings[k], run.run().counters.data() + share.first});
     }
-    return collect(cores, config);
+    return collect(cores, machine);
 }
 
 }  // namespace
 
-Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
+Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                    CoreOptions const& options) {
-    return retime_cores(run, Following::scripts, config, cores, options);
+    return retime_cores(run, Following::scripts, machine, cores, options);
 }
 
-RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config) {
-    return retime(ScriptedRun(run, Parts(config)), config);
+RunStatistics retime(RecordedRun const& run, Machine const& machine) {
+    return retime(ScriptedRun(run, machine.lead), machine);
 }
 
-RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config) {
-    RunStatistics statistics = retime(run, Following::scripts, config);
+RunStatistics retime(ScriptedRun const& run, Machine const& machine) {
+    RunStatistics statistics = retime(run, Following::scripts, machine);
     // Since when a process has waited is not always known where a script went on with operations of its left over. Only
     // reports of deadlocks tell.
-    return statistics.deadlocked() ? retime_unscripted(run, config) : statistics;
+    return statistics.deadlocked() ? retime_unscripted(run, machine) : statistics;
 }
 
-RunStatistics retime_unscripted(ScriptedRun const& run, AcceleratorConfig const& config) {
-    return retime(run, Following::logs, config);
+RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine) {
+    return retime(run, Following::logs, machine);
 }
 
 }  // namespace faster::retiming

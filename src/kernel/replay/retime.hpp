@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/scripted_run.hpp"
@@ -11,13 +10,13 @@
 
 namespace faster::retiming {
 
-/// The figures of a run with other retiming_keys(), equal to running it, without running it. A deadlock is a result, as
-/// it is of a run. `config` must not differ from the recorded run's in other keys.
-RunStatistics retime(RecordedRun const& run, AcceleratorConfig const& config);
+/// The figures of a run on another machine, equal to running it there, without running it. A deadlock is a result, as
+/// it is of a run. `machine` must not differ from the recorded run's in more than retiming_keys() decide.
+RunStatistics retime(RecordedRun const& run, Machine const& machine);
 /// The same, for many retimings of a run.
-RunStatistics retime(ScriptedRun const& run, AcceleratorConfig const& config);
+RunStatistics retime(ScriptedRun const& run, Machine const& machine);
 /// The same, without following scripts. Several times as slow.
-RunStatistics retime_unscripted(ScriptedRun const& run, AcceleratorConfig const& config);
+RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine);
 
 using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
 
@@ -31,7 +30,7 @@ struct CoreOptions {
 
 /// Some of its cores, each with its share of the samples done as far as that goes. Of cores that deadlock, since when
 /// their processes wait is not always known.
-Cores retime_cores(ScriptedRun const& run, AcceleratorConfig const& config, std::vector<std::size_t> const& cores,
+Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                    CoreOptions const& options = {});
 
 }  // namespace faster::retiming

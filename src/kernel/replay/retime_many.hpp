@@ -7,12 +7,12 @@
 
 namespace faster::retiming {
 
-/// Gets the number of a configuration and its figures.
+/// Gets the number of a machine and its figures.
 using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
 
-/// retime() for each of the configurations, on all host cores. `done` is told in any order, from any thread, but one at
+/// retime() for each of the machines, on all host cores. `done` is told in any order, from any thread, but one at
 /// a time.
-void retime_many(RecordedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done);
-void retime_many(ScriptedRun const& run, std::vector<AcceleratorConfig> const& configs, Done const& done);
+void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done);
+void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done);
 
 }  // namespace faster::retiming

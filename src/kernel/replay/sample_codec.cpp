@@ -112,7 +112,7 @@ bool read_phrases(ByteReader& bytes, KnownPhrases& known, PhraseCheck& check, Sc
     if (!read_next_ports(bytes, known.lead().group, sample.script) || !read_book(bytes, known, phrases))
         return false;
     std::uint64_t const count = bytes.number();
-    if (count > bytes.left() || count > ScriptedSample::most_phrases)
+    if (count > bytes.left() || count > ScriptedSample::most_phrases || (count > 0 && !known.lead().has_followers()))
         return false;
     sample.phrases.resize(count);
     return with_width_for(phrases.size(), [&](auto width) {

@@ -12,6 +12,8 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
     ScriptedSample cut;
     cut.before = std::move(operations);
     cut.after.resize(cut.before.size());
+    if (!lead_.has_followers())
+        return cut;
     std::uint32_t const suppliers = lead_.group.suppliers();
     for (unsigned m = 0; m < lead_.group.members().size(); ++m)
         if (suppliers != 1U << m)

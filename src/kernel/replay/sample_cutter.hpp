@@ -8,12 +8,13 @@ namespace faster::retiming {
 class SampleCutter {
   public:
     /// For cores of that shape.
-    SampleCutter(timing::CoreTiming const& blueprint, Parts const& parts) : lead_(blueprint, parts) {}
+    SampleCutter(timing::CoreTiming const& blueprint, timing::Lead const& lead) : lead_(blueprint, lead) {}
 
     /// Of canonical() operations. The phrases are those of book(), which has no others, in the order in which they
-    /// occur.
+    /// occur. Without followers there are none: all operations stay before them.
     ScriptedSample cut(SampleOperations operations);
     timing::PhraseBook const& book() const { return book_; }
+    LeadCore const& lead() const { return lead_; }
 
   private:
     timing::OperationLog& log(unsigned member) { return lead_.group.members()[member].process->log(); }

@@ -6,7 +6,6 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/replay/tape_reader.hpp"
 #include "kernel/timing/phrase_cutter.hpp"
-#include "modules/core_shapes.hpp"
 
 namespace faster::retiming {
 
@@ -32,9 +31,9 @@ std::size_t bytes_of(ScriptedSample const& sample) {
     return operations * sizeof(timing::Operation) + sample.phrases.size() * sizeof(PhraseBook::Number);
 }
 
-Share read_share(RecordedRun const& run, Parts const& parts, std::size_t first, std::size_t end,
+Share read_share(RecordedRun const& run, timing::Lead const& lead, std::size_t first, std::size_t end,
                  std::size_t most_bytes) {
-    TapeReader reader(run.tape, LeadCore(*run.blueprint, parts));
+    TapeReader reader(run.tape, LeadCore(*run.blueprint, lead));
     Share share;
     std::size_t bytes = 0;
     for (; first < end && bytes < most_bytes; ++first) {
@@ -55,13 +54,13 @@ void renumber(Share& share, PhraseBook& book) {
 
 }  // namespace
 
-ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t jobs) : run_(&run), parts_(parts) {
+ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, std::size_t jobs) : run_(&run), lead_(lead) {
     std::size_t const samples = run.tape.samples();
     if (jobs == 0)
         jobs = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
     std::vector<Share> shares(jobs);
     on_threads(jobs, jobs, [&](std::size_t i) {
-        shares[i] = read_share(run, parts, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
+        shares[i] = read_share(run, lead, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
     });
     book_ = std::move(shares.front().book);
     for (Share& share : shares) {
@@ -71,7 +70,7 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t
         if (!share.is_whole)
             break;  // the tape has all that follow
     }
-    timing::PhraseCutter(*run.blueprint, rasterizer_and_followers(parts)).cut_from(book_, 0);
+    timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
 }
 
 }  // namespace faster::retiming

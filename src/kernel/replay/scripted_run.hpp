@@ -2,29 +2,27 @@
 #include <cstddef>
 #include <vector>
 
-#include "faster/parts.hpp"
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/script_source.hpp"
 
 namespace faster::retiming {
 
 /// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation;
-/// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `parts` are those of its
-/// configuration.
+/// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `lead` is that of its machine.
 class ScriptedRun : public ScriptSource {
   public:
     /// Reads on so many threads; 0: as many as are worth it.
-    ScriptedRun(RecordedRun const& run, Parts const& parts, std::size_t jobs = 0);
+    ScriptedRun(RecordedRun const& run, timing::Lead const& lead, std::size_t jobs = 0);
 
     RecordedRun const& run() const { return *run_; }
-    Parts const& parts() const { return parts_; }
+    timing::Lead const& lead() const { return lead_; }
     timing::PhraseBook const& book() const override { return book_; }
     std::size_t size() const override { return samples_.size(); }
     ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample]; }
 
   private:
     RecordedRun const* run_;
-    Parts parts_;
+    timing::Lead lead_;
     timing::PhraseBook book_;
     std::vector<ScriptedSample> samples_;
 };

@@ -8,8 +8,8 @@
 
 namespace faster::retiming {
 
-/// A sample's operations with the long middle, where triangles are drawn, as phrases of the lead group. Of its
-/// supplier, which is ahead by as much as a FIFO holds, all operations are in `before`.
+/// A sample's operations with the long middle, where the lead group is at work, as phrases of it. Of its supplier,
+/// which is ahead by as much as a FIFO holds, all operations are in `before`.
 struct ScriptedSample {
     static constexpr std::size_t most_phrases = std::size_t{1} << 24;  ///< all others stay operations
 

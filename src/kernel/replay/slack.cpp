@@ -1,6 +1,7 @@
 #include "kernel/replay/slack.hpp"
 
 #include "kernel/config/config_sources.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/replay/retime_many.hpp"
 
@@ -22,12 +23,12 @@ class Search {
 
     bool done() const { return costly_ - free_ <= 1; }
     /// The change to be tried next, unless done().
-    AcceleratorConfig next() {
+    Machine next() {
         if (end_ != SlackEnd::costs)
             tried_ = costly_ - 1;
         else
             tried_ = is_doubling_ && 2 * free_ < costly_ ? 2 * free_ : (free_ + costly_) / 2;
-        return changed_by(tried_).config.accelerator;
+        return machine_of(changed_by(tried_).config);
     }
     void learn(RunStatistics const& retimed) {
         learn(tried_, !retimed.deadlocked() && retimed.total_cycles <= total_cycles_);
@@ -84,25 +85,25 @@ class Search {
 
 void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total_cycles, std::vector<Sensitivity>& rows,
                 std::function<void(std::size_t, std::size_t)> const& progress) {
-    Keys const keys = timing_keys(Parts(loaded.config.accelerator));
+    Keys const keys = timing_keys(loaded.config);
     std::vector<Search> searches;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);
         searches.emplace_back(loaded, keys[i], 1, total_cycles, rows[i].up);
     }
-    ScriptedRun const scripted(run, Parts(loaded.config.accelerator));
+    ScriptedRun const scripted(run, machine_of(loaded.config).lead);
     for (std::size_t done = 0;;) {
-        std::vector<AcceleratorConfig> configs;
+        std::vector<Machine> machines;
         std::vector<Search*> open;
         for (Search& search : searches)
             if (!search.done()) {
-                configs.push_back(search.next());
+                machines.push_back(search.next());
                 open.push_back(&search);
             }
         if (open.empty())
             break;
         std::size_t const known = done + open.size();
-        retime_many(scripted, configs, [&](std::size_t i, RunStatistics const& retimed) {
+        retime_many(scripted, machines, [&](std::size_t i, RunStatistics const& retimed) {
             open[i]->learn(retimed);
             if (progress)
                 progress(++done, known);

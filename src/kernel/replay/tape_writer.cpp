@@ -1,16 +1,31 @@
 #include "kernel/replay/tape_writer.hpp"
 
-#include "faster/machine.hpp"
+#include <algorithm>
+
 #include "kernel/replay/canonical_operations.hpp"
 
 namespace faster::retiming {
 
 namespace {
 constexpr std::size_t most_waiting = 16;  // samples: some megabytes
+
+/// A process that reads several FIFOs mixes iterations of several ports in a loop, and how it tells them depends on how
+/// many tokens it finds. In a lead group, that is who reads several FIFOs of the group: what else is read there is read
+/// in one way only.
+bool mixes_ports(LeadCore const& lead, std::size_t process) {
+    if (!lead.has_followers())
+        return true;
+    std::vector<timing::Group::Inner> const& fifos = lead.group.fifos();
+    auto const is_read = [&](timing::Group::Inner const& fifo) {
+        return lead.group.members()[fifo.reader].process->index() == process;
+    };
+    return std::count_if(fifos.begin(), fifos.end(), is_read) > 1;
+}
+
 }  // namespace
 
-TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed)
-    : run_(run), parts_(parts), timed_(std::move(timed)), step_ports_(processes, 0), thread_([this] { work(); }) {}
+TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed)
+    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes, 0), thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 
@@ -59,20 +74,20 @@ void TapeWriter::work() {
 
 void TapeWriter::write(std::size_t sample, SampleOperations operations) {
     try {
+        if (!cutter_)
+            cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, lead_);
         for (std::size_t i = 0; i < operations.size(); ++i) {
-            if (i == index_of(ModuleId::inlier_unit))
+            if (mixes_ports(cutter_->lead(), i))
                 return_tails(operations[i]);
             operations[i] = canonical(operations[i].data(), operations[i].size());
             for (timing::Operation const& operation : operations[i])
                 if (operation.kind() == timing::Operation::Kind::step)
                     step_ports_[i] |= operation.ports();
         }
-        if (!cutter_)
-            cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, parts_);
         ScriptedSample cut = cutter_->cut(std::move(operations));
         run_.tape.put(sample, cut, cutter_->book());
-        if (timed_.config != nullptr && retiming_ == nullptr)
-            retiming_ = std::make_unique<LiveRetiming>(*run_.blueprint, *timed_.config, timed_.shares);
+        if (timed_.machine != nullptr && retiming_ == nullptr)
+            retiming_ = std::make_unique<LiveRetiming>(*run_.blueprint, *timed_.machine, timed_.shares);
         if (retiming_ != nullptr)
             retiming_->put(sample, std::move(cut), cutter_->book());
     } catch (...) {

@@ -21,12 +21,13 @@ class TapeWriter {
   public:
     /// Cores to be timed, and the machine they are part of.
     struct Timed {
-        AcceleratorConfig const* config = nullptr;  ///< null: none
+        Machine const* machine = nullptr;  ///< null: none
         std::vector<CoreShare> shares;
     };
 
-    /// `processes` of a core. The run's blueprint must be there when the first sample is.
-    TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed);
+    /// For machines with that lead, and so many processes in a core. The run's blueprint must be there when the first
+    /// sample is.
+    TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed);
     ~TapeWriter();
     TapeWriter(TapeWriter const&) = delete;
     TapeWriter& operator=(TapeWriter const&) = delete;
@@ -46,7 +47,7 @@ class TapeWriter {
     void stop();
 
     RecordedRun& run_;
-    Parts parts_;
+    timing::Lead lead_;
     Timed timed_;
     std::vector<std::uint32_t> step_ports_;
     std::unique_ptr<SampleCutter> cutter_;

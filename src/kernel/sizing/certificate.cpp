@@ -36,11 +36,11 @@ std::vector<std::size_t> latest_first(Choice const& choice, CoreTimes& times) {
 
 std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& choice) {
     std::vector<CertificateRow> rows;
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         if (choice[i].depth == 1)
             continue;
         CertificateRow row;
-        row.fifo = static_cast<FifoId>(i);
+        row.fifo = i;
         row.shallower = choice_of(frame.kinds[i], choice[i].depth - 1);
         row.is_token_step = true;
         std::uint64_t const cheaper = cheaper_depth(frame, i, choice[i]);
@@ -63,7 +63,7 @@ void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned j
     std::mutex mutex;
     on_threads(rows.size(), jobs, [&](std::size_t i) {
         Choice shallower = choice;
-        shallower[index_of(rows[i].fifo)] = rows[i].shallower;
+        shallower[rows[i].fifo] = rows[i].shallower;
         for (std::size_t k = 0; k < cores.size() && !rows[i].breaks(bound); ++k) {
             rows[i].core = cores[k];
             rows[i].core_cycles = times.cycles(cores[k], shallower);

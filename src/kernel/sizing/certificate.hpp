@@ -8,7 +8,7 @@ namespace faster::sizing {
 
 /// What one FIFO of an answer would do if it were shallower, all others as they are.
 struct CertificateRow {
-    FifoId fifo = FifoId::vertex;
+    std::size_t fifo = 0;  ///< its number
     FifoChoice shallower;
     bool is_token_step = false;  ///< one token less
     bool is_cost_step = false;   ///< the deepest that costs less

@@ -14,10 +14,11 @@ struct Demand {
 
 class BranchAndBound {
   public:
-    BranchAndBound(Levels const& levels, std::vector<Cut> const& cuts) : levels_(levels), cuts_(cuts) {}
+    BranchAndBound(Levels const& levels, std::vector<Cut> const& cuts)
+        : levels_(levels), cuts_(cuts), demands_(levels.size()), chosen_(levels.size()), choice_(levels.size()) {}
 
     std::optional<Choice> run() {
-        for (std::size_t i = 0; i < fifo_count; ++i)
+        for (std::size_t i = 0; i < levels_.size(); ++i)
             if (!choose(i))
                 return std::nullopt;
         branch();
@@ -57,36 +58,35 @@ class BranchAndBound {
             return;
         }
         for (Cut::Member const& member : cut->members) {
-            Demand deeper = demands_[index_of(member.fifo)];
+            Demand deeper = demands_[member.fifo];
             deeper.more_than = std::max(deeper.more_than, member.capacity);
             if (member.capacity > 0)
                 branch_with(member.fifo, deeper);
-            Demand faster = demands_[index_of(member.fifo)];
+            Demand faster = demands_[member.fifo];
             faster.fast = true;
             if (member.is_slow)
                 branch_with(member.fifo, faster);
         }
     }
 
-    void branch_with(FifoId fifo, Demand const& demand) {
-        std::size_t const i = index_of(fifo);
-        Demand const demand_before = demands_[i];
-        Level const* const level_before = chosen_[i];
+    void branch_with(std::size_t fifo, Demand const& demand) {
+        Demand const demand_before = demands_[fifo];
+        Level const* const level_before = chosen_[fifo];
         double const cost_before = cost_;
-        demands_[i] = demand;
-        if (choose(i))
+        demands_[fifo] = demand;
+        if (choose(fifo))
             branch();
-        demands_[i] = demand_before;
-        chosen_[i] = level_before;
-        choice_[i] = level_before->choice;
+        demands_[fifo] = demand_before;
+        chosen_[fifo] = level_before;
+        choice_[fifo] = level_before->choice;
         cost_ = cost_before;
     }
 
     Levels const& levels_;
     std::vector<Cut> const& cuts_;
-    std::array<Demand, fifo_count> demands_{};
-    std::array<Level const*, fifo_count> chosen_{};
-    Choice choice_{};
+    std::vector<Demand> demands_;       ///< by FIFO
+    std::vector<Level const*> chosen_;  ///< by FIFO
+    Choice choice_;
     double cost_ = 0;
     std::optional<Choice> best_;
     double best_cost_ = 0;
@@ -94,9 +94,9 @@ class BranchAndBound {
 
 }  // namespace
 
-Primitives sum_of(Choice const& choice, std::array<unsigned, fifo_count> const& bits, CostWeights const& weights) {
+Primitives sum_of(Choice const& choice, std::vector<unsigned> const& bits, CostWeights const& weights) {
     Primitives sum;
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         Primitives const fifo = primitives_of(choice[i].kind, choice[i].depth, bits[i], weights);
         sum.luts += fifo.luts;
         sum.ramb18 += fifo.ramb18;

@@ -13,7 +13,7 @@ namespace {
 
 /// At most as much room everywhere, and at least as much latency.
 bool is_no_faster(Choice const& one, Choice const& other) {
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t i = 0; i < one.size(); ++i)
         if (one[i].capacity() > other[i].capacity() || one[i].read_latency() < other[i].read_latency())
             return false;
     return true;
@@ -26,12 +26,12 @@ std::size_t cores_with_samples(std::size_t cores, std::size_t samples) {
     return used;
 }
 
-constexpr auto collector = static_cast<unsigned>(ModuleId::result_collector);
-
-std::vector<Cycles> const& results_of(timing::CoreTiming const& core) { return core.processes()[collector].stamps(); }
-
-timing::ProcessTiming const& writer_of_results(timing::CoreTiming const& core) {
-    return core.processes()[static_cast<std::size_t>(core.ends(collector, 0).writer)];
+/// The first port at which a process reads; none if it reads nothing.
+std::optional<unsigned> first_read_port(timing::ProcessTiming const& process) {
+    for (unsigned port = 0; port < process.port_count(); ++port)
+        if (!process.writes(port))
+            return port;
+    return std::nullopt;
 }
 
 Cycles stalls_of(timing::ProcessTiming const& process) {
@@ -64,11 +64,14 @@ class GivenUp {
     bool is_given_up_ = false;
 };
 
-using Members = std::array<Cut::Member, fifo_count>;
+/// By FIFO.
+using Members = std::vector<Cut::Member>;
 
-Members members_of_path(timing::CoreTiming const& core) {
-    timing::PathSums const path = critical_path(core, collector, results_of(core).back());
-    Members members{};
+/// Of the path to the last result of a process.
+Members members_of_path(timing::CoreTiming const& core, std::size_t collector) {
+    std::vector<Cycles> const& results = core.processes()[collector].stamps();
+    timing::PathSums const path = critical_path(core, static_cast<unsigned>(collector), results.back());
+    Members members(core.fifos().size());
     for (timing::ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port) {
             timing::FifoTiming const& fifo = process.fifo(port);
@@ -101,10 +104,10 @@ std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
 
 /// Everything else could have all the room it wants: what is full would be as full.
 Members members_of_deadlock(timing::CoreTiming& core) {
-    Members members{};
+    Members members(core.fifos().size());
     for (timing::Wait const& wait : circle_of(core.waits()))
-        for (std::size_t i = 0; i < fifo_count; ++i)
-            if (wait.to_write && wait.fifo == fifo_names[i])
+        for (std::size_t i = 0; i < members.size(); ++i)
+            if (wait.to_write && wait.fifo == core.fifos()[i].name())
                 members[i].capacity = wait.capacity;
     return members;
 }
@@ -112,20 +115,21 @@ Members members_of_deadlock(timing::CoreTiming& core) {
 /// Those that hold anybody up.
 std::vector<Cut::Member> members_of(Members const& members) {
     std::vector<Cut::Member> kept;
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t i = 0; i < members.size(); ++i)
         if (members[i].capacity > 0 || members[i].is_slow) {
             kept.push_back(members[i]);
-            kept.back().fifo = static_cast<FifoId>(i);
+            kept.back().fifo = i;
         }
     return kept;
 }
 
 }  // namespace
 
-CoreTimes::CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config)
-    : run_(run, config.flow),
-      config_(std::move(config)),
-      cores_(cores_with_samples(config_.raster_cores, run.tape.samples())),
+CoreTimes::CoreTimes(retiming::RecordedRun const& run, Machine machine)
+    : run_(run, machine.lead),
+      machine_(std::move(machine)),
+      cores_(cores_with_samples(machine_.cores, run.tape.samples())),
+      tokens_(machine_.fifos.size()),
       work_(cores_) {}
 
 std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
@@ -154,7 +158,7 @@ std::uint64_t CoreTimes::needed_room(Choice const& choice, std::size_t fifo) con
 
 /// Enough room for what happened there, and at most its latency.
 bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const& known) {
-    for (std::size_t i = 0; i < fifo_count; ++i)
+    for (std::size_t i = 0; i < choice.size(); ++i)
         if (choice[i].capacity() < known.room[i] || choice[i].read_latency() > place.second[i].read_latency())
             return false;
     return true;
@@ -164,7 +168,7 @@ Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     if (!core.waits().empty())
         return Cut::deadlock;
     auto const is_left = [](timing::FifoTiming const& fifo) { return fifo.writes() != fifo.reads(); };
-    std::size_t const samples = share_of(number, config_.raster_cores, run_.run().tape.samples()).count;
+    std::size_t const samples = share_of(number, machine_.cores, run_.run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
     return results_of(core).back() + 1;
@@ -175,10 +179,10 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
     Known& known = known_[place];
-    known = {end, false, {}};
+    known = {end, false, std::vector<std::uint64_t>(machine_.fifos.size())};
     if (end != Cut::deadlock)
         note_work(place.first, core, end);
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < known.room.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
         known.room[i] = std::min(place.second[i].capacity(), fifo.max_occupancy() + 1);
@@ -188,20 +192,34 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
 }
 
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
-    auto const timings = retime_cores(run_, with_choice(config_, choice), cores);
+    auto const timings = retime_cores(run_, with_choice(machine_, choice), cores);
     for (std::size_t i = 0; i < cores.size(); ++i)
         enter({cores[i], choice}, *timings[i]);
 }
 
-/// What the writer of the results does is the same with all FIFOs; only its waiting is not. The collector is there for
-/// each result, unless they follow each other closely.
+std::vector<Cycles> const& CoreTimes::results_of(timing::CoreTiming const& core) const {
+    return core.processes()[machine_.ends].stamps();
+}
+
+/// Null if the process that ends samples reads nothing.
+timing::ProcessTiming const* CoreTimes::writer_of_results(timing::CoreTiming const& core) const {
+    timing::ProcessTiming const& collector = core.processes()[machine_.ends];
+    std::optional<unsigned> const port = first_read_port(collector);
+    return port ? &core.processes()[static_cast<std::size_t>(core.ends(collector.index(), *port).writer)] : nullptr;
+}
+
+/// What the writer of the results does is the same with all FIFOs; only its waiting is not. It takes at least what the
+/// collector waits for it up to the last result: its last token comes no sooner. Both may wait otherwise, and the
+/// collector go on after the last result: that is left out.
 void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cycles end) {
-    constexpr Cycles close = 100;
-    std::vector<Cycles> const& results = results_of(core);
-    bool const is_close = results.size() > 1 && results[results.size() - 1] - results[results.size() - 2] < close;
-    timing::ProcessTiming const& writer = writer_of_results(core);
-    if (!work_[number] && !is_close)
-        work_[number] = end - stalls_of(writer) - writer.awaited_setup_cycles();
+    timing::ProcessTiming const* const writer = writer_of_results(core);
+    if (work_[number] || writer == nullptr)
+        return;
+    timing::ProcessTiming const& collector = core.processes()[machine_.ends];
+    Cycles const waited = collector.fifo(*first_read_port(collector)).empty_stall_cycles();
+    Cycles const behind_end = collector.local_time() - std::min(collector.local_time(), end);
+    Cycles const left_out = stalls_of(*writer) + writer->awaited_setup_cycles() + behind_end;
+    work_[number] = waited - std::min(waited, left_out);
 }
 
 std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
@@ -215,7 +233,7 @@ retiming::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) c
     if (!work)
         return nullptr;
     return [=](timing::CoreTiming const& timing) {
-        return !results_of(timing).empty() && *work + stalls_of(writer_of_results(timing)) > bound;
+        return !results_of(timing).empty() && *work + stalls_of(*writer_of_results(timing)) > bound;
     };
 }
 
@@ -224,7 +242,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
     GivenUp given_up{is_obsolete};
     retiming::CoreOptions options;
     options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
-    auto const timings = retime_cores(run_, with_choice(config_, choice), {core}, options);
+    auto const timings = retime_cores(run_, with_choice(machine_, choice), {core}, options);
     if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
         enter({core, choice}, *timings.front());
 }
@@ -233,10 +251,10 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
 bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
     retiming::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
     std::size_t const done = results_of(core).size();
-    std::size_t const samples = share_of(place.first, config_.raster_cores, run_.run().tape.samples()).count;
+    std::size_t const samples = share_of(place.first, machine_.cores, run_.run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
         return false;
-    Cycles const least = *work_of(place.first) + stalls_of(writer_of_results(core));
+    Cycles const least = *work_of(place.first) + stalls_of(*writer_of_results(core));
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
     Known& known = known_[place];
@@ -316,14 +334,15 @@ std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choi
     retiming::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;
-    return std::move(retime_cores(run_, with_choice(config_, choice), {core}, options).front());
+    return std::move(retime_cores(run_, with_choice(machine_, choice), {core}, options).front());
 }
 
 Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {
     auto const timing = with_trail(
-        core, choice, [samples](timing::CoreTiming const& so_far) { return results_of(so_far).size() >= samples; });
-    return results_of(*timing).empty() ? Cut()
-                                       : Cut{members_of(members_of_path(*timing)), results_of(*timing).back() + 1};
+        core, choice, [=](timing::CoreTiming const& so_far) { return results_of(so_far).size() >= samples; });
+    if (results_of(*timing).empty())
+        return {};
+    return {members_of(members_of_path(*timing, machine_.ends)), results_of(*timing).back() + 1};
 }
 
 std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
@@ -336,7 +355,8 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
     if (!is_left)
         enter({core, choice}, *timing);
     Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(*timing, core);
-    Members const members = cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing);
+    Members const members =
+        cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing, machine_.ends);
     return Cut{members_of(members), cycles};
 }
 

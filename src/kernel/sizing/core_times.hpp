@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -19,8 +18,8 @@ namespace faster::sizing {
 /// several threads at once.
 class CoreTimes {
   public:
-    /// A run and its configuration, of which all but the FIFOs' depths and kinds counts.
-    CoreTimes(retiming::RecordedRun const& run, AcceleratorConfig config);
+    /// A run and its machine, of which all but the FIFOs' depths and kinds counts.
+    CoreTimes(retiming::RecordedRun const& run, Machine machine);
 
     /// Those that have samples.
     std::size_t cores() const { return cores_; }
@@ -56,7 +55,7 @@ class CoreTimes {
     Cut first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const;
 
     /// Tokens that go through each FIFO, of the core that has most, among those that were seen to end.
-    std::array<std::uint64_t, fifo_count> const& tokens() const { return tokens_; }
+    std::vector<std::uint64_t> const& tokens() const { return tokens_; }
     /// How many cores were retimed so far.
     std::size_t retimed_cores() const { return retimed_; }
 
@@ -64,10 +63,13 @@ class CoreTimes {
     using Place = std::pair<std::size_t, Choice>;
     struct Known {
         Cycles end = 0;
-        bool is_left_early = false;                    ///< not before `end`, and then nothing is known of room
-        std::array<std::uint64_t, fifo_count> room{};  ///< capacities that would have been enough, at most the choice's
+        bool is_left_early = false;       ///< not before `end`, and then nothing is known of room
+        std::vector<std::uint64_t> room;  ///< capacities that would have been enough, at most the choice's
     };
 
+    /// Stamps of the process that ends samples, and who writes what it waits for.
+    std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
+    timing::ProcessTiming const* writer_of_results(timing::CoreTiming const& core) const;
     static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
     retiming::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
@@ -84,11 +86,11 @@ class CoreTimes {
     void enter(Place const& place, timing::CoreTiming& core);
 
     retiming::ScriptedRun const run_;
-    AcceleratorConfig const config_;
+    Machine const machine_;
     std::size_t cores_;
-    std::array<std::uint64_t, fifo_count> tokens_{};
-    std::map<Place, Known> known_;  ///< by core first
-    /// What a core does whatever its FIFOs are, all of it one after the other: the process that writes the results.
+    std::vector<std::uint64_t> tokens_;  ///< by FIFO
+    std::map<Place, Known> known_;       ///< by core first
+    /// By core: what the process that writes the results has to do, at least, whatever the FIFOs are.
     std::vector<std::optional<Cycles>> work_;
     std::size_t retimed_ = 0;
     mutable std::mutex mutex_;

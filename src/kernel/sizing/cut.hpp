@@ -13,7 +13,7 @@ struct Cut {
     static constexpr Cycles deadlock = std::numeric_limits<Cycles>::max();
 
     struct Member {
-        FifoId fifo;
+        std::size_t fifo = 0;        ///< its number
         std::uint64_t capacity = 0;  ///< the path waits for room in a FIFO of this capacity; 0: it does not
         bool is_slow = false;        ///< the path waits for tokens that take two cycles
 
@@ -27,9 +27,8 @@ struct Cut {
     Cycles total_cycles = 0;  ///< deadlock: no choice without an escape ever ends
 
     bool is_escaped(Choice const& choice) const {
-        return std::any_of(members.begin(), members.end(), [&choice](Member const& member) {
-            return member.lets_escape(choice[index_of(member.fifo)]);
-        });
+        return std::any_of(members.begin(), members.end(),
+                           [&choice](Member const& member) { return member.lets_escape(choice[member.fifo]); });
     }
 };
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "modules/core_shapes.hpp"
-
 namespace faster::sizing {
 
 namespace {
@@ -40,26 +38,31 @@ std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, unsigned 
 
 }  // namespace
 
-FifoChoice choice_of(FifoKind configured, std::uint64_t depth) {
-    FifoConfig fifo;
-    fifo.depth = depth;
-    fifo.kind = configured;
-    return {resolved_kind(fifo), depth};
-}
+FifoChoice choice_of(FifoKind configured, std::uint64_t depth) { return {resolved_kind(configured, depth), depth}; }
 
-Choice choice_of(AcceleratorConfig const& config) {
+Choice choice_of(Machine const& machine) {
     Choice choice;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        choice[i] = choice_of(config.fifos[i].kind, config.fifos[i].depth);
+    for (MachineFifo const& fifo : machine.fifos)
+        choice.push_back({fifo.kind, fifo.depth});
     return choice;
 }
 
-AcceleratorConfig with_choice(AcceleratorConfig config, Choice const& choice) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
-        config.fifos[i].depth = choice[i].depth;
-        config.fifos[i].kind = choice[i].kind;
+Machine with_choice(Machine machine, Choice const& choice) {
+    for (std::size_t i = 0; i < machine.fifos.size(); ++i) {
+        machine.fifos[i].depth = choice[i].depth;
+        machine.fifos[i].kind = choice[i].kind;
+        machine.fifos[i].configured_kind = choice[i].kind;
     }
-    return config;
+    return machine;
+}
+
+MachineSettings with_choice(MachineSettings settings, Machine const& machine, Choice const& choice) {
+    for (std::size_t const i : fifos_of(machine)) {
+        FifoSettings& fifo = settings.fifo(machine.fifos[i].name);
+        fifo.depth = choice[i].depth;
+        fifo.kind = choice[i].kind;
+    }
+    return settings;
 }
 
 std::vector<Level> levels_of(FifoKind configured, unsigned bits, std::uint64_t depth, CostWeights const& weights) {

@@ -1,9 +1,8 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
+#include "kernel/machine/machine.hpp"
 #include "kernel/sizing/fifo_cost.hpp"
 
 namespace faster::sizing {
@@ -14,26 +13,28 @@ struct FifoChoice {
     FifoKind kind = FifoKind::shift_register;
     std::uint64_t depth = 1;
 
-    std::uint64_t capacity() const { return kind == FifoKind::memory ? depth + 1 : depth; }
-    Cycles read_latency() const { return kind == FifoKind::memory ? 2 : 1; }
+    std::uint64_t capacity() const { return capacity_of(kind, depth); }
+    Cycles read_latency() const { return read_latency_of(kind); }
     bool operator==(FifoChoice const& other) const { return kind == other.kind && depth == other.depth; }
     bool operator<(FifoChoice const& other) const {
         return kind != other.kind ? kind < other.kind : depth < other.depth;
     }
 };
 
-/// All FIFOs of a core, which all cores have alike.
-using Choice = std::array<FifoChoice, fifo_count>;
+/// All FIFOs of a core by their numbers in the machine, which all cores have alike.
+using Choice = std::vector<FifoChoice>;
 
 /// The deepest that the keys accept.
 constexpr std::uint64_t most_depth = 1U << 20;
 
 /// How a FIFO of a configured kind is built with some depth: `auto` is decided by the depth.
 FifoChoice choice_of(FifoKind configured, std::uint64_t depth);
-/// The choice of a configuration.
-Choice choice_of(AcceleratorConfig const& config);
-/// The configuration with another choice.
-AcceleratorConfig with_choice(AcceleratorConfig config, Choice const& choice);
+/// The choice of a machine.
+Choice choice_of(Machine const& machine);
+/// The machine with another choice.
+Machine with_choice(Machine machine, Choice const& choice);
+/// What a configuration asks of that machine, with another choice for the FIFOs that are there.
+MachineSettings with_choice(MachineSettings settings, Machine const& machine, Choice const& choice);
 
 /// The deepest choice of a kind that some primitives hold.
 struct Level {

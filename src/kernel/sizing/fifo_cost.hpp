@@ -1,7 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "faster/block_ram.hpp"
+#include "kernel/machine/block_ram.hpp"
+#include "kernel/machine/fifo_kind.hpp"
 
 namespace faster::sizing {
 

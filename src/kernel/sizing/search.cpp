@@ -6,7 +6,6 @@
 
 #include "kernel/base/on_threads.hpp"
 #include "kernel/sizing/last_that_holds.hpp"
-#include "kernel/sizing/token_bits.hpp"
 
 namespace faster::sizing {
 
@@ -19,8 +18,8 @@ constexpr std::size_t samples_at_first = 4;  // most of what holds a core up sho
 /// All FIFOs are to blame, which is always true of a choice that breaks a bound.
 Cut everybody(Choice const& choice) {
     Cut cut;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        cut.members.push_back({static_cast<FifoId>(i), choice[i].capacity(), choice[i].read_latency() > 1});
+    for (std::size_t i = 0; i < choice.size(); ++i)
+        cut.members.push_back({i, choice[i].capacity(), choice[i].read_latency() > 1});
     return cut;
 }
 
@@ -28,10 +27,10 @@ bool may_be_shift_register(FifoKind configured) { return configured != FifoKind:
 
 }  // namespace
 
-FifoFrame::FifoFrame(AcceleratorConfig const& config, CostWeights const& cost_weights) : weights(cost_weights) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
-        kinds[i] = config.fifos[i].kind;
-        bits[i] = token_bits(static_cast<FifoId>(i), config);
+FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights) : weights(cost_weights) {
+    for (MachineFifo const& fifo : machine.fifos) {
+        kinds.push_back(fifo.configured_kind);
+        bits.push_back(fifo.bits);
     }
 }
 
@@ -39,7 +38,7 @@ FifoFrame::FifoFrame(AcceleratorConfig const& config, CostWeights const& cost_we
 bool deepen(Choice& choice, Cut const& path) {
     bool is_deeper = false;
     for (Cut::Member const& member : path.members) {
-        FifoChoice& fifo = choice[index_of(member.fifo)];
+        FifoChoice& fifo = choice[member.fifo];
         if (member.capacity == 0 || fifo.depth == most_depth)
             continue;
         fifo.depth = std::min(most_depth, fifo.depth * growth);
@@ -51,7 +50,7 @@ bool deepen(Choice& choice, Cut const& path) {
 /// No room that no core ever needs.
 Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
     Choice smaller = choice;
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t const spare = choice[i].capacity() - times.needed_room(choice, i);
         smaller[i].depth -= std::min(spare, choice[i].depth - 1);
     }
@@ -60,8 +59,8 @@ Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
 
 Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     Unbounded result;
-    for (std::size_t i = 0; i < fifo_count; ++i)
-        result.choice[i] = choice_of(frame.kinds[i], first_depth);
+    for (FifoKind const kind : frame.kinds)
+        result.choice.push_back(choice_of(kind, first_depth));
     bool is_deep = times.cores() == 0;
     while (!is_deep && deepen(result.choice, times.first_suspects(0, result.choice, samples_at_first))) {
     }
@@ -84,9 +83,9 @@ Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unboun
       jobs_(std::max(1U, jobs)),
       most_retimings_(most_retimings),
       strict_core_(unbounded.last_core) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < frame.fifos(); ++i) {
         std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
-        levels_[i] = levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights);
+        levels_.push_back(levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights));
     }
 }
 
@@ -156,7 +155,7 @@ bool Search::learn(Choice const& choice, Cycles bound) {
 Cut Search::suspects(Choice const& choice, Cycles bound) {
     Cut same = cuts_.empty() ? Cut() : cuts_.back();
     for (Cut::Member& member : same.members) {
-        FifoChoice const& fifo = choice[index_of(member.fifo)];
+        FifoChoice const& fifo = choice[member.fifo];
         member.capacity = fifo.capacity();
         member.is_slow = member.is_slow && fifo.read_latency() > 1;
     }
@@ -177,12 +176,12 @@ Cut Search::suspects(Choice const& choice, Cycles bound) {
 
 /// The slowest way to escape a cut: everything that it does not ask for is as quick as can be.
 Choice Search::corner(Cut const& cut) const {
-    Choice choice;
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    Choice choice(frame_.fifos());
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t capacity = timing::FifoShape::unlimited;
         bool is_memory = !may_be_shift_register(frame_.kinds[i]);
         for (Cut::Member const& member : cut.members)
-            if (index_of(member.fifo) == i) {
+            if (member.fifo == i) {
                 capacity = member.capacity > 0 ? member.capacity : capacity;
                 is_memory = is_memory || member.is_slow;
             }
@@ -229,7 +228,7 @@ void Search::drop_members(Cut& cut, std::size_t core, Cycles bound) {
 }
 
 void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound) {
-    std::size_t const fifo = index_of(cut.members[member].fifo);
+    std::size_t const fifo = cut.members[member].fifo;
     std::vector<std::uint64_t> capacities{cut.members[member].capacity};
     for (Level const& level : levels_[fifo])
         if (level.choice.capacity() > capacities.front() &&
@@ -254,7 +253,7 @@ Choice Search::descend(Cycles bound) {
     Choice choice = unbounded_.choice;
     for (bool is_cheaper = true; is_cheaper;) {
         is_cheaper = false;
-        for (std::size_t i = 0; i < fifo_count; ++i)
+        for (std::size_t i = 0; i < choice.size(); ++i)
             is_cheaper = cheapen(choice, i, bound) || is_cheaper;
     }
     return choice;
@@ -322,7 +321,7 @@ std::optional<bool> Search::fits_cores(Choice const& choice, Cycles bound, std::
 /// Where only one depth less is in question, asks at the same time what comes next if the FIFO can do with it.
 void Search::ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores) {
     std::vector<Choice> questions;
-    for (; fifo < fifo_count && questions.size() < jobs_; ++fifo) {
+    for (; fifo < choice.size() && questions.size() < jobs_; ++fifo) {
         if (choice[fifo].depth == 1)
             continue;
         --choice[fifo].depth;
@@ -333,7 +332,7 @@ void Search::ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vecto
 
 /// Looks at some cores only.
 Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t const deepest = choice[i].depth;
         std::uint64_t shallowest = deepest;
         while (shallowest > 1 && choice_of(frame_.kinds[i], shallowest - 1).kind == choice[i].kind)

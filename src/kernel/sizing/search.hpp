@@ -10,16 +10,17 @@ namespace faster::sizing {
 
 /// The FIFOs as they are configured: which kinds they may be built in, and how wide they are.
 struct FifoFrame {
-    std::array<FifoKind, fifo_count> kinds{};
-    std::array<unsigned, fifo_count> bits{};
+    std::vector<FifoKind> kinds;
+    std::vector<unsigned> bits;  ///< of a token; 0: the FIFO is not there
     CostWeights weights;
 
-    FifoFrame(AcceleratorConfig const& config, CostWeights const& weights);
+    FifoFrame(Machine const& machine, CostWeights const& weights);
+    std::size_t fifos() const { return kinds.size(); }
 };
 
 /// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.
 struct Unbounded {
-    Choice choice{};
+    Choice choice;
     Cycles total_cycles = 0;
     std::size_t last_core = 0;  ///< which takes as long
 };
@@ -30,7 +31,7 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 
 /// The cheapest choice within a bound, and how sure that is.
 struct Found {
-    Choice choice{};
+    Choice choice;
     Cycles total_cycles = 0;  ///< once timed
     bool is_proven = false;   ///< no choice within the bound is cheaper; else only nothing shallower is within
     double least_cost = 0;    ///< LUTs of a core; no choice within the bound costs less, proven or not

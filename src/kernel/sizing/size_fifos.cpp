@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kernel/config/design.hpp"
+
 namespace faster::sizing {
 
 namespace {
@@ -16,7 +18,7 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 
 /// The deepest that the primitives of an answer hold.
 Choice holding(Choice choice, FifoFrame const& frame) {
-    for (std::size_t i = 0; i < fifo_count; ++i) {
+    for (std::size_t i = 0; i < choice.size(); ++i) {
         auto const same_primitives = [&](std::uint64_t depth) {
             FifoChoice const deeper = choice_of(frame.kinds[i], depth);
             return deeper.kind == choice[i].kind &&
@@ -57,15 +59,16 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
            static_cast<Cycles>(std::floor(static_cast<double>(unbounded_cycles) * percent / 100 + rounding));
 }
 
-Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& config, SizingOptions const& options,
+Sizing size_fifos(retiming::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
-    FifoFrame const frame(config, options.weights);
-    CoreTimes times(run, config);
+    Machine const machine = machine_of(config);
+    FifoFrame const frame(machine, options.weights);
+    CoreTimes times(run, machine);
     Steps steps(progress, steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0));
     Sizing sizing;
     sizing.options = options;
     sizing.config = config;
-    sizing.bits = frame.bits;
+    sizing.machine = machine;
     Unbounded const deep = unbounded(frame, times, options.jobs);
     sizing.unbounded = sized(deep.choice, deep.total_cycles, frame);
     sizing.bound = bound_within(options.within_percent, deep.total_cycles);
@@ -86,9 +89,9 @@ Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& con
     time_steps(found.choice, sizing.bound, times, options.jobs, sizing.certificate, [&] { steps.done(); });
     for (CertificateRow const& row : sizing.certificate)
         if (!row.breaks(sizing.bound))
-            throw std::logic_error("a shallower FIFO is within the bound: " + std::string(name_of(row.fifo)));
+            throw std::logic_error("a shallower FIFO is within the bound: " + machine.fifos[row.fifo].name);
 
-    Choice const configured = choice_of(config);
+    Choice const configured = choice_of(machine);
     sizing.configured = sized(configured, times.total_cycles(configured, options.jobs), frame);
     if (options.front_points > 0)
         sizing.front =

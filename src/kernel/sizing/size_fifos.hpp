@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "kernel/config/run_config.hpp"
 #include "kernel/sizing/certificate.hpp"
 #include "kernel/sizing/front.hpp"
 
@@ -16,7 +17,7 @@ struct SizingOptions {
 
 /// A choice with its price and its time.
 struct SizedChoice {
-    Choice choice{};
+    Choice choice;
     Cycles total_cycles = 0;  ///< Cut::deadlock if it never ends
     Primitives primitives;    ///< of a core
     double cost = 0;          ///< of a core, in LUTs
@@ -25,15 +26,15 @@ struct SizedChoice {
 /// The cheapest FIFOs for a recorded run, and all that shows it.
 struct Sizing {
     SizingOptions options;
-    AcceleratorConfig config;  ///< the machine; its FIFOs' depths as configured
-    std::array<unsigned, fifo_count> bits{};
+    RunConfig config;  ///< its FIFOs' depths as configured
+    Machine machine;   ///< of that configuration
     SizedChoice configured;
     SizedChoice unbounded;
     Cycles bound = 0;
     SizedChoice answer;
     bool is_proven = false;  ///< nothing within the bound is cheaper
     double least_cost = 0;   ///< of a core, in LUTs: nothing within the bound costs less
-    Choice holds{};          ///< the answer's kinds, as deep as its primitives allow
+    Choice holds;            ///< the answer's kinds, as deep as its primitives allow
     std::vector<CertificateRow> certificate;
     std::vector<FrontPoint> front;  ///< cheapest first
     std::size_t retimed_cores = 0;
@@ -44,7 +45,7 @@ Cycles bound_within(double percent, Cycles unbounded_cycles);
 
 /// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
 /// done.
-Sizing size_fifos(retiming::RecordedRun const& run, AcceleratorConfig const& config, SizingOptions const& options,
+Sizing size_fifos(retiming::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
 }  // namespace faster::sizing

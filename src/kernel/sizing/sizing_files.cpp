@@ -4,18 +4,14 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "faster/parts.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/config/enum_names.hpp"
+#include "kernel/config/idle_keys.hpp"
 #include "kernel/config/resolved_config.hpp"
 
 namespace faster::sizing {
 
 namespace {
-
-double milliseconds(Cycles cycles, AcceleratorConfig const& config) {
-    return static_cast<double>(cycles) / (config.clock_mhz * 1e3);
-}
 
 /// Hundredths of a LUT are enough for anybody.
 double rounded(double luts) { return std::round(luts * 100) / 100; }
@@ -25,35 +21,36 @@ Json ramb36(Primitives const& primitives) { return static_cast<double>(primitive
 /// null: a deadlock
 Json cycles_or_null(Cycles cycles) { return cycles == Cut::deadlock ? Json() : Json(cycles); }
 
-Json depths(Choice const& choice, Parts const& parts) {
+Json depths(Choice const& choice, Machine const& machine) {
     Json json;
-    for (std::size_t const i : fifos_of(parts))
-        json[fifo_names[i]] = choice[i].depth;
+    for (std::size_t const i : fifos_of(machine))
+        json[machine.fifos[i].name] = choice[i].depth;
     return json;
 }
 
-Json summary(SizedChoice const& choice, AcceleratorConfig const& config) {
+Json summary(SizedChoice const& choice, Machine const& machine) {
     Json json;
     json["total_cycles"] = cycles_or_null(choice.total_cycles);
     json["milliseconds"] =
-        choice.total_cycles == Cut::deadlock ? Json() : Json(milliseconds(choice.total_cycles, config));
+        choice.total_cycles == Cut::deadlock ? Json() : Json(machine.milliseconds(choice.total_cycles));
     json["cost_luts"] = rounded(choice.cost);
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
-    json["depths"] = depths(choice.choice, Parts(config));
+    json["depths"] = depths(choice.choice, machine);
     return json;
 }
 
 Json fifo_row(Sizing const& sizing, std::size_t i) {
+    MachineFifo const& fifo = sizing.machine.fifos[i];
     FifoChoice const& choice = sizing.answer.choice[i];
-    Primitives const primitives = primitives_of(choice.kind, choice.depth, sizing.bits[i], sizing.options.weights);
+    Primitives const primitives = primitives_of(choice.kind, choice.depth, fifo.bits, sizing.options.weights);
     Json row;
-    row["fifo"] = fifo_names[i];
-    row["configured_depth"] = sizing.config.fifos[i].depth;
-    row["configured_kind"] = choice_name(sizing.config.fifos[i].kind);
+    row["fifo"] = fifo.name;
+    row["configured_depth"] = fifo.depth;
+    row["configured_kind"] = choice_name(fifo.configured_kind);
     row["depth"] = choice.depth;
     row["kind"] = choice_name(choice.kind);
-    row["bits"] = sizing.bits[i];
+    row["bits"] = fifo.bits;
     row["luts"] = primitives.luts;
     row["ramb36"] = ramb36(primitives);
     row["cost_luts"] = rounded(cost_of(primitives, sizing.options.weights));
@@ -63,8 +60,8 @@ Json fifo_row(Sizing const& sizing, std::size_t i) {
 
 Json certificate_row(Sizing const& sizing, CertificateRow const& row) {
     Json json;
-    json["fifo"] = name_of(row.fifo);
-    json["depth"] = sizing.answer.choice[index_of(row.fifo)].depth;
+    json["fifo"] = sizing.machine.fifos[row.fifo].name;
+    json["depth"] = sizing.answer.choice[row.fifo].depth;
     json["shallower_depth"] = row.shallower.depth;
     json["shallower_kind"] = choice_name(row.shallower.kind);
     json["token_step"] = row.is_token_step;
@@ -75,7 +72,7 @@ Json certificate_row(Sizing const& sizing, CertificateRow const& row) {
 }
 
 Json front_row(Sizing const& sizing, FrontPoint const& point) {
-    Json json = summary({point.found.choice, point.found.total_cycles, point.primitives, point.cost}, sizing.config);
+    Json json = summary({point.found.choice, point.found.total_cycles, point.primitives, point.cost}, sizing.machine);
     json["proven"] = point.found.is_proven;
     return json;
 }
@@ -88,16 +85,16 @@ std::string sizing_json(Sizing const& sizing) {
     json["version"] = 1;
     json["within_percent"] = sizing.options.within_percent;
     json["bound_cycles"] = sizing.bound;
-    json["raster_cores"] = sizing.config.raster_cores;
-    json["clock_mhz"] = sizing.config.clock_mhz;
+    json["raster_cores"] = sizing.machine.cores;
+    json["clock_mhz"] = sizing.machine.clock_mhz;
     json["luts_per_ramb36"] = sizing.options.weights.luts_per_ramb36;
     json["proven"] = sizing.is_proven;
     json["least_cost_luts"] = rounded(sizing.least_cost);
-    json["unbounded"] = summary(sizing.unbounded, sizing.config);
-    json["configured"] = summary(sizing.configured, sizing.config);
-    json["answer"] = summary(sizing.answer, sizing.config);
+    json["unbounded"] = summary(sizing.unbounded, sizing.machine);
+    json["configured"] = summary(sizing.configured, sizing.machine);
+    json["answer"] = summary(sizing.answer, sizing.machine);
     json["fifos"] = Json::array();
-    for (std::size_t const i : fifos_of(Parts(sizing.config)))
+    for (std::size_t const i : fifos_of(sizing.machine))
         json["fifos"].push_back(fifo_row(sizing, i));
     json["certificate"] = Json::array();
     for (CertificateRow const& row : sizing.certificate)
@@ -109,26 +106,26 @@ std::string sizing_json(Sizing const& sizing) {
 }
 
 /// The machine that was sized: depths and kinds, and what else is not the default. A preset has said what it had to.
-static bool belongs_to_answer(ResolvedKey const& key, Parts const& parts) {
+static bool belongs_to_answer(ResolvedKey const& key, IdleKeys const& idle) {
     auto const is = [&key](std::string const& ending) {
         return key.key.size() > ending.size() &&
                key.key.compare(key.key.size() - ending.size(), ending.size(), ending) == 0;
     };
     bool const is_of_fifo = key.key.rfind("accelerator.fifos.", 0) == 0 && (is(".depth") || is(".kind"));
     return key.key.rfind("accelerator.", 0) == 0 && key.key != "accelerator.architecture" &&
-           applies_to(parts, key.key) && (is_of_fifo || !key.is_default);
+           idle.decider_of(key.key) == nullptr && (is_of_fifo || !key.is_default);
 }
 
 std::string pareto_csv(Sizing const& sizing) {
     std::string text = "cost_luts,luts,ramb36,total_cycles,milliseconds,proven";
-    for (std::size_t const i : fifos_of(Parts(sizing.config)))
-        text += std::string(",") + fifo_names[i];
+    for (std::size_t const i : fifos_of(sizing.machine))
+        text += ',' + sizing.machine.fifos[i].name;
     text += '\n';
     for (FrontPoint const& point : sizing.front) {
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}", rounded(point.cost), point.primitives.luts,
                        static_cast<double>(point.primitives.ramb18) / 2, point.found.total_cycles,
-                       milliseconds(point.found.total_cycles, sizing.config), point.found.is_proven ? 1 : 0);
-        for (std::size_t const i : fifos_of(Parts(sizing.config)))
+                       sizing.machine.milliseconds(point.found.total_cycles), point.found.is_proven ? 1 : 0);
+        for (std::size_t const i : fifos_of(sizing.machine))
             fmt::format_to(std::back_inserter(text), ",{}", point.found.choice[i].depth);
         text += '\n';
     }
@@ -136,11 +133,12 @@ std::string pareto_csv(Sizing const& sizing) {
 }
 
 std::string depths_yaml(Sizing const& sizing, std::string const& title) {
-    RunConfig sized;
-    sized.accelerator = with_choice(sizing.config, sizing.answer.choice);
+    RunConfig sized = sizing.config;
+    sized.machine() = with_choice(sized.machine(), sizing.machine, sizing.answer.choice);
+    IdleKeys const idle = idle_keys(sizing.config);
     std::vector<ResolvedKey> keys;
     for (ResolvedKey& key : resolved_keys(sized))
-        if (belongs_to_answer(key, Parts(sizing.config)))
+        if (belongs_to_answer(key, idle))
             keys.push_back(std::move(key));
     return fmt::format("# {}\n# {} cycles, {} LUT and {:g} RAMB36 a core.\n", title, sizing.answer.total_cycles,
                        sizing.answer.primitives.luts, static_cast<double>(sizing.answer.primitives.ramb18) / 2) +

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "faster/parts.hpp"
 #include "kernel/config/enum_names.hpp"
 
 namespace faster::sizing {
@@ -40,9 +39,8 @@ std::string choice_line(char const* name, SizedChoice const& choice, Sizing cons
 std::string head(Sizing const& sizing) {
     std::string text = fmt::format("Cheapest FIFOs within {} % of unbounded ones: at most {} cycles\n\n",
                                    sizing.options.within_percent, sizing.bound);
-    text +=
-        fmt::format("  {:<11}{:>14} {:>12} {:>12}  per core, {} {}\n", "FIFOs", "total cycles", "change", "cost [LUT]",
-                    sizing.config.raster_cores, sizing.config.raster_cores == 1 ? "core" : "cores alike");
+    text += fmt::format("  {:<11}{:>14} {:>12} {:>12}  per core, {} {}\n", "FIFOs", "total cycles", "change",
+                        "cost [LUT]", sizing.machine.cores, sizing.machine.cores == 1 ? "core" : "cores alike");
     text += choice_line("unbounded", sizing.unbounded, sizing);
     text += choice_line("configured", sizing.configured, sizing);
     text += choice_line("answer", sizing.answer, sizing);
@@ -58,11 +56,12 @@ std::string head(Sizing const& sizing) {
 std::string depths(Sizing const& sizing) {
     std::string text = fmt::format("\nThe answer\n  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12}{:>9}  {}\n", "FIFO",
                                    "configured", "depth", "kind", "bits", "cost [LUT]", "holds", "primitives");
-    for (std::size_t const i : fifos_of(Parts(sizing.config))) {
+    for (std::size_t const i : fifos_of(sizing.machine)) {
+        MachineFifo const& fifo = sizing.machine.fifos[i];
         FifoChoice const& choice = sizing.answer.choice[i];
-        Primitives const primitives = primitives_of(choice.kind, choice.depth, sizing.bits[i], sizing.options.weights);
-        fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo_names[i],
-                       sizing.config.fifos[i].depth, choice.depth, choice_name(choice.kind), sizing.bits[i],
+        Primitives const primitives = primitives_of(choice.kind, choice.depth, fifo.bits, sizing.options.weights);
+        fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo.name,
+                       fifo.depth, choice.depth, choice_name(choice.kind), fifo.bits,
                        cost_of(primitives, sizing.options.weights), sizing.holds[i].depth, primitives_text(primitives));
     }
     return text;
@@ -77,9 +76,10 @@ std::string certificate(Sizing const& sizing) {
         char const* const step = row.is_token_step && row.is_cost_step ? "token, cost step"
                                  : row.is_token_step                   ? "token"
                                                                        : "cost step";
-        fmt::format_to(std::back_inserter(text), "  {:<20}{:>8}{:>10}  {:<18}{:>6}{:>14} {:>12}\n", name_of(row.fifo),
-                       sizing.answer.choice[index_of(row.fifo)].depth, row.shallower.depth, step, row.core,
-                       cycles_text(row.core_cycles), change_text(row.core_cycles, sizing.unbounded.total_cycles));
+        fmt::format_to(std::back_inserter(text), "  {:<20}{:>8}{:>10}  {:<18}{:>6}{:>14} {:>12}\n",
+                       sizing.machine.fifos[row.fifo].name, sizing.answer.choice[row.fifo].depth, row.shallower.depth,
+                       step, row.core, cycles_text(row.core_cycles),
+                       change_text(row.core_cycles, sizing.unbounded.total_cycles));
     }
     return sizing.certificate.empty() ? std::string("\nAll FIFOs have depth 1: there is nothing shallower.\n") : text;
 }

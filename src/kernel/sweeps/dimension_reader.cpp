@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/sweeps/random_dimension.hpp"
 #include "kernel/sweeps/results_table.hpp"
@@ -91,12 +92,12 @@ class DimensionReader {
 
     /// Of the entry `key`.
     Key const* named_key() const {
-        MapEntry const* const entry = need("key", "a dotted key such as accelerator.raster_cores");
+        MapEntry const* const entry = need("key", "a dotted key such as " + example_key());
         if (entry == nullptr)
             return nullptr;
         if (entry->value.IsScalar())
             return cells_.key(entry->value.Scalar(), entry->line);
-        lists_.reject(*entry, "a dotted key such as accelerator.raster_cores");
+        lists_.reject(*entry, "a dotted key such as " + example_key());
         return nullptr;
     }
 

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "faster/retimable.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/fnv1a.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
-#include "workload/files/trace_manifest.hpp"
 
 namespace faster::sweeps {
 
@@ -21,14 +20,6 @@ void add_file(std::filesystem::path const& path, Fnv1a& hash) {
     hash.add(bytes);
 }
 
-void add_trace(std::filesystem::path const& folder, Fnv1a& hash) {
-    std::filesystem::path const manifest = folder / io::TraceManifest::file_name;
-    io::TraceManifest::Files const files = io::read_manifest(manifest).files;
-    add_file(manifest, hash);
-    for (std::string const& file : {files.samples, files.triangles, files.depth, files.edges})
-        add_file(folder / file, hash);
-}
-
 }  // namespace
 
 PointIdentity Identifier::identity(RunConfig const& config) {
@@ -38,7 +29,7 @@ PointIdentity Identifier::identity(RunConfig const& config) {
             continue;
         std::string const line = key.name() + "=" + text_of(key, config) + "\n";
         point.add(line);
-        if (!is_retimable(key, config.accelerator))
+        if (!is_retimable(key, config))
             function.add(line);
     }
     return {hexadecimal(point), hexadecimal(function)};
@@ -50,15 +41,17 @@ std::string Identifier::text_of(Key const& key, RunConfig const& config) {
         return content(std::get<std::string>(value));
     if (key.kind == KeyKind::object)
         return object(std::get<std::string>(value));
-    if (key.kind != KeyKind::objects)
+    if (key.kind != KeyKind::items)
         return json_text(value);
-    auto objects = std::get<std::vector<SceneObjectConfig>>(value);
-    for (SceneObjectConfig& item : objects)
-        item.object = object(item.object);
-    return json_text(objects);
+    auto items = std::get<std::vector<ItemValue>>(value);
+    for (ItemValue& item : items)
+        for (std::size_t i = 0; i < key.fields.size(); ++i)
+            if (key.fields[i].kind == KeyKind::object)
+                item.fields[i].second = object(std::get<std::string>(item.fields[i].second));
+    return json_text(items);
 }
 
-/// A class is a bare name, and part of this program. What a mesh file means depends on its ending too.
+/// What has a bare name is part of this program. What a file means depends on its ending too.
 std::string Identifier::object(std::string const& name) {
     if (name.find_first_of("/.") == std::string::npos)
         return name;
@@ -71,7 +64,8 @@ std::string const& Identifier::content(std::filesystem::path const& path) {
         return known->second;
     Fnv1a hash;
     if (std::filesystem::is_directory(path))
-        add_trace(path, hash);
+        for (std::filesystem::path const& file : design().files_of(path))
+            add_file(file, hash);
     else
         add_file(path, hash);
     return contents_[path] = hexadecimal(hash);

@@ -9,12 +9,13 @@ namespace faster::sweeps {
 
 /// Hashes (FNV-1a, 16 hexadecimal digits) by which points are known, wherever and whenever they are worked out.
 struct PointIdentity {
-    std::string point;  ///< of everything that decides about its result
-    std::string
-        function;  ///< of everything that is not is_retimable(): points that share it do the same in another time
+    /// Of everything that decides about its result.
+    std::string point;
+    /// Of everything that is not is_retimable(): points that share it do the same in another time.
+    std::string function;
 };
 
-/// Works identities out. Files (meshes, depth images, traces) count by their content, not by their name; each is read
+/// Works identities out. Files and folders that keys name count by their content, not by their name; each is read
 /// once. simulation.engine does not count.
 class Identifier {
   public:

@@ -40,7 +40,7 @@ struct Sweep {
     LoadedConfig configuration(std::size_t point) const;
 };
 
-/// Names a point in messages: "point 3 (accelerator.raster_cores=4)".
+/// Names a point in messages: "point 3 (accelerator.clock_mhz=250)".
 std::string name_of_point(std::size_t point, std::vector<std::string> const& columns,
                           std::vector<std::string> const& values);
 

@@ -8,6 +8,7 @@
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
 #include "kernel/config/yaml_document.hpp"
@@ -76,7 +77,7 @@ class SweepReader {
 
     void read_settings(MapEntry const& set) {
         if (!set.value.IsMap())
-            return reject(set, "a map of dotted keys, e.g. {accelerator.raster_cores: 1}");
+            return reject(set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
         for (MapEntry const& entry : read_entries(set.value, "set.", faults_))
             if (Key const* const key = cells_.key(entry.name, entry.line))
                 if (auto const cell = cells_.cell(*key, entry.value, entry.line)) {

@@ -67,6 +67,8 @@ std::unique_ptr<CoreTiming> CoreTiming::copy() {
 }
 
 void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton) {
+    if (lead.followers.empty())
+        return;
     lead_ = lead;
     automaton_ = std::move(automaton);
 }

@@ -64,7 +64,8 @@ class CoreTiming {
     std::unique_ptr<CoreTiming> copy();
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
     std::unique_ptr<CoreTiming> blank_copy() const;
-    /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead.
+    /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead. A lead without
+    /// followers has nothing to follow: the core stays as it is.
     void let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton);
 
     /// Takes down what decides the times from now on. Before anything has happened.

@@ -1,0 +1,32 @@
+#include "channels/dataflow_accelerator.hpp"
+
+#include <string>
+#include <utility>
+
+namespace faster {
+
+DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
+                                         std::size_t samples, Engine engine, MakeCore const& make_core)
+    : sc_module(name), machine_(std::move(machine)), engine_(engine) {
+    TimeBase const time_base{engine, machine_->clock_mhz};
+    for (std::size_t core = 0; core < machine_->cores; ++core) {
+        std::string const core_name = "core_" + std::to_string(core);
+        CoreShare const share = share_of(core, machine_->cores, samples);
+        cores_.push_back(make_core(core_name.c_str(), machine_, share, time_base));
+    }
+    if (engine == Engine::decoupled)
+        run_one_after_the_other();
+}
+
+/// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
+void DataflowAccelerator::run_one_after_the_other() {
+    auto const automaton = std::make_shared<timing::Automaton>();
+    for (std::size_t core = 0; core < cores_.size(); ++core) {
+        if (!machine_->lead.followers.empty())
+            cores_[core]->timing().let_follow(machine_->lead, automaton);
+        if (core > 0)
+            cores_[core]->run_after(*cores_[core - 1]);
+    }
+}
+
+}  // namespace faster

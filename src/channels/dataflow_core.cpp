@@ -1,0 +1,92 @@
+#include "channels/dataflow_core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "channels/fifo_channel.hpp"
+
+namespace faster {
+
+DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine, CoreShare share,
+                           TimeBase const& time_base)
+    : sc_module(name), machine_(std::move(machine)), share_(share), time_base_(time_base) {
+    for (MachineFifo const& fifo : machine_->fifos)
+        timing_.add_fifo(fifo.shape());
+    for (std::size_t process = 0; process < machine_->process_places(); ++process)
+        timing_.add_process(machine_->processes[process].name);
+    begun_.resize(timing_.processes().size());
+}
+
+std::vector<FifoChannel*> const& DataflowCore::channels() const {
+    if (channels_.empty()) {
+        channels_.resize(machine_->fifos.size());
+        find_channels(*this);
+    }
+    return channels_;
+}
+
+/// The SystemC kernel knows everything that is part of an object.
+void DataflowCore::find_channels(sc_core::sc_object const& parent) const {
+    for (sc_core::sc_object* const child : parent.get_child_objects()) {
+        if (auto* const channel = dynamic_cast<FifoChannel*>(child))
+            channels_.at(timing_.number_of(channel->timing())) = channel;
+        find_channels(*child);
+    }
+}
+
+std::vector<TokenField> DataflowCore::token_fields(std::size_t fifo) const {
+    FifoChannel const* const channel = channels()[fifo];
+    return channel == nullptr ? std::vector<TokenField>() : channel->token_fields();
+}
+
+void DataflowCore::add_tap(std::size_t fifo, recording::TokenTap& tap) {
+    if (channels()[fifo] != nullptr)
+        channels()[fifo]->taps().push_back(&tap);
+}
+
+void DataflowCore::remove_tap(std::size_t fifo, recording::TokenTap& tap) {
+    if (channels()[fifo] == nullptr)
+        return;
+    std::vector<recording::TokenTap*>& taps = channels()[fifo]->taps();
+    taps.erase(std::remove(taps.begin(), taps.end(), &tap), taps.end());
+}
+
+void DataflowCore::catch_up() {
+    if (time_base_.engine == Engine::decoupled)
+        timing_.resolve(false);
+}
+
+void DataflowCore::start_of_simulation() {
+    for (auto const& call : starts_)
+        call();
+}
+
+void DataflowCore::begin_sample(std::size_t process) {
+    std::size_t const sample = begun_[process]++;
+    if (sample == 0)
+        await_turn_of(process);
+    for (auto const& call : process_begins_)
+        call(process);
+    if (process == machine_->begins)
+        for (auto const& call : sample_begins_)
+            call(sample);
+}
+
+/// All others wait for what these write.
+void DataflowCore::await_turn_of(std::size_t process) const {
+    std::vector<MachineEnd> const& ends = machine_->processes[process].ends;
+    bool const reads = std::any_of(ends.begin(), ends.end(), [](MachineEnd const& end) { return !end.writes; });
+    while (!reads && before_ != nullptr && before_->samples_ended_ < before_->share_.count)
+        sc_core::wait(before_->done_);
+}
+
+void DataflowCore::end_sample() {
+    ++samples_ended_;
+    catch_up();  // all of the sample is known now: a good moment
+    if (progress_)
+        progress_();
+    if (samples_ended_ == share_.count)
+        done_.notify(sc_core::SC_ZERO_TIME);
+}
+
+}  // namespace faster

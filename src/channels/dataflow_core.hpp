@@ -1,0 +1,99 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <systemc>
+#include <vector>
+
+#include "channels/time_base.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/machine/core_share.hpp"
+#include "kernel/machine/machine.hpp"
+#include "kernel/recording/running_core.hpp"
+#include "kernel/timing/core_timing.hpp"
+
+namespace faster {
+
+class FifoChannel;
+
+/// One core of a machine: the SystemC module that a design derives its own from. The derived class has the modules and
+/// the FIFOs between them as members, and binds them:
+///
+///     ClockedFifo<Pixel> pixels_{"pixels", fifo_timing("pixels")};
+///     Reader reader_{"reader", *this};
+///
+/// Everything else is known from the machine: all its FIFOs and processes have their places in the core's timing from
+/// the start, and every FIFO that is a member, or a module's member, is found by itself.
+///
+/// Its processes say where a sample begins (begin_sample) and the last one where it is done (end_sample); those are
+/// told to whoever has asked for it.
+class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
+  public:
+    DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine, CoreShare share,
+                 TimeBase const& time_base);
+
+    Machine const& machine() const override { return *machine_; }
+    /// The samples that this core does.
+    CoreShare share() const override { return share_; }
+    TimeBase const& time_base() const { return time_base_; }
+    timing::CoreTiming& timing() override { return timing_; }
+    timing::CoreTiming const& timing() const { return timing_; }
+
+    /// By number of the FIFO in the machine; null where the core has no such channel. Once the core is constructed.
+    std::vector<FifoChannel*> const& channels() const;
+    std::vector<TokenField> token_fields(std::size_t fifo) const override;
+    void add_tap(std::size_t fifo, recording::TokenTap& tap) override;
+    void remove_tap(std::size_t fifo, recording::TokenTap& tap) override;
+
+    /// Results of the samples done so far: how many there are, and the i-th of this core. A design that has any
+    /// overrides both.
+    virtual std::size_t results() const { return samples_ended_; }
+    virtual Counters result(std::size_t /*i*/) const { return {}; }
+
+    /// Calls back after every sample.
+    void set_progress(std::function<void()> progress) { progress_ = std::move(progress); }
+    /// Calls back when the core is wired up and nothing has happened yet.
+    void on_start(std::function<void()> call) { starts_.push_back(std::move(call)); }
+    /// Calls back before the machine's process that begins samples begins the i-th sample of the core.
+    void on_sample_begins(std::function<void(std::size_t i)> call) { sample_begins_.push_back(std::move(call)); }
+    /// Calls back whenever a process begins its next sample, with the number of the process.
+    void on_process_begins(std::function<void(std::size_t process)> call) { process_begins_.push_back(std::move(call)); }
+
+    /// Lets this core begin when another one has done its share. Cores need not take turns, as they share nothing; but
+    /// one after the other keeps the host's caches warm (decoupled).
+    void run_after(DataflowCore const& other) { before_ = &other; }
+    /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled).
+    void catch_up() override;
+
+    /// Every process calls this before the first operation of each of its samples. A process that reads no FIFO waits
+    /// here for the core's turn before its first sample.
+    void begin_sample(std::size_t process);
+    /// The process that ends samples calls this when it has done all of one.
+    void end_sample();
+
+  protected:
+    /// Of a FIFO by its name in the machine, to make its channel with.
+    timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_.fifo(machine_->fifo(fifo)); }
+
+  private:
+    void start_of_simulation() override;
+    void find_channels(sc_core::sc_object const& parent) const;
+    void await_turn_of(std::size_t process) const;
+
+    std::shared_ptr<Machine const> machine_;
+    CoreShare share_;
+    TimeBase time_base_;
+    timing::CoreTiming timing_;
+    mutable std::vector<FifoChannel*> channels_;  // empty until somebody asks for them
+    std::function<void()> progress_;
+    std::vector<std::function<void()>> starts_;
+    std::vector<std::function<void(std::size_t)>> sample_begins_;
+    std::vector<std::function<void(std::size_t)>> process_begins_;
+    std::vector<std::size_t> begun_;  // samples, by process
+    std::size_t samples_ended_ = 0;
+    DataflowCore const* before_ = nullptr;  // whose share is done first
+    sc_core::sc_event done_{"done"};
+};
+
+}  // namespace faster

@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "channels/dataflow_accelerator.hpp"
+#include "channels/simulate.hpp"
+#include "kernel/recording/core_recorder.hpp"
+
+namespace faster {
+
+/// The recorders of all recordings of a run.
+class Recordings {
+  public:
+    /// Attaches the recorders to the cores. `requests` must outlive this.
+    Recordings(DataflowAccelerator& accelerator, std::vector<Recording> const& requests);
+    /// The run is over: hands every recording over. `end`: the cycle after the last.
+    void finish(Cycles end);
+
+  private:
+    struct Recorder {
+        std::size_t request;
+        std::size_t core;
+        std::unique_ptr<recording::CoreRecorder> recorder;
+    };
+    recording::RecordedCore recorded(Recorder& recorder, Cycles end) const;
+
+    DataflowAccelerator& accelerator_;
+    std::vector<Recording> const& requests_;
+    std::vector<Recorder> recorders_;
+};
+
+}  // namespace faster

@@ -1,0 +1,75 @@
+#include "channels/simulate.hpp"
+
+#include <optional>
+#include <systemc>
+
+#include "channels/recordings.hpp"
+#include "channels/taping.hpp"
+#include "kernel/replay/collect.hpp"
+#include "kernel/replay/critical_path_of.hpp"
+
+namespace faster {
+
+namespace {
+/// A waveform and a critical path are told by the cores that keep the time.
+Taping::Timing timing_of_taping(Engine engine, SimulationOptions const& options) {
+    bool const asks_cores = engine == Engine::lockstep || options.critical_path || !options.recordings.empty();
+    return asks_cores ? Taping::Timing::by_cores : Taping::Timing::from_tape;
+}
+
+/// From cores that have kept the time.
+RunStatistics collect_from(DataflowAccelerator& accelerator) {
+    std::vector<std::vector<Counters>> results;
+    std::vector<retiming::FinishedCore> cores;
+    for (auto const& core : accelerator.cores()) {
+        core->timing().resolve();
+        results.push_back(all_results(*core));
+        cores.push_back({core->share(), core->timing(), results.back().data()});
+    }
+    return retiming::collect(cores, accelerator.machine());
+}
+
+/// Of a run that has come to its end, or is stuck.
+RunStatistics statistics_of(DataflowAccelerator& accelerator, Taping* taping) {
+    bool const from_tape = taping != nullptr && taping->timing() == Taping::Timing::from_tape;
+    if (from_tape) {
+        taping->finish();
+        if (std::optional<RunStatistics> run = taping->statistics())
+            return *std::move(run);
+    }
+    RunStatistics run = collect_from(accelerator);
+    if (taping != nullptr && !from_tape && !run.deadlocked())
+        taping->finish();
+    return run;
+}
+
+CriticalPath path_through(DataflowAccelerator const& accelerator) {
+    std::vector<timing::CoreTiming const*> cores;
+    for (auto const& core : accelerator.cores())
+        cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
+    return retiming::critical_path_of(cores, accelerator.machine());
+}
+}  // namespace
+
+RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+    std::uint64_t done = 0;
+    for (auto const& core : accelerator.cores()) {
+        if (options.progress)
+            core->set_progress([&done, &options] { options.progress(++done); });
+        if (options.critical_path)
+            core->timing().leave_trail(options.trail_length);
+    }
+    Recordings recordings(accelerator, options.recordings);
+    std::unique_ptr<Taping> taping;
+    if (options.recorded != nullptr)
+        taping = std::make_unique<Taping>(accelerator, *options.recorded,
+                                          timing_of_taping(accelerator.engine(), options));
+    sc_core::sc_start();
+    RunStatistics run = statistics_of(accelerator, taping.get());
+    if (options.critical_path && !run.deadlocked())
+        run.critical_path = path_through(accelerator);
+    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
+    return run;
+}
+
+}  // namespace faster

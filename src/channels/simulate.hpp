@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "channels/dataflow_accelerator.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/recording/recorded_core.hpp"
+#include "kernel/recording/recording_window.hpp"
+#include "kernel/replay/recorded_run.hpp"
+#include "kernel/timing/trail.hpp"
+
+namespace faster {
+
+/// Something to be recorded, and what to do with it when the run is over, or stuck. Cores that do none of the wanted
+/// samples are left out.
+struct Recording {
+    recording::RecordingWindow window;
+    std::function<void(std::vector<recording::RecordedCore> const& cores)> done;
+};
+
+struct SimulationOptions {
+    std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
+    std::vector<Recording> recordings;
+    retiming::RecordedRun* recorded = nullptr;               ///< takes down what was done; may be null
+    bool critical_path = false;                              ///< to be traced
+    std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
+};
+
+/// Runs the accelerator until nothing moves, and collects its figures. A deadlock is a result, not an error: see
+/// RunStatistics::stuck. The SystemC kernel elaborates once per process, so call this once per process.
+RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options = {});
+
+}  // namespace faster

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+
+#include "channels/dataflow_accelerator.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/machine/machine.hpp"
+
+namespace faster {
+
+/// What the cores of a design work on, made as its configuration says. Every design derives one.
+class Workload {
+  public:
+    virtual ~Workload() = default;
+    virtual std::size_t samples() const = 0;
+};
+
+/// What simulating a design takes, besides what Design says of it. A program has one: whoever builds the program
+/// defines simulated_design().
+class SimulatedDesign {
+  public:
+    virtual ~SimulatedDesign() = default;
+    /// What is recorded may decide keys of the configuration: they are changed then. Throws InputError.
+    virtual std::unique_ptr<Workload> load_workload(LoadedConfig& loaded) const = 0;
+    /// The SystemC modules of a configuration, which must outlive them, as must the others.
+    virtual std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config, Machine const& machine,
+                                                           Workload& workload) const = 0;
+};
+
+/// The design of this program.
+SimulatedDesign const& simulated_design();
+
+}  // namespace faster

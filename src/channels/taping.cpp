@@ -1,0 +1,143 @@
+#include "channels/taping.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/replay/plain_reader.hpp"
+#include "kernel/replay/replay.hpp"
+
+namespace faster {
+
+namespace {
+retiming::TapeWriter::Timed timed_cores(DataflowAccelerator const& accelerator) {
+    retiming::TapeWriter::Timed timed{&accelerator.machine(), {}};
+    for (auto const& core : accelerator.cores())
+        timed.shares.push_back(core->share());
+    return timed;
+}
+}  // namespace
+
+std::vector<Counters> all_results(DataflowCore const& core) {
+    std::vector<Counters> results;
+    for (std::size_t i = 0; i < core.results(); ++i)
+        results.push_back(core.result(i));
+    return results;
+}
+
+Taping::Taping(DataflowAccelerator& accelerator, retiming::RecordedRun& run, Timing timing)
+    : accelerator_(accelerator),
+      timing_(timing),
+      run_(run),
+      tapes_(accelerator.cores().size()),
+      writer_(run, accelerator.machine().lead, accelerator.machine().process_places(),
+              timing == Timing::from_tape ? timed_cores(accelerator) : retiming::TapeWriter::Timed()) {
+    for (std::size_t core = 0; core < tapes_.size(); ++core) {
+        accelerator.cores()[core]->on_start([this, core] { start(core); });
+        accelerator.cores()[core]->on_process_begins(
+            [this, core](std::size_t process) { begin_sample(core, process); });
+    }
+}
+
+void Taping::start(std::size_t core) {
+    timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
+    tapes_[core].logs.resize(timing.processes().size());
+    tapes_[core].begun.resize(timing.processes().size());
+    timing.hold(timing_ == Timing::from_tape);
+    for (std::size_t i = 0; i < timing.processes().size(); ++i)
+        if (timing_ == Timing::by_cores)
+            timing.process(i).add_tape(tapes_[core].logs[i]);
+    if (core == 0)
+        run_.blueprint = timing.blank_copy();
+    taking_part_ = modules_of(accelerator_.machine()).size();
+}
+
+/// Where a process says what it does, for the tape alone.
+timing::OperationLog& Taping::log_of(std::size_t core, std::size_t process) {
+    return timing_ == Timing::by_cores ? tapes_[core].logs[process]
+                                       : accelerator_.cores()[core]->timing().process(process).log();
+}
+
+void Taping::begin_sample(std::size_t core, std::size_t process) {
+    if (tapes_[core].begun[process] > 0)
+        end_sample(core, process);
+    ++tapes_[core].begun[process];
+}
+
+void Taping::end_sample(std::size_t core, std::size_t process) {
+    CoreTape& tape = tapes_[core];
+    std::size_t const at = tape.begun[process] - 1 - tape.done;
+    while (tape.open.size() <= at) {
+        tape.open.emplace_back(tape.logs.size());
+        tape.left.push_back(0);
+    }
+    timing::OperationLog& log = log_of(core, process);
+    tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
+    log.clear();
+    ++tape.left[at];
+    for (; !tape.left.empty() && tape.left.front() == taking_part_; ++tape.done) {
+        writer_.put(accelerator_.cores()[core]->share().first + tape.done, std::move(tape.open.front()));
+        tape.open.pop_front();
+        tape.left.pop_front();
+    }
+}
+
+/// The blueprint's, from the first core that got there. A port that is accessed in loops only has none of its own worth
+/// keeping.
+void Taping::note_sites() {
+    for (auto const& core : accelerator_.cores())
+        for (timing::ProcessTiming const& process : core->timing().processes()) {
+            timing::ProcessTiming& noted = run_.blueprint->process(process.index());
+            for (unsigned i = 0; i < process.loops().size(); ++i)
+                if (noted.loop_site(i).line == 0)
+                    noted.note_loop_site(i, process.loop_site(i));
+            for (unsigned i = 0; i < process.port_count(); ++i)
+                if (noted.port_site(i).line == 0 && ((writer_.step_ports(process.index()) >> i) & 1U) != 0)
+                    noted.note_site(static_cast<std::uint8_t>(1U << i), process.port_site(i));
+        }
+}
+
+void Taping::finish() {
+    for (std::size_t core = 0; core < tapes_.size(); ++core) {
+        for (std::size_t process = 0; process < tapes_[core].logs.size(); ++process)
+            if (tapes_[core].begun[process] > 0)
+                end_sample(core, process);
+        std::vector<Counters> const results = all_results(*accelerator_.cores()[core]);
+        run_.counters.insert(run_.counters.end(), results.begin(), results.end());
+    }
+    writer_.finish();
+    note_sites();
+}
+
+/// All processes have done all samples.
+bool Taping::is_done() const {
+    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(),
+                       [](auto const& core) { return core->results() == core->share().count; });
+}
+
+std::optional<RunStatistics> Taping::statistics() {
+    if (is_done())
+        if (std::optional<RunStatistics> run = writer_.statistics())
+            return run;
+    tell_cores();
+    return std::nullopt;
+}
+
+/// What only the tape knows: the samples that all processes have left, and what some have done for later ones.
+void Taping::tell_cores() {
+    retiming::PlainReader reader(run_, accelerator_.machine().lead);
+    for (std::size_t core = 0; core < tapes_.size(); ++core) {
+        timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
+        CoreShare const share = accelerator_.cores()[core]->share();
+        timing.hold(false);
+        retiming::NoScripts const no_scripts;
+        retiming::Replay replay(
+            no_scripts, [&reader](std::size_t sample) { return reader.read(sample); }, share, timing,
+            accelerator_.machine().lead);
+        replay.go_on_to(share.first + tapes_[core].done);
+        for (retiming::SampleOperations const& open : tapes_[core].open)
+            for (std::size_t process = 0; process < open.size(); ++process)
+                retiming::append_sample(open[process], timing.process(process).log());
+    }
+}
+
+}  // namespace faster

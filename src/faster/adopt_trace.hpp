@@ -1,0 +1,11 @@
+#pragma once
+#include "common/fixed_point.hpp"
+#include "kernel/config/load_config.hpp"
+
+namespace faster {
+
+/// A stimulus trace determines the size of image and window, and the fraction bits (SPEC section 4): its values replace
+/// those of the configuration. Throws InputError if an override explicitly asks for something else.
+void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction);
+
+}  // namespace faster

@@ -1,0 +1,122 @@
+#include "faster/faster_complaints.hpp"
+
+#include <fmt/format.h>
+
+#include "faster/faster_config.hpp"
+#include "kernel/config/config_sources.hpp"
+
+namespace faster {
+namespace {
+
+constexpr char const* area_reciprocal_key = "accelerator.fraction_bits.area_reciprocal";
+constexpr char const* vertex_xy_key = "accelerator.fraction_bits.vertex_xy";
+constexpr int most_reciprocal_bits = 62;  ///< 2^(area_reciprocal + 2 * vertex_xy) and what it divides fit 63 bits
+
+void check_fraction_bits(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    FractionBits const& bits = accelerator_of(loaded.config).fraction_bits;
+    if (bits.area_reciprocal + 2 * bits.vertex_xy <= most_reciprocal_bits) {
+        return;
+    }
+    if (loaded.origins.is_explicit(area_reciprocal_key)) {
+        complaints.push_back(
+            complaint(loaded, area_reciprocal_key,
+                      fmt::format("at most {}, which is {} minus twice {}", most_reciprocal_bits - 2 * bits.vertex_xy,
+                                  most_reciprocal_bits, with_value(loaded, vertex_xy_key))));
+    } else {
+        complaints.push_back(complaint(
+            loaded, vertex_xy_key,
+            fmt::format("at most {}, which is half of {} minus {}", (most_reciprocal_bits - bits.area_reciprocal) / 2,
+                        most_reciprocal_bits, with_value(loaded, area_reciprocal_key))));
+    }
+}
+
+/// Its edge tokens lie around the triangle, where only the zigzag looks.
+void check_scan(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr char const* scan_key = "accelerator.rasterizer.scan";
+    constexpr char const* algorithm_key = "accelerator.edge_map.algorithm";
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    if (accelerator.edge_map.algorithm != EdgeMapAlgorithm::threshold ||
+        accelerator.rasterizer.scan == ScanPolicy::zigzag) {
+        return;
+    }
+    complaints.push_back(complaint(loaded, scan_key,
+                                   fmt::format("zigzag because of {}, whose edge tokens lie outside the triangles too",
+                                               with_value(loaded, algorithm_key))));
+}
+
+/// All other algorithms build their contours of the pixels beside the triangles.
+void check_edge_tokens(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    if (accelerator.rasterizer.edge_tokens == EdgeTokens::all || accelerator.flow != Flow::faster ||
+        accelerator.edge_map.algorithm == EdgeMapAlgorithm::inner_border)
+        return;
+    complaints.push_back(
+        complaint(loaded, "accelerator.rasterizer.edge_tokens",
+                  fmt::format("all because of {}", with_value(loaded, "accelerator.edge_map.algorithm"))));
+}
+
+void check_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    if (config.inlier_unit.sweep_lanes > config.window) {
+        complaints.push_back(complaint(loaded, "accelerator.inlier_unit.sweep_lanes",
+                                       fmt::format("at most {}", with_value(loaded, "accelerator.window"))));
+    }
+}
+
+/// Tokens of several pixels say which are covered, and nothing of those beside a triangle.
+void check_scan_lanes(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr char const* lanes_key = "accelerator.rasterizer.lanes";
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    bool const needs_covered_only = config.flow == Flow::faster && config.rasterizer.lanes > 1;
+    if (needs_covered_only && (config.edge_map.algorithm != EdgeMapAlgorithm::inner_border ||
+                               config.rasterizer.edge_tokens != EdgeTokens::object)) {
+        complaints.push_back(complaint(loaded, lanes_key,
+                                       fmt::format("1, or {} to be inner_border and {} to be object",
+                                                   with_value(loaded, "accelerator.edge_map.algorithm"),
+                                                   with_value(loaded, "accelerator.rasterizer.edge_tokens"))));
+    } else if (config.rasterizer.lanes > config.window) {
+        complaints.push_back(
+            complaint(loaded, lanes_key, fmt::format("at most {}", with_value(loaded, "accelerator.window"))));
+    }
+}
+
+/// Where nothing is drawn the depth buffer says "far", which has to lie beyond the 2 m up to which the sweep compares.
+void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    constexpr int most_bits = 9;  // 2 m is code 1024 then, far is 2047
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    if (config.inlier_unit.sweep_region == SweepRegion::touched && config.fraction_bits.depth_buffer > most_bits) {
+        complaints.push_back(
+            complaint(loaded, "accelerator.inlier_unit.sweep_region",
+                      fmt::format("window because of {}, with which pixels that nothing touched are nearer than 2 m",
+                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
+    }
+}
+
+void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    if (workload_of(loaded.config).observed_edges.neighbourhood % 2 == 0) {
+        complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
+    }
+}
+
+void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    if (accelerator_of(loaded.config).edge_extraction.neighbourhood % 2 == 0) {
+        complaints.push_back(complaint(loaded, "accelerator.edge_extraction.neighbourhood", "an odd number"));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
+    std::vector<std::string> complaints;
+    check_lanes(loaded, complaints);
+    check_scan_lanes(loaded, complaints);
+    check_sweep_region(loaded, complaints);
+    check_fraction_bits(loaded, complaints);
+    check_scan(loaded, complaints);
+    check_edge_tokens(loaded, complaints);
+    check_neighbourhood(loaded, complaints);
+    check_edge_extraction(loaded, complaints);
+    return complaints;
+}
+
+}  // namespace faster

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kernel/config/load_config.hpp"
+
+namespace faster {
+
+/// What no key of FASTER can say on its own, ready to print: see SPEC section 2 (fraction bits).
+std::vector<std::string> faster_complaints(LoadedConfig const& loaded);
+
+}  // namespace faster

@@ -1,0 +1,28 @@
+#pragma once
+#include <memory>
+
+#include "faster/accelerator_config.hpp"
+#include "faster/workload_config.hpp"
+#include "kernel/config/run_config.hpp"
+
+namespace faster {
+
+/// What the keys of FASTER say: `accelerator.*` and `workload.*`.
+struct FasterConfig final : DesignConfig {
+    AcceleratorConfig accelerator;
+    WorkloadConfig workload;
+
+    std::unique_ptr<DesignConfig> clone() const override { return std::make_unique<FasterConfig>(*this); }
+    MachineSettings& machine() override { return accelerator; }
+    MachineSettings const& machine() const override { return accelerator; }
+};
+
+/// Parts of a whole configuration.
+inline AcceleratorConfig& accelerator_of(RunConfig& config) { return config.as<FasterConfig>().accelerator; }
+inline AcceleratorConfig const& accelerator_of(RunConfig const& config) {
+    return config.as<FasterConfig>().accelerator;
+}
+inline WorkloadConfig& workload_of(RunConfig& config) { return config.as<FasterConfig>().workload; }
+inline WorkloadConfig const& workload_of(RunConfig const& config) { return config.as<FasterConfig>().workload; }
+
+}  // namespace faster

@@ -1,0 +1,13 @@
+#pragma once
+#include "kernel/config/keys.hpp"
+#include "kernel/machine/module_description.hpp"
+
+namespace faster {
+
+/// Every key of FASTER, in the order of the documentation. `core`: a raster core, of any configuration.
+Keys faster_keys(CoreDescription const& core);
+
+/// Part of faster_keys(): what the machine works on.
+Keys workload_keys();
+
+}  // namespace faster

@@ -1,0 +1,11 @@
+#pragma once
+#include <vector>
+
+#include "kernel/config/presets.hpp"
+
+namespace faster {
+
+/// All of them, by name. The build makes them of the files of configs/architectures.
+std::vector<Preset> const& faster_presets();
+
+}  // namespace faster

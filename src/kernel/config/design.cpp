@@ -1,0 +1,33 @@
+#include "kernel/config/design.hpp"
+
+#include <algorithm>
+
+namespace faster {
+
+std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
+
+IdleKeys Design::idle_keys(RunConfig const& /*config*/) const { return {}; }
+
+bool Design::decides_function(std::string const& /*key*/, RunConfig const& /*config*/) const { return false; }
+
+std::string Design::why_not_retimable(std::string const& /*key*/) const {
+    return "decides what is computed, not when";
+}
+
+std::vector<Preset> const& Design::presets() const {
+    static std::vector<Preset> const none;
+    return none;
+}
+
+std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const& folder) const {
+    std::vector<std::filesystem::path> files;
+    for (auto const& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Machine machine_of(RunConfig const& config) { return make_machine(design().core(config), config.machine()); }
+
+}  // namespace faster

@@ -1,0 +1,50 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/config/idle_keys.hpp"
+#include "kernel/config/key.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/presets.hpp"
+#include "kernel/machine/machine.hpp"
+
+namespace faster {
+
+/// What all tools of the kernel ask a design. A program has one design: whoever builds the program defines design().
+class Design {
+  public:
+    virtual ~Design() = default;
+
+    /// One word, e.g. "faster".
+    virtual std::string name() const = 0;
+    virtual std::unique_ptr<DesignConfig> default_config() const = 0;
+    /// Every key of the design but `simulation.*`, in the order of the documentation; machine_keys() makes those of
+    /// its FIFOs, loops and block RAMs.
+    virtual std::vector<Key> keys() const = 0;
+    /// A core of a configuration: its modules, and the FIFOs that join them.
+    virtual CoreDescription core(RunConfig const& config) const = 0;
+    /// What no key can say on its own, ready to print. The machine's own checks are made besides.
+    virtual std::vector<std::string> complaints(LoadedConfig const& loaded) const;
+    /// Keys that mean nothing in a configuration. Those of parts of the machine that are not there are known besides.
+    virtual IdleKeys idle_keys(RunConfig const& config) const;
+    /// Whether a key that decides about time otherwise decides about more in this configuration.
+    virtual bool decides_function(std::string const& key, RunConfig const& config) const;
+    /// Why a key cannot be changed without running again, to follow its name.
+    virtual std::string why_not_retimable(std::string const& key) const;
+    /// Files of values to start from, which `accelerator.architecture` names. None: there is no such key.
+    virtual std::vector<Preset> const& presets() const;
+    /// The files that make up what a folder means that a key names, in a fixed order. All that are in it, by path.
+    virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
+    /// Names of the counters that a sample's result consists of.
+    virtual std::vector<std::string> counters() const = 0;
+};
+
+/// The design of this program.
+Design const& design();
+
+/// The machine of a configuration.
+Machine machine_of(RunConfig const& config);
+
+}  // namespace faster

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "kernel/config/config_sources.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/machine_keys.hpp"
+
+namespace faster {
+namespace {
+
+constexpr std::uint64_t most_banks = 1024;  ///< more than any device has block RAMs
+
+std::int64_t integer_of(LoadedConfig const& loaded, std::string const& key) {
+    return std::get<std::int64_t>(find_key(key)->read(loaded.config));
+}
+
+/// The token leaves before the pipeline ends. If only the loop's depth was set, that is what the message blames.
+/// `loop`: the writing one, MODULE.LOOP.
+void check_write_latency(LoadedConfig const& loaded, std::string const& fifo, std::string const& loop,
+                         std::vector<std::string>& complaints) {
+    std::string const latency_key = fifo_key_name(fifo, "write_latency");
+    std::string const depth_key = loop_key_name(loop, "depth");
+    std::int64_t const latency = integer_of(loaded, latency_key);
+    std::int64_t const depth = integer_of(loaded, depth_key);
+    if (latency < depth)
+        return;
+    if (loaded.origins.is_explicit(latency_key)) {
+        complaints.push_back(
+            complaint(loaded, latency_key,
+                      fmt::format("at most {}, one less than {}", depth - 1, with_value(loaded, depth_key))));
+    } else {
+        complaints.push_back(complaint(loaded, depth_key,
+                                       fmt::format("at least {} because of {}: set that too, to at most {}",
+                                                   latency + 1, with_value(loaded, latency_key), depth - 1)));
+    }
+}
+
+/// Of a FIFO that several modules may write, what the one says that does.
+void check_write_latency(LoadedConfig const& loaded, CoreDescription const& core, MachineFifo const& fifo,
+                         std::vector<std::string>& complaints) {
+    ModuleDescription const& module = core.modules[fifo.writer];
+    for (FifoEnd const& end : module.ends)
+        if (end.writes && end.fifo == fifo.name && !end.loop.empty())
+            check_write_latency(loaded, fifo.name, keyed_loop(module, end.loop), complaints);
+}
+
+std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {
+    return fmt::format("{}, or {} to be cyclic or block", without,
+                       with_value(loaded, bram_key_name(memory, "partition.type")));
+}
+
+/// Words along the shortest dimension that is split.
+std::uint64_t most_parts(MemoryDescription const& memory, PartitionConfig const& partition) {
+    return partition.dimension == 1   ? memory.rows
+           : partition.dimension == 2 ? memory.cols
+                                      : std::min(memory.rows, memory.cols);
+}
+
+/// Banks need words, and a factor a type.
+void check_partition(LoadedConfig const& loaded, MemoryDescription const& memory,
+                     std::vector<std::string>& complaints) {
+    PartitionConfig const partition = loaded.config.machine().memory(memory.name).partition;
+    std::string const factor_key = bram_key_name(memory.name, "partition.factor");
+    std::string const dimension_key = bram_key_name(memory.name, "partition.dimension");
+    bool const is_split = partition.type != PartitionType::none;
+    if (!is_split && partition.factor != 1) {
+        complaints.push_back(complaint(loaded, factor_key, type_needed(loaded, memory.name, "1")));
+    } else if (!is_split && partition.dimension != 0) {
+        complaints.push_back(complaint(loaded, dimension_key, type_needed(loaded, memory.name, "0")));
+    } else if (!is_split) {
+        return;
+    } else if (std::uint64_t const most = most_parts(memory, partition); partition.factor > most) {
+        complaints.push_back(complaint(
+            loaded, factor_key,
+            fmt::format("at most {}", memory.size_key.empty() ? fmt::format("{}, the words of that dimension", most)
+                                                              : with_value(loaded, memory.size_key))));
+    } else if (BankPartition(partition, static_cast<std::int64_t>(memory.rows), static_cast<std::int64_t>(memory.cols))
+                   .banks() > most_banks) {
+        complaints.push_back(
+            complaint(loaded, factor_key,
+                      fmt::format("at most {} banks in all, with {}", most_banks, with_value(loaded, dimension_key))));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
+    CoreDescription const core = design().core(loaded.config);
+    std::vector<std::string> complaints;
+    for (MachineFifo const& fifo : make_machine(core, loaded.config.machine()).fifos)
+        check_write_latency(loaded, core, fifo, complaints);
+    for (ModuleDescription const& module : core.modules)
+        for (MemoryDescription const& memory : module.memories)
+            check_partition(loaded, memory, complaints);
+    return complaints;
+}
+
+}  // namespace faster

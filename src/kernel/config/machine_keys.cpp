@@ -1,0 +1,199 @@
+#include "kernel/config/machine_keys.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace faster {
+namespace {
+
+constexpr IntegerRange cycles_range{1, 1'000'000};
+constexpr std::uint64_t default_fifo_depth = 2;
+
+template <class Value> Value value_or(std::optional<Value> const& value, Value otherwise) {
+    return value.value_or(otherwise);
+}
+template <class Value> Value value_or(Value const& value, Value /*otherwise*/) { return value; }
+
+/// A setting of one part. `part` finds the part in MachineSettings; `field` is one of its members, which has the value
+/// `otherwise` as long as it is not set.
+template <class Part, class Field, class Value>
+Key part_key(KeyText text, KeyKind kind, Part part, Field field, Value otherwise) {
+    Key key;
+    key.text = std::move(text);
+    key.kind = kind;
+    key.read = [part, field, otherwise](RunConfig const& config) {
+        auto const settings = part(config.machine());
+        return value_of(value_or(field(settings), otherwise));
+    };
+    key.write = [part, field](RunConfig& config, KeyValue const& value) { assign(field(part(config.machine())), value); };
+    return of_time(std::move(key));
+}
+
+template <class Part, class Field>
+Key step_key(KeyText text, IntegerRange range, Part part, Field field, std::uint64_t otherwise) {
+    Key key = step_of_time(part_key(std::move(text), KeyKind::integer, part, field, otherwise));
+    key.integers = range;
+    return key;
+}
+
+template <class Choice, class Part, class Field>
+Key choice_key(KeyText text, Part part, Field field, Choice otherwise) {
+    Key key = part_key(std::move(text), KeyKind::choice, part, field, otherwise);
+    key.choices = names_of_choices<Choice>();
+    return key;
+}
+
+/// The end of a FIFO that writes it, and the module that has it. Of several, the first: all say the same of the tokens.
+struct WritingEnd {
+    ModuleDescription const& module;
+    FifoEnd const& end;
+};
+
+WritingEnd writing_end(CoreDescription const& core, std::string const& fifo) {
+    for (ModuleDescription const& module : core.modules)
+        for (FifoEnd const& end : module.ends)
+            if (end.writes && end.fifo == fifo)
+                return {module, end};
+    throw std::logic_error("nobody writes the FIFO " + fifo);
+}
+
+std::string write_latency_meaning(WritingEnd const& written) {
+    if (written.end.loop.empty())
+        return written.end.latency_meaning;
+    return fmt::format("Stage of the writing loop in which the token leaves, below {}.",
+                       loop_key_name(keyed_loop(written.module, written.end.loop), "depth"));
+}
+
+void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
+    WritingEnd const written = writing_end(core, name);
+    auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
+    keys.push_back(step_key(
+        {fifo_key_name(name, "depth"), "tokens", fmt::format("Depth of the FIFO: {}.", written.end.tokens),
+         "HLS default"},
+        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, default_fifo_depth));
+    keys.push_back(choice_key(
+        {fifo_key_name(name, "kind"), "",
+         "How the FIFO is built; auto is a shift register up to depth 2, else a memory.", "timing model"},
+        fifo, [](auto& settings) -> auto& { return settings.kind; }, FifoKind::automatic));
+    if (written.end.write_latency) {
+        keys.push_back(step_key(
+            {fifo_key_name(name, "write_latency"), "cycles", write_latency_meaning(written), "timing model"},
+            {0, 1'000'000}, fifo, [](auto& settings) -> auto& { return settings.write_latency; },
+            *written.end.write_latency));
+    }
+}
+
+void add_setup_key(Keys& keys, std::string const& module, SetupDescription const& setup) {
+    keys.push_back(step_key(
+        {setup_key_name(module), "cycles", setup.meaning, "timing model"}, cycles_range,
+        [module](auto& settings) -> decltype(auto) { return settings.setup(module); },
+        [](auto& cycles) -> auto& { return cycles; }, setup.depth));
+}
+
+void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& description) {
+    auto const loop = [name](auto& settings) -> decltype(auto) { return settings.loop(name); };
+    keys.push_back(step_key(
+        {loop_key_name(name, "ii"), "cycles",
+         fmt::format("Initiation interval the pragma asks for; the loop {}.", description.task), "HLS pipeline"},
+        cycles_range, loop, [](auto& settings) -> auto& { return settings.ii; }, 1));
+    keys.push_back(step_key(
+        {loop_key_name(name, "recurrence_ii"), "cycles",
+         "Initiation interval that a dependence between iterations demands.", "HLS dependence"},
+        cycles_range, loop, [](auto& settings) -> auto& { return settings.recurrence_ii; }, 1));
+    keys.push_back(step_key(
+        {loop_key_name(name, "depth"), "cycles", "Pipeline stages of one iteration.", "timing model"}, cycles_range,
+        loop, [](auto& settings) -> auto& { return settings.depth; }, description.depth));
+}
+
+/// The setup's key stands among those of the loops.
+void add_loops_keys(Keys& keys, ModuleDescription const& module) {
+    bool needs_setup = module.setup.has_value();
+    for (LoopDescription const& loop : module.loops) {
+        if (needs_setup && module.setup->before_loop == loop.name) {
+            add_setup_key(keys, module.name, *module.setup);
+            needs_setup = false;
+        }
+        if (loop.timed_by.empty())
+            add_loop_keys(keys, keyed_loop(module, loop), loop);
+    }
+    if (needs_setup)
+        add_setup_key(keys, module.name, *module.setup);
+}
+
+/// These decide about time, but are no steps of one quantity: a factor means nothing without a type.
+void add_partition_keys(Keys& keys, MemoryDescription const& description) {
+    std::string const name = description.name;
+    auto const memory = [name](auto& settings) -> decltype(auto) { return settings.memory(name); };
+    PartitionConfig const defaults;
+    keys.push_back(choice_key(
+        {bram_key_name(name, "partition.type"), "",
+         "How " + name + " is split into banks, each with its own ports: cyclic parts neighbours, block does not.",
+         description.partition_source},
+        memory, [](auto& settings) -> auto& { return settings.partition.type; }, defaults.type));
+    keys.push_back(part_key(
+        {bram_key_name(name, "partition.factor"), "banks",
+         "Banks along each dimension that is split; 1024 in all at most.", "HLS array_partition"},
+        KeyKind::integer, memory, [](auto& settings) -> auto& { return settings.partition.factor; }, defaults.factor));
+    keys.back().integers = {1, 1024};
+    keys.push_back(part_key(
+        {bram_key_name(name, "partition.dimension"), "", "What is split: 1 the rows, 2 the columns, 0 both.",
+         "HLS array_partition"},
+        KeyKind::integer, memory, [](auto& settings) -> auto& { return settings.partition.dimension; },
+        defaults.dimension));
+    keys.back().integers = {0, 2};
+}
+
+void add_memory_keys(Keys& keys, MemoryDescription const& description) {
+    std::string const name = description.name;
+    keys.push_back(step_key(
+        {bram_key_name(name, "ports"), "accesses per cycle",
+         fmt::format("Ports of the block RAM, of each bank if it is split: {}.", description.contents), "HLS default"},
+        {1, 1024}, [name](auto& settings) -> decltype(auto) { return settings.memory(name); },
+        [](auto& settings) -> auto& { return settings.ports; }, MemorySettings{}.ports));
+    add_partition_keys(keys, description);
+}
+
+}  // namespace
+
+Keys machine_keys(CoreDescription const& core) {
+    Keys keys;
+    for (std::string const& fifo : core.fifos)
+        add_fifo_keys(keys, core, fifo);
+    for (ModuleDescription const& module : core.modules)
+        add_loops_keys(keys, module);
+    for (ModuleDescription const& module : core.modules)
+        for (MemoryDescription const& memory : module.memories)
+            add_memory_keys(keys, memory);
+    return keys;
+}
+
+Key cores_key(std::string name, std::string meaning, std::string source) {
+    return of_time(KeyMaker<MachineSettings>::integer_key(
+        {std::move(name), "cores", std::move(meaning), std::move(source)}, {1, 1024},
+        [](auto& settings) -> auto& { return settings.cores; }));
+}
+
+Key clock_key(std::string source) {
+    return of_time(KeyMaker<MachineSettings>::number_key(
+        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
+        {0, std::numeric_limits<double>::infinity(), true},
+        [](auto& settings) -> auto& { return settings.clock_mhz; }));
+}
+
+std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop) {
+    return loop.timed_by.empty() ? module.name + '.' + loop.name : loop.timed_by;
+}
+
+std::string keyed_loop(ModuleDescription const& module, std::string const& loop) {
+    auto const found = std::find_if(module.loops.begin(), module.loops.end(),
+                                    [&loop](LoopDescription const& one) { return one.name == loop; });
+    if (found == module.loops.end())
+        throw std::logic_error("module " + module.name + " has no loop " + loop);
+    return keyed_loop(module, *found);
+}
+
+}  // namespace faster

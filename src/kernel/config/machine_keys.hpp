@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+
+#include "kernel/config/key_builders.hpp"
+#include "kernel/config/key_names.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/config/presets.hpp"
+#include "kernel/machine/module_description.hpp"
+
+namespace faster {
+
+/// The keys of a core's FIFOs, loops, setups and block RAMs, in the order of the description; parts that a
+/// configuration does not have are among them. Their defaults and their texts are the description's.
+Keys machine_keys(CoreDescription const& core);
+
+/// How many cores share the samples; name, meaning and source are the design's.
+Key cores_key(std::string name, std::string meaning, std::string source);
+
+/// accelerator.clock_mhz
+Key clock_key(std::string source);
+
+/// accelerator.architecture, for a design with presets. `field`: where its `Config` keeps the name.
+template <class Config, class Field> Key architecture_key(std::string source, Field field) {
+    Key key = KeyMaker<Config>::make_key(
+        {architecture_key_name, "",
+         "A design to start from: a file of configs/architectures, whose values the other keys here change.",
+         std::move(source)},
+        KeyKind::choice, field);
+    key.choices = preset_names();
+    return key;
+}
+
+/// "MODULE.LOOP" whose keys time a loop of a module.
+std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop);
+/// The same by the loop's name within the module.
+std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
+
+}  // namespace faster

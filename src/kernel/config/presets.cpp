@@ -1,0 +1,18 @@
+#include "kernel/config/presets.hpp"
+
+#include <algorithm>
+
+#include "kernel/config/design.hpp"
+
+namespace faster {
+
+std::vector<std::string> preset_names() {
+    std::vector<std::string> names;
+    for (Preset const& preset : design().presets())
+        names.push_back(preset.name);
+    std::string const first = design().name();
+    std::stable_partition(names.begin(), names.end(), [&first](std::string const& name) { return name == first; });
+    return names;
+}
+
+}  // namespace faster

@@ -1,0 +1,264 @@
+#include "kernel/machine/machine.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace faster {
+
+namespace {
+
+template <class Parts> std::size_t number_of(std::string_view name, Parts const& parts) {
+    auto const found = std::find_if(parts.begin(), parts.end(), [name](auto const& part) { return part.name == name; });
+    if (found == parts.end())
+        throw std::out_of_range("a machine has no part " + std::string(name));
+    return static_cast<std::size_t>(found - parts.begin());
+}
+
+template <class Parts> std::vector<std::size_t> present(Parts const& parts) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].is_present)
+            numbers.push_back(i);
+    return numbers;
+}
+
+/// The key of the first condition that does not hold; empty if all do.
+std::string first_failing(Conditions const& conditions) {
+    auto const failing =
+        std::find_if(conditions.begin(), conditions.end(), [](Condition const& one) { return !one.holds; });
+    return failing == conditions.end() ? std::string() : failing->key;
+}
+
+std::string first_failing(Conditions const& of_module, Conditions const& own) {
+    std::string const key = first_failing(of_module);
+    return key.empty() ? first_failing(own) : key;
+}
+
+template <class Part> void decide(Part& part, std::string key) {
+    part.is_present = key.empty();
+    part.decided_by = std::move(key);
+}
+
+/// An end of a FIFO, and whose it is.
+struct PlacedEnd {
+    FifoEnd const* end = nullptr;
+    std::size_t module = 0;
+    std::string decided_by;
+};
+
+class Maker {
+  public:
+    Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
+        machine_.cores = settings.cores;
+        machine_.clock_mhz = settings.clock_mhz;
+        for (ModuleDescription const& module : core.modules)
+            add_process(module);
+        for (std::string const& fifo : core.fifos)
+            add_fifo(fifo);
+        for (std::size_t i = 0; i < core.modules.size(); ++i)
+            for (MemoryDescription const& memory : core.modules[i].memories)
+                add_memory(i, memory);
+        for (std::size_t i = 0; i < core.modules.size(); ++i)
+            for (LoopDescription const& loop : core.modules[i].loops)
+                add_loop(i, loop);
+        for (std::size_t i = 0; i < core.modules.size(); ++i) {
+            add_setup(i);
+            list_ends(i);
+            list_loops(i);
+        }
+        machine_.begins = machine_.process(core.begins);
+        machine_.ends = machine_.process(core.ends);
+        add_lead();
+    }
+
+    Machine machine() && { return std::move(machine_); }
+
+  private:
+    void add_process(ModuleDescription const& module) {
+        MachineProcess process;
+        process.name = module.name;
+        decide(process, first_failing(module.conditions));
+        machine_.processes.push_back(std::move(process));
+        machine_.line_buffers.insert(machine_.line_buffers.end(), module.line_buffers.begin(),
+                                     module.line_buffers.end());
+    }
+
+    /// Of several modules that may have an end of a FIFO, the one that has it; otherwise the first.
+    PlacedEnd find_end(std::string const& fifo, bool writes) const {
+        PlacedEnd found;
+        for (std::size_t i = 0; i < core_.modules.size(); ++i)
+            for (FifoEnd const& end : core_.modules[i].ends) {
+                if (end.fifo != fifo || end.writes != writes || (found.end != nullptr && found.decided_by.empty()))
+                    continue;
+                std::string const key = first_failing(core_.modules[i].conditions, end.conditions);
+                if (found.end == nullptr || key.empty())
+                    found = {&end, i, key};
+            }
+        if (found.end == nullptr)
+            throw std::logic_error("nobody " + std::string(writes ? "writes" : "reads") + " the FIFO " + fifo);
+        return found;
+    }
+
+    void add_fifo(std::string const& name) {
+        PlacedEnd const written = find_end(name, true);
+        PlacedEnd const read = find_end(name, false);
+        FifoSettings const settings = settings_.fifo(name);
+        MachineFifo fifo;
+        fifo.name = name;
+        decide(fifo, written.decided_by.empty() ? read.decided_by : written.decided_by);
+        fifo.writer = written.module;
+        fifo.reader = read.module;
+        fifo.depth = settings.depth.value_or(2);
+        fifo.configured_kind = settings.kind.value_or(FifoKind::automatic);
+        fifo.kind = resolved_kind(fifo.configured_kind, fifo.depth);
+        fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
+        fifo.flushes = written.end->flushes;
+        fifo.bits = fifo.is_present ? written.end->bits : 0;
+        machine_.fifos.push_back(std::move(fifo));
+    }
+
+    void add_memory(std::size_t module, MemoryDescription const& description) {
+        MemorySettings const settings = settings_.memory(description.name);
+        BankPartition const partition(settings.partition, static_cast<std::int64_t>(description.rows),
+                                      static_cast<std::int64_t>(description.cols));
+        MachineMemory memory{description.name, true,           {}, module,   module, 0, description.cols,
+                             settings.ports,   {}, partition};
+        decide(memory, first_failing(core_.modules[module].conditions, description.conditions));
+        if (!description.reader.empty())
+            memory.reader = machine_.process(description.reader);
+        memory.words = description.rows * description.cols;
+        memory.shape.bits = description.bits;
+        memory.shape.words = description.bits > 0 ? memory.words : 0;
+        memory.shape.ports = settings.ports * partition.banks();
+        memory.shape.partition = partition.banks();
+        memory.shape.bank_words = partition.bank_words();
+        memory.shape.buffers = description.buffers;
+        machine_.memories.push_back(std::move(memory));
+    }
+
+    void add_loop(std::size_t module, LoopDescription const& description) {
+        MachineLoop loop;
+        loop.name = description.name;
+        decide(loop, first_failing(core_.modules[module].conditions, description.conditions));
+        loop.process = module;
+        loop.timed_by = description.timed_by.empty() ? core_.modules[module].name + '.' + description.name
+                                                     : description.timed_by;
+        LoopSettings const settings = settings_.loop(loop.timed_by);
+        std::vector<timing::BramDemand> demands;
+        for (MachineMemory const& memory : machine_.memories)
+            for (MemoryAccess const& access : description.accesses)
+                if (access.memory == memory.name)
+                    demands.push_back({memory.name, memory.partition.accesses_per_bank(access.pattern), memory.ports});
+        Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
+        loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
+        loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
+        loop.writes = numbers_of(description.writes);
+        loop.reads = numbers_of(description.reads);
+        machine_.loops.push_back(std::move(loop));
+    }
+
+    void add_setup(std::size_t module) {
+        std::optional<SetupDescription> const& setup = core_.modules[module].setup;
+        if (!setup)
+            return;
+        MachineProcess& process = machine_.processes[module];
+        process.setup_cycles = settings_.setup(process.name).value_or(setup->depth) + setup->extra;
+        if (!setup->one_per_token_of.empty())
+            process.setup_counter = machine_.fifo(setup->one_per_token_of);
+    }
+
+    /// The same module may describe an end twice, under conditions of which one holds.
+    void list_ends(std::size_t module) {
+        MachineProcess& process = machine_.processes[module];
+        for (FifoEnd const& end : core_.modules[module].ends) {
+            std::size_t const fifo = machine_.fifo(end.fifo);
+            bool const is_there = process.is_present && machine_.fifos[fifo].is_present;
+            if (is_there && first_failing(end.conditions).empty())
+                process.ends.push_back({fifo, end.writes});
+        }
+    }
+
+    void list_loops(std::size_t module) {
+        for (std::size_t loop = 0; loop < machine_.loops.size(); ++loop)
+            if (machine_.loops[loop].is_present && machine_.loops[loop].process == module)
+                machine_.processes[module].loops.push_back(loop);
+    }
+
+    void add_lead() {
+        if (core_.pace.driver.empty())
+            return;
+        machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
+        for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
+            std::size_t const anchor = machine_.fifo(follower.anchor);
+            if (machine_.fifos[anchor].is_present)
+                machine_.lead.followers.push_back(
+                    {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
+        }
+    }
+
+    std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {
+        std::vector<std::size_t> numbers;
+        for (std::string const& fifo : fifos)
+            numbers.push_back(machine_.fifo(fifo));
+        return numbers;
+    }
+
+    CoreDescription const& core_;
+    MachineSettings const& settings_;
+    Machine machine_;
+};
+
+}  // namespace
+
+timing::FifoShape MachineFifo::shape() const {
+    timing::FifoShape shape;
+    shape.name = name;
+    shape.capacity = capacity_of(kind, depth);
+    shape.read_latency = read_latency_of(kind);
+    shape.write_latency = write_latency;
+    shape.issue_latency = flushes ? write_latency : 0;
+    return shape;
+}
+
+timing::LoopShape MachineLoop::shape() const {
+    timing::LoopShape shape;
+    shape.name = name;
+    shape.interval = interval;
+    shape.depth = depth;
+    return shape;
+}
+
+std::size_t Machine::process_places() const { return modules_of(*this).back() + 1; }
+std::size_t Machine::process(std::string_view name) const { return number_of(name, processes); }
+std::size_t Machine::fifo(std::string_view name) const { return number_of(name, fifos); }
+std::size_t Machine::memory(std::string_view name) const { return number_of(name, memories); }
+
+std::size_t Machine::loop(std::size_t process, std::string_view name) const {
+    auto const found = std::find_if(loops.begin(), loops.end(), [=](MachineLoop const& loop) {
+        return loop.process == process && loop.name == name;
+    });
+    if (found == loops.end())
+        throw std::out_of_range("module " + processes[process].name + " has no loop " + std::string(name));
+    return static_cast<std::size_t>(found - loops.begin());
+}
+
+Machine make_machine(CoreDescription const& core, MachineSettings const& settings) {
+    return Maker(core, settings).machine();
+}
+
+std::vector<std::size_t> modules_of(Machine const& machine) { return present(machine.processes); }
+std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
+std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
+std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
+
+double ramb36_of_core(Machine const& machine) {
+    double sum = 0;
+    for (MachineMemory const& memory : machine.memories)
+        sum += ramb36_count(memory.shape);
+    for (LineBuffer const& buffer : machine.line_buffers)
+        sum += ramb36_count({buffer.words, buffer.bits});
+    return sum;
+}
+
+}  // namespace faster

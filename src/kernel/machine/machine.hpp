@@ -1,0 +1,121 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/machine/bank_partition.hpp"
+#include "kernel/machine/block_ram.hpp"
+#include "kernel/machine/machine_settings.hpp"
+#include "kernel/machine/module_description.hpp"
+#include "kernel/timing/fifo_timing.hpp"
+#include "kernel/timing/initiation_interval.hpp"
+#include "kernel/timing/lead.hpp"
+#include "kernel/timing/process_timing.hpp"
+
+namespace faster {
+
+/// Parts of a machine have numbers, which are the same whatever parts a configuration has: a part that is not there
+/// keeps its number.
+
+/// What a process does with one of its FIFOs: reads it, or writes it.
+struct MachineEnd {
+    std::size_t fifo = 0;  ///< number of a FIFO
+    bool writes = false;
+};
+
+struct MachineProcess {
+    std::string name;
+    bool is_present = true;
+    std::string decided_by;  ///< key that takes it away, if it is not there
+    Cycles setup_cycles = 0;
+    std::optional<std::size_t> setup_counter;  ///< FIFO with a write for every setup
+    std::vector<MachineEnd> ends;              ///< of the FIFOs that are there, in the program order of a step
+    std::vector<std::size_t> loops;            ///< numbers of those that are there, in order
+};
+
+struct MachineFifo {
+    std::string name;
+    bool is_present = true;
+    std::string decided_by;
+    std::size_t writer = 0;  ///< numbers of processes
+    std::size_t reader = 0;
+    FifoKind configured_kind = FifoKind::automatic;
+    FifoKind kind = FifoKind::shift_register;  ///< resolved
+    std::uint64_t depth = 2;                   ///< tokens
+    Cycles write_latency = 0;
+    bool flushes = false;
+    unsigned bits = 0;  ///< of a token; 0: not there
+
+    /// As the timing sees it (SPEC section 3, FIFO).
+    timing::FifoShape shape() const;
+};
+
+struct MachineLoop {
+    std::string name;
+    bool is_present = true;
+    std::string decided_by;
+    std::size_t process = 0;
+    std::string timed_by;  ///< "MODULE.LOOP" whose keys time it
+    timing::InitiationInterval interval;
+    Cycles depth = 1;
+    std::vector<std::size_t> writes;  ///< numbers of FIFOs
+    std::vector<std::size_t> reads;   ///< of a loop that writes as well
+
+    /// Without its FIFOs.
+    timing::LoopShape shape() const;
+};
+
+struct MachineMemory {
+    std::string name;
+    bool is_present = true;
+    std::string decided_by;
+    std::size_t owner = 0;   ///< number of the process that has it
+    std::size_t reader = 0;  ///< and of the one that reads it out; mostly the same
+    std::uint64_t words = 0;
+    std::uint64_t cols = 1;   ///< of its rows of words
+    std::uint64_t ports = 2;  ///< of a bank
+    MemoryShape shape;
+    BankPartition partition;
+};
+
+/// One configuration of a design with everything resolved: what its cores consist of, and how long what takes. All
+/// tables, reports, waveforms and retimings ask it.
+struct Machine {
+    std::uint64_t cores = 1;
+    double clock_mhz = 200.0;
+    std::vector<MachineProcess> processes;
+    std::vector<MachineFifo> fifos;
+    std::vector<MachineLoop> loops;
+    std::vector<MachineMemory> memories;
+    std::vector<LineBuffer> line_buffers;
+    timing::Lead lead;
+    std::size_t begins = 0;  ///< process whose stamps begin samples
+    std::size_t ends = 0;    ///< process whose stamps end them
+
+    double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / clock_mhz / 1e3; }
+    /// Of the table of processes of a core: it ends with the last that is there.
+    std::size_t process_places() const;
+    /// "MODULE.LOOP".
+    std::string loop_name(std::size_t loop) const { return processes[loops[loop].process].name + '.' + loops[loop].name; }
+    /// Of a part by its name. Errors: std::out_of_range if there is none.
+    std::size_t process(std::string_view name) const;
+    std::size_t fifo(std::string_view name) const;
+    std::size_t memory(std::string_view name) const;
+    std::size_t loop(std::size_t process, std::string_view name) const;
+};
+
+/// Resolves what a configuration asks of a design.
+Machine make_machine(CoreDescription const& core, MachineSettings const& settings);
+
+/// Numbers of the parts that are there, in order.
+std::vector<std::size_t> modules_of(Machine const& machine);
+std::vector<std::size_t> fifos_of(Machine const& machine);
+std::vector<std::size_t> loops_of(Machine const& machine);
+std::vector<std::size_t> brams_of(Machine const& machine);
+
+/// Block RAMs of 36 Kbit of one core, line buffers included; without FIFOs.
+double ramb36_of_core(Machine const& machine);
+
+}  // namespace faster

@@ -1,0 +1,60 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "kernel/base/cycles.hpp"
+#include "kernel/machine/fifo_kind.hpp"
+#include "kernel/machine/partition_config.hpp"
+
+namespace faster {
+
+/// What a configuration asks of one FIFO; keys `accelerator.fifos.NAME.*`. What is not set has the default of the
+/// design's description.
+struct FifoSettings {
+    std::optional<std::uint64_t> depth;   ///< tokens, >= 1
+    std::optional<FifoKind> kind;
+    std::optional<Cycles> write_latency;  ///< stage of the writing loop in which a token leaves
+};
+
+/// One pipelined loop; keys `accelerator.loops.MODULE.LOOP.*`.
+struct LoopSettings {
+    std::optional<Cycles> ii;             ///< initiation interval asked for by the pragma, >= 1
+    std::optional<Cycles> recurrence_ii;  ///< initiation interval that a loop-carried dependence demands, >= 1
+    std::optional<Cycles> depth;          ///< pipeline stages, >= 1
+};
+
+/// One block RAM; keys `accelerator.brams.NAME.*`.
+struct MemorySettings {
+    std::uint64_t ports = 2;  ///< accesses per cycle and bank, >= 1
+    PartitionConfig partition;
+};
+
+/// What a configuration asks of the parts of a machine, by their names. A loop's name is MODULE.LOOP.
+struct MachineSettings {
+    std::uint64_t cores = 1;
+    double clock_mhz = 200.0;
+    std::map<std::string, FifoSettings> fifos;
+    std::map<std::string, LoopSettings> loops;
+    std::map<std::string, MemorySettings> memories;
+    std::map<std::string, std::optional<Cycles>> setups;  ///< cycles of a module's setup; by module
+
+    FifoSettings& fifo(std::string const& name) { return fifos[name]; }
+    LoopSettings& loop(std::string const& name) { return loops[name]; }
+    MemorySettings& memory(std::string const& name) { return memories[name]; }
+    std::optional<Cycles>& setup(std::string const& module) { return setups[module]; }
+
+    FifoSettings fifo(std::string const& name) const { return found(fifos, name); }
+    LoopSettings loop(std::string const& name) const { return found(loops, name); }
+    MemorySettings memory(std::string const& name) const { return found(memories, name); }
+    std::optional<Cycles> setup(std::string const& module) const { return found(setups, module); }
+
+  private:
+    template <class Settings> static Settings found(std::map<std::string, Settings> const& all, std::string const& name) {
+        auto const at = all.find(name);
+        return at == all.end() ? Settings{} : at->second;
+    }
+};
+
+}  // namespace faster

@@ -1,0 +1,167 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+#include "kernel/machine/access_pattern.hpp"
+
+namespace faster {
+
+/// Whether a part is there, and which configuration key decides that.
+struct Condition {
+    bool holds = true;
+    std::string key;
+};
+using Conditions = std::vector<Condition>;
+
+/// One end of a FIFO in a module: it reads it, or writes it. What the tokens are, the writing end says.
+struct FifoEnd {
+    std::string fifo;
+    bool writes = false;
+    Conditions conditions;
+    std::string tokens;                   ///< "triangle areas", for the documentation
+    unsigned bits = 0;                    ///< of a token, in wires
+    std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
+    std::string loop;                     ///< the loop that writes it, whose depth bounds the write latency; or empty
+    bool flushes = false;                 ///< behind a flushing pipeline, whose stages hold tokens of their own
+    std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
+
+    FifoEnd& carries(std::string text) { return tokens = std::move(text), *this; }
+    FifoEnd& of_bits(std::uint64_t wires) { return bits = static_cast<unsigned>(wires), *this; }
+    FifoEnd& leaves(std::string its_loop, Cycles stage) {
+        return loop = std::move(its_loop), write_latency = stage, *this;
+    }
+    /// Leaves a pipeline of so many stages that drains by itself, whatever its module reads.
+    FifoEnd& flushes_after(Cycles stages, std::string meaning) {
+        return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
+    }
+    FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
+};
+
+/// What one iteration of a loop asks of one memory in its worst branch.
+struct MemoryAccess {
+    std::string memory;
+    AccessPattern pattern;
+};
+
+struct LoopDescription {
+    std::string name;  ///< within its module
+    Conditions conditions;
+    std::string task;        ///< "visits one pixel per iteration", for the documentation
+    Cycles depth = 1;        ///< default number of pipeline stages
+    Cycles extra_depth = 0;  ///< stages that other keys add
+    Cycles recurrence = 1;   ///< initiation interval that the design's own dependences demand
+    std::vector<MemoryAccess> accesses;
+    std::vector<std::string> writes;  ///< FIFOs that iterations write
+    std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well
+    std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
+
+    LoopDescription& does(std::string text) { return task = std::move(text), *this; }
+    LoopDescription& of_depth(Cycles stages, Cycles more = 0) { return depth = stages, extra_depth = more, *this; }
+    LoopDescription& recurs_every(Cycles cycles) { return recurrence = cycles, *this; }
+    LoopDescription& accesses_memory(std::string memory, AccessPattern pattern) {
+        return accesses.push_back({std::move(memory), std::move(pattern)}), *this;
+    }
+    LoopDescription& writes_to(std::vector<std::string> fifos) { return writes = std::move(fifos), *this; }
+    LoopDescription& also_reads(std::vector<std::string> fifos) { return reads = std::move(fifos), *this; }
+    LoopDescription& with_keys_of(std::string loop) { return timed_by = std::move(loop), *this; }
+    LoopDescription& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
+};
+
+/// A block RAM of `rows` x `cols` words, row by row.
+struct MemoryDescription {
+    std::string name;
+    Conditions conditions;
+    std::string contents;     ///< "edge bits of the window", for the documentation
+    std::string partition_source = "HLS array_partition";
+    std::uint64_t rows = 1;
+    std::uint64_t cols = 1;
+    std::uint64_t bits = 1;     ///< of a word; 0: there is no such memory
+    std::uint64_t buffers = 1;  ///< how often all of it is there
+    std::string size_key;       ///< configuration key that decides rows and cols; or empty
+    std::string reader;         ///< module that reads it out, if not the one that describes it
+
+    MemoryDescription& holds(std::string text) { return contents = std::move(text), *this; }
+    MemoryDescription& of_words(std::uint64_t its_rows, std::uint64_t its_cols, std::uint64_t word_bits) {
+        return rows = its_rows, cols = its_cols, bits = word_bits, *this;
+    }
+    MemoryDescription& sized_by(std::string key) { return size_key = std::move(key), *this; }
+    MemoryDescription& in_buffers(std::uint64_t number) { return buffers = number, *this; }
+    MemoryDescription& read_out_by(std::string module) { return reader = std::move(module), *this; }
+    MemoryDescription& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
+};
+
+/// A memory without ports to count: rows kept beside a block RAM. It only takes room.
+struct LineBuffer {
+    std::string name;
+    std::uint64_t words = 0;
+    std::uint64_t bits = 0;
+};
+
+/// Work that a module does between loops, or beside them, and that takes a time of its own.
+struct SetupDescription {
+    Cycles depth = 1;              ///< default number of cycles
+    Cycles extra = 0;              ///< cycles that other keys add
+    std::string meaning;           ///< one sentence, for the documentation
+    std::string before_loop;       ///< the loop before whose keys its key stands
+    std::string one_per_token_of;  ///< FIFO with a write for every setup; empty: the process counts what it waits for
+};
+
+/// One module: what there is of it besides its function. A module makes it of its configuration, in one function beside
+/// its process, and names everything that any configuration can have, with the conditions under which it is there.
+/// Ends stand in the program order of a step.
+class ModuleDescription {
+  public:
+    explicit ModuleDescription(std::string module) : name(std::move(module)) {}
+
+    FifoEnd& reads_from(std::string fifo) { return add_end(std::move(fifo), false); }
+    FifoEnd& writes_to(std::string fifo) { return add_end(std::move(fifo), true); }
+    LoopDescription& loop(std::string its_name) {
+        loops.emplace_back().name = std::move(its_name);
+        return loops.back();
+    }
+    MemoryDescription& memory(std::string its_name) {
+        memories.emplace_back().name = std::move(its_name);
+        return memories.back();
+    }
+    void line_buffer(LineBuffer buffer) { line_buffers.push_back(std::move(buffer)); }
+    void only_if(Condition condition) { conditions.push_back(std::move(condition)); }
+
+    std::string name;
+    Conditions conditions;
+    std::vector<FifoEnd> ends;
+    std::vector<LoopDescription> loops;
+    std::vector<MemoryDescription> memories;
+    std::vector<LineBuffer> line_buffers;
+    std::optional<SetupDescription> setup;
+
+  private:
+    FifoEnd& add_end(std::string fifo, bool writes) {
+        ends.emplace_back().fifo = std::move(fifo);
+        ends.back().writes = writes;
+        return ends.back();
+    }
+};
+
+/// A core: its modules, and the FIFOs that join them, in the order of their rows in tables.
+struct CoreDescription {
+    struct Pace {
+        std::string driver;  ///< module that sets the pace; empty: none does
+        struct Follower {
+            std::string module;
+            std::string anchor;  ///< FIFO between it and the driver
+        };
+        std::vector<Follower> followers;
+    };
+
+    std::vector<ModuleDescription> modules;
+    std::vector<std::string> fifos;
+    std::string begins;  ///< module whose stamps begin samples
+    std::string ends;    ///< module whose stamps end them
+    Pace pace;           ///< about speed of simulation only, see timing::Lead
+};
+
+}  // namespace faster

@@ -1,0 +1,85 @@
+#include "modules/faster_design.hpp"
+
+#include <string_view>
+
+#include "faster/clear_design.hpp"
+#include "faster/faster_complaints.hpp"
+#include "faster/faster_config.hpp"
+#include "faster/faster_keys.hpp"
+#include "faster/faster_presets.hpp"
+#include "modules/raster_core_description.hpp"
+#include "workload/files/trace_manifest.hpp"
+
+namespace faster {
+namespace {
+
+bool starts_with(std::string const& text, std::string_view start) { return text.compare(0, start.size(), start) == 0; }
+
+/// The block RAM that a key `accelerator.brams.NAME.partition.*` splits; empty for any other key.
+std::string memory_split_by(std::string const& key) {
+    constexpr std::string_view section = "accelerator.brams.";
+    std::size_t const end = key.find(".partition.");
+    if (!starts_with(key, section) || end == std::string::npos)
+        return {};
+    return key.substr(section.size(), end - section.size());
+}
+
+}  // namespace
+
+std::unique_ptr<DesignConfig> FasterDesign::default_config() const { return std::make_unique<FasterConfig>(); }
+
+std::vector<Key> FasterDesign::keys() const { return faster_keys(describe_raster_core(AcceleratorConfig())); }
+
+CoreDescription FasterDesign::core(RunConfig const& config) const { return describe_raster_core(accelerator_of(config)); }
+
+std::vector<std::string> FasterDesign::complaints(LoadedConfig const& loaded) const { return faster_complaints(loaded); }
+
+IdleKeys FasterDesign::idle_keys(RunConfig const& config) const {
+    constexpr char const* flow = "accelerator.flow";
+    IdleKeys idle;
+    if (accelerator_of(config).flow == Flow::faster) {
+        idle.add("accelerator.edge_extraction.", flow);
+    } else {
+        idle.add("accelerator.edge_map.", flow);
+        idle.add("accelerator.inlier_unit.neighbour_access", flow);
+        idle.add("accelerator.rasterizer.edge_tokens", flow);
+    }
+    return idle;
+}
+
+/// A loop that clears a word of every bank takes more or less of them.
+bool FasterDesign::decides_function(std::string const& key, RunConfig const& config) const {
+    std::string const memory = memory_split_by(key);
+    return !memory.empty() && clearing_of(memory, accelerator_of(config)) == MapClearing::wide;
+}
+
+std::string FasterDesign::why_not_retimable(std::string const& key) const {
+    if (starts_with(key, "workload."))
+        return "is part of the workload, which was recorded";
+    if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")
+        return "decides which operations there are, not when";
+    if (starts_with(key, "accelerator.brams."))
+        return "decides how many iterations a wide clearing loop has";
+    if (starts_with(key, "accelerator.inlier_unit.") || key == "accelerator.edge_map.clearing")
+        return "decides which operations there are, not only when";
+    return Design::why_not_retimable(key);
+}
+
+std::vector<Preset> const& FasterDesign::presets() const { return faster_presets(); }
+
+std::vector<std::filesystem::path> FasterDesign::files_of(std::filesystem::path const& folder) const {
+    std::filesystem::path const manifest = folder / io::TraceManifest::file_name;
+    io::TraceManifest::Files const files = io::read_manifest(manifest).files;
+    return {manifest, folder / files.samples, folder / files.triangles, folder / files.depth, folder / files.edges};
+}
+
+std::vector<std::string> FasterDesign::counters() const {
+    return {"valid_raster", "valid_depth", "inlier", "valid_edge", "edge_inlier"};
+}
+
+Design const& design() {
+    static FasterDesign const faster;
+    return faster;
+}
+
+}  // namespace faster

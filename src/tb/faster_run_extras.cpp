@@ -1,0 +1,43 @@
+#include "tb/faster_run_extras.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "kernel/base/input_error.hpp"
+#include "tb/faster_workload.hpp"
+
+namespace faster {
+
+void FasterRunExtras::declare(CLI::App& command) {
+    command.add_option("--trace", trace_, "Replay a stimulus trace instead of the configured workload")
+        ->type_name("DIR");
+    command
+        .add_option(
+            "--images", images_,
+            "Write pictures of the first K samples to DIR/images and into the HTML report (needs --out or --report)")
+        ->type_name("K")
+        ->check(CLI::Range(0, 1000000));
+}
+
+std::vector<std::string> FasterRunExtras::overrides() const {
+    return trace_.empty() ? std::vector<std::string>{} : std::vector<std::string>{"workload.trace=" + trace_};
+}
+
+void FasterRunExtras::check(bool has_output) const {
+    if (images_ > 0 && !has_output)
+        throw InputError("--images " + std::to_string(images_) + ": expected --out DIR or --report FILE as well");
+}
+
+void FasterRunExtras::before(Workload& workload) {
+    auto& ours = static_cast<FasterWorkload&>(workload);
+    pictures_ = std::make_unique<SamplePictures>(ours.stimulus, static_cast<std::size_t>(images_));
+    if (images_ > 0)
+        ours.probe = pictures_.get();
+}
+
+void FasterRunExtras::write(std::filesystem::path const& folder, std::vector<SampleStatistics> const& samples) const {
+    pictures_->write(folder, samples);
+}
+
+std::vector<report::ReportPicture> FasterRunExtras::pictures() const { return pictures_->for_report(); }
+
+}  // namespace faster

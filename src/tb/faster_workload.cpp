@@ -1,0 +1,26 @@
+#include "tb/faster_workload.hpp"
+
+#include "faster/faster_config.hpp"
+#include "modules/faster_simulation.hpp"
+#include "tb/workload_source.hpp"
+
+namespace faster {
+
+std::unique_ptr<Workload> FasterSimulation::load_workload(LoadedConfig& loaded) const {
+    auto workload = std::make_unique<FasterWorkload>();
+    workload->stimulus = load_stimulus(loaded);
+    return workload;
+}
+
+std::unique_ptr<DataflowAccelerator> FasterSimulation::elaborate(RunConfig const& config, Machine const& machine,
+                                                                 Workload& workload) const {
+    auto const& ours = static_cast<FasterWorkload const&>(workload);
+    return make_accelerator(accelerator_of(config), ours.stimulus, machine, config.simulation.engine, ours.probe);
+}
+
+SimulatedDesign const& simulated_design() {
+    static FasterSimulation const design;
+    return design;
+}
+
+}  // namespace faster

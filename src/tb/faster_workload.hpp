@@ -1,0 +1,24 @@
+#pragma once
+#include "channels/simulated_design.hpp"
+#include "common/stimulus.hpp"
+#include "modules/core_context.hpp"
+
+namespace faster {
+
+/// What raster cores work on, and who watches them.
+struct FasterWorkload final : Workload {
+    Stimulus stimulus;
+    SampleProbe* probe = nullptr;  ///< may be null
+
+    std::size_t samples() const override { return stimulus.samples.size(); }
+};
+
+/// FASTER for the commands that any design has.
+class FasterSimulation final : public SimulatedDesign {
+  public:
+    std::unique_ptr<Workload> load_workload(LoadedConfig& loaded) const override;
+    std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config, Machine const& machine,
+                                                   Workload& workload) const override;
+};
+
+}  // namespace faster

@@ -1,0 +1,35 @@
+#include "tb/record_command.hpp"
+
+#include <fmt/format.h>
+#include <memory>
+
+#include "kernel/config/load_config.hpp"
+#include "tb/workload_source.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "workload/files/trace.hpp"
+
+namespace faster {
+
+int record(RecordRequest const& request) {
+    LoadedConfig loaded = load_config(request.config, request.overrides);
+    Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
+    io::write_trace(stimulus, request.out);
+    fmt::print("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(),
+               request.out);
+    return exit_done;
+}
+
+Subcommand record_command() {
+    return {"record", "Write a configuration's workload as a stimulus trace", [](CLI::App& command) {
+                auto const request = std::make_shared<RecordRequest>();
+                command.add_option("config", request->config, "Configuration file (YAML)")
+                    ->required()
+                    ->type_name("CONFIG");
+                command.add_option("--out", request->out, "Folder of the trace")->required()->type_name("DIR");
+                add_overrides(command, request->overrides);
+                return [request] { return record(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -1,0 +1,40 @@
+#include "tool/compare_command.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/compare/compare.hpp"
+#include "kernel/compare/comparison_json.hpp"
+#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/read_run.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+
+namespace faster {
+
+int compare(CompareRequest const& request) {
+    runs::Comparison const comparison = runs::compare(runs::read_run(request.run_a), runs::read_run(request.run_b));
+    if (!request.json.empty())
+        io::write_file_atomically(request.json, runs::comparison_json(comparison));
+    fmt::print("{}", runs::comparison_text(comparison, static_cast<std::size_t>(request.top)));
+    return comparison.is_functionally_equal() ? exit_done : exit_failed_check;
+}
+
+Subcommand compare_command() {
+    return {"compare", "Say what changed from one run to another, largest first", [](CLI::App& command) {
+                auto const request = std::make_shared<CompareRequest>();
+                command.add_option("run_a", request->run_a, "Output folder of a run")->required()->type_name("RUN_A");
+                command.add_option("run_b", request->run_b, "Output folder of another run")
+                    ->required()
+                    ->type_name("RUN_B");
+                command.add_option("--top", request->top, "Rows of each list; the others are counted")
+                    ->type_name("N")
+                    ->capture_default_str()
+                    ->check(CLI::Range(0, 1000000));
+                command.add_option("--json", request->json, "Write the whole comparison to this file")
+                    ->type_name("FILE");
+                return [request] { return compare(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -1,0 +1,9 @@
+#pragma once
+#include "tool/subcommand.hpp"
+
+namespace faster {
+
+/// `keys`.
+Subcommand keys_command();
+
+}  // namespace faster

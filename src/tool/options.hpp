@@ -1,0 +1,32 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace faster {
+
+/// What several commands declare alike.
+
+/// CLI::Range lets nan pass, and prints six digits of everything.
+inline CLI::Validator number_in(double least, double most) {
+    auto const check = [least, most](std::string const& text) {
+        double number = 0;
+        bool const is_sound = CLI::detail::lexical_cast(text, number) && number >= least && number <= most;
+        return is_sound ? std::string{} : fmt::format("expected a number from {} to {}, found {}", least, most, text);
+    };
+    return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
+}
+
+inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+    command
+        .add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+template <class Number> void add_jobs(CLI::App& command, Number& jobs, std::string const& what) {
+    command.add_option("-j,--jobs", jobs, what + " (the host's cores)")->type_name("N")->check(CLI::Range(1, 1024));
+}
+
+}  // namespace faster

@@ -1,0 +1,52 @@
+#include "tool/progress_line.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <string>
+#include <unistd.h>
+
+namespace faster {
+
+namespace {
+
+std::string duration_text(std::uint64_t seconds) {
+    constexpr std::uint64_t minute = 60, hour = 3600;
+    if (seconds >= hour)
+        return fmt::format("{} h {} min", seconds / hour, seconds % hour / minute);
+    if (seconds >= minute)
+        return fmt::format("{} min {} s", seconds / minute, seconds % minute);
+    return fmt::format("{} s", seconds);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(char const* what, std::uint64_t already_done)
+    : what_(what), already_done_(already_done), visible_(isatty(STDOUT_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() {
+    if (shown_)
+        fmt::print("\r\033[K");
+}
+
+void ProgressLine::show(std::uint64_t done, std::uint64_t all) {
+    constexpr std::chrono::milliseconds between{100};
+    if (!visible_ || HostClock::now() - last_ < between)
+        return;
+    last_ = HostClock::now();
+    shown_ = true;
+    constexpr std::uint64_t width = 40;
+    std::uint64_t const filled = done * width / all;
+    fmt::print("\r[{:<{}}] {}/{} {}{}\033[K", std::string(filled, '#'), width, done, all, what_, time_left(done, all));
+    std::fflush(stdout);
+}
+
+/// As if the rest took as long as what is done, one like the other.
+std::string ProgressLine::time_left(std::uint64_t done, std::uint64_t all) const {
+    if (done <= already_done_ || done >= all)
+        return "";
+    double const seconds = std::chrono::duration<double>(HostClock::now() - start_).count();
+    double const left = seconds / static_cast<double>(done - already_done_) * static_cast<double>(all - done);
+    return ", " + duration_text(static_cast<std::uint64_t>(left + 0.5)) + " left";
+}
+
+}  // namespace faster

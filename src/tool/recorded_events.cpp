@@ -1,0 +1,18 @@
+#include "tool/recorded_events.hpp"
+
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/report/summary.hpp"
+
+namespace faster {
+
+void write_events(io::OutputFile const& file, LoadedConfig const& loaded, retiming::RecordedRun const& recorded,
+                  RunStatistics run) {
+    run.sensitivities.clear();
+    run.critical_path.reset();
+    events::write_event_file(
+        file, loaded.config, recorded, run,
+        report::summary_json(resolved_keys(loaded.config), run, report::HostTime{}));
+}
+
+}  // namespace faster

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "channels/simulate.hpp"
+#include "kernel/figures/sample_timeline.hpp"
+#include "kernel/machine/machine.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace faster {
+
+/// What of a run is to be recorded: options of `faster-sim run`.
+struct RecordingRequest {
+    std::string vcd;                       ///< file; empty: none
+    std::string vcd_cores;                 ///< e.g. 0,2-4; empty: all
+    std::vector<std::string> vcd_modules;  ///< glob patterns; empty: all
+    std::optional<Cycles> vcd_from;
+    std::optional<Cycles> vcd_to;
+    std::string vcd_samples;  ///< e.g. 5 or 5-7; empty: by cycles
+    std::string timeline;     ///< file; empty: none
+    std::int64_t timeline_samples = 2;
+};
+
+void add_recording_options(CLI::App& command, RecordingRequest& request);
+
+/// Adds the timeline of one sample to `timelines`, for the report: the second of core 0, by when FIFOs hold what they
+/// usually do, or its only one.
+Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
+                                    std::vector<SampleTimeline>& timelines);
+
+/// The recordings that a request asks of a run; each writes its files when the run is over. Both must outlive them.
+/// Errors: InputError for what the run cannot give, and for files that cannot be written.
+std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine,
+                                       std::size_t samples);
+
+}  // namespace faster

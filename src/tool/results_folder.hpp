@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/config/run_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/report/summary.hpp"
+
+namespace faster {
+
+/// The output folder of `run --out` and `whatif --out` (SPEC section 4).
+class ResultsFolder {
+  public:
+    /// Throws InputError if it cannot be written: before the work whose results would be lost.
+    explicit ResultsFolder(std::filesystem::path const& folder);
+
+    /// Writes all files; `write_pictures` may put images into the folder it is given, and be empty.
+    void write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,
+               std::function<void(std::filesystem::path const& images)> const& write_pictures = {});
+    /// Only who waits for whom: nobody should take the rest for results.
+    void write_deadlock(RunConfig const& config, RunStatistics const& run);
+
+  private:
+    io::AtomicFolder folder_;
+};
+
+}  // namespace faster

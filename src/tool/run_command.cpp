@@ -1,0 +1,150 @@
+#include "tool/run_command.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <stdexcept>
+
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/html/html_report.hpp"
+#include "kernel/report/summary.hpp"
+#include "kernel/report/text_report.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "tool/recorded_events.hpp"
+#include "tool/results_folder.hpp"
+#include "tool/simulated_run.hpp"
+
+namespace faster {
+
+namespace {
+
+using HostClock = std::chrono::steady_clock;
+
+double seconds_since(HostClock::time_point start) {
+    return std::chrono::duration<double>(HostClock::now() - start).count();
+}
+
+std::vector<Sensitivity> work_out_sensitivities(retiming::RecordedRun const& recorded, LoadedConfig const& loaded) {
+    ProgressLine progress("retimings");
+    return retiming::sensitivities(recorded, loaded,
+                                   [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+}
+
+void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
+                  RunStatistics const& run, std::vector<SampleTimeline> const& timelines, RunExtras const& extras) {
+    std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
+    std::string const title = std::filesystem::path(request.config).filename().string();
+    file.commit(report::html_report({title, run, keys, timelines, extras.pictures()}));
+}
+
+/// Before the work whose results would be lost.
+struct Outputs {
+    explicit Outputs(RunRequest const& request)
+        : folder(request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out)),
+          report(io::optional_output_file(request.report)),
+          events(io::optional_output_file(request.events)) {}
+
+    std::unique_ptr<ResultsFolder> folder;
+    decltype(io::optional_output_file("")) report;
+    decltype(io::optional_output_file("")) events;
+};
+
+int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
+    fmt::print(stderr, "{}", report::deadlock_report(run));
+    if (outputs.folder)
+        outputs.folder->write_deadlock(loaded.config, run);
+    return exit_deadlock;
+}
+
+}  // namespace
+
+int run(RunRequest const& request, RunExtras& extras) {
+    extras.check(!request.out.empty() || !request.report.empty());
+    std::vector<std::string> overrides = request.overrides;
+    for (std::string const& setting : extras.overrides())
+        overrides.push_back(setting);
+    LoadedConfig loaded = load_config(request.config, overrides);
+    Outputs const outputs(request);
+
+    report::HostTime host;
+    auto start = HostClock::now();
+    auto const workload = simulated_design().load_workload(loaded);
+    host.build_seconds = seconds_since(start);
+    Machine const machine = machine_of(loaded.config);
+    std::size_t const samples = workload->samples();
+
+    extras.before(*workload);
+    start = HostClock::now();
+    RunStatistics statistics;
+    retiming::RecordedRun recorded;
+    std::vector<SampleTimeline> timelines;
+    {
+        ProgressLine progress("samples");
+        SimulationOptions options;
+        options.critical_path = request.critical_path || outputs.report;
+        options.recorded = request.sensitivities || outputs.events ? &recorded : nullptr;
+        options.recordings = make_recordings(request.recording, machine, samples);
+        if (outputs.report)
+            options.recordings.push_back(sample_timeline_recording(machine, samples, timelines));
+        options.progress = [&](std::uint64_t done) { progress.show(done, samples); };
+        statistics = simulate(loaded.config, *workload, options);
+    }
+    host.simulate_seconds = seconds_since(start);
+
+    if (statistics.deadlocked())
+        return give_up(loaded, statistics, outputs);
+    if (std::string const left = leftover_tokens(statistics); !left.empty())
+        throw std::logic_error("tokens are left at the end of the run: " + left);
+    if (request.sensitivities)
+        statistics.sensitivities = work_out_sensitivities(recorded, loaded);
+    if (outputs.events)
+        write_events(*outputs.events, loaded, recorded, statistics);
+    if (outputs.folder && extras.writes_pictures())
+        outputs.folder->write(loaded.config, statistics, host, [&](std::filesystem::path const& images) {
+            extras.write(images, statistics.samples);
+        });
+    else if (outputs.folder)
+        outputs.folder->write(loaded.config, statistics, host);
+    if (outputs.report)  // may lie in the folder
+        write_report(*outputs.report, request, loaded, statistics, timelines, extras);
+    fmt::print("{}", report::text_report(statistics, host));
+    for (std::string const& written : {request.out, request.report, request.events})
+        if (!written.empty())
+            fmt::print("\nwritten: {}\n", written);
+    return exit_done;
+}
+
+Subcommand run_command(MakeRunExtras const& make_extras) {
+    return {"run", "Simulate a configuration and print its report", [make_extras](CLI::App& command) {
+                auto const request = std::make_shared<RunRequest>();
+                std::shared_ptr<RunExtras> const extras = make_extras();
+                command.add_option("config", request->config, "Configuration file (YAML)")
+                    ->required()
+                    ->type_name("CONFIG");
+                command
+                    .add_option("--out", request->out,
+                                "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
+                    ->type_name("DIR");
+                command.add_option("--report", request->report, "Write the run as one HTML page")
+                    ->type_name("FILE.html");
+                command.add_option("--events", request->events, "Write what the run did, for whatif and sensitivities")
+                    ->type_name("FILE");
+                command.add_flag("--critical-path", request->critical_path,
+                                 "Trace along which operations the total comes about");
+                command.add_flag("--sensitivities", request->sensitivities,
+                                 "Work out what one step of each timing key changes (retimes the run about 100 times)");
+                extras->declare(command);
+                add_overrides(command, request->overrides);
+                add_recording_options(command, request->recording);
+                return [request, extras] { return run(*request, *extras); };
+            }};
+}
+
+}  // namespace faster

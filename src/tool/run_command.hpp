@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tool/subcommand.hpp"
+#include "tool/recording_options.hpp"
+#include "tool/run_extras.hpp"
+
+namespace faster {
+
+/// `run`.
+struct RunRequest {
+    std::string config;
+    std::vector<std::string> overrides;  ///< KEY=VALUE
+    std::string out;                     ///< folder; empty: print only
+    std::string report;                  ///< HTML file; empty: none
+    std::string events;                  ///< event file; empty: none
+    bool critical_path = false;          ///< trace it
+    bool sensitivities = false;          ///< work them out
+    RecordingRequest recording;
+};
+
+/// Returns the exit code; throws InputError on bad input.
+int run(RunRequest const& request, RunExtras& extras);
+
+Subcommand run_command(MakeRunExtras const& extras = [] { return std::make_unique<RunExtras>(); });
+
+}  // namespace faster

@@ -1,0 +1,63 @@
+#include "tool/sensitivities_command.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/replay/slack.hpp"
+#include "kernel/report/sensitivity_report.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/progress_line.hpp"
+#include "tool/options.hpp"
+
+namespace faster {
+
+namespace {
+
+RunStatistics with_sensitivities(events::EventFile const& recorded) {
+    RunStatistics run;
+    run.samples = recorded.samples;
+    for (SampleStatistics const& sample : run.samples)
+        run.total_cycles = std::max(run.total_cycles, sample.end_cycle + 1);
+    ProgressLine line("retimings");
+    auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
+    run.sensitivities = retiming::sensitivities(recorded.run, recorded.loaded, progress);
+    retiming::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
+    return run;
+}
+
+}  // namespace
+
+int print_sensitivities(SensitivitiesRequest const& request) {
+    events::EventFile const recorded = events::read_event_file(request.events);
+    auto const csv = io::optional_output_file(request.csv);
+    auto const json = io::optional_output_file(request.json);
+    RunStatistics const run = with_sensitivities(recorded);
+    if (csv)
+        csv->commit(report::sensitivities_csv(run));
+    if (json)
+        json->commit(report::sensitivities_file_json(run));
+    fmt::print("{}", report::sensitivities_text(run).substr(1));
+    for (std::string const& file : {request.csv, request.json})
+        if (!file.empty())
+            fmt::print("\nwritten: {}\n", file);
+    return exit_done;
+}
+
+Subcommand sensitivities_command() {
+    return {"sensitivities", "Say what one step of each timing key changes for a recorded run, and which have slack",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<SensitivitiesRequest>();
+                command.add_option("events", request->events, "Event file of run --events")
+                    ->required()
+                    ->type_name("EVENTS");
+                command.add_option("--csv", request->csv, "Write a row per key and direction to this file")
+                    ->type_name("FILE");
+                command.add_option("--json", request->json, "Write the same as JSON to this file")->type_name("FILE");
+                return [request] { return print_sensitivities(*request); };
+            }};
+}
+
+}  // namespace faster

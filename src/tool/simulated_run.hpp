@@ -1,0 +1,15 @@
+#pragma once
+#include "channels/simulate.hpp"
+#include "channels/simulated_design.hpp"
+#include "kernel/config/load_config.hpp"
+
+namespace faster {
+
+/// Elaborates the program's design for a workload, runs it, and collects its figures. Once per process: the SystemC
+/// kernel elaborates once.
+RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options = {});
+
+/// The same of a configuration whose workload is not wanted otherwise.
+RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options = {});
+
+}  // namespace faster

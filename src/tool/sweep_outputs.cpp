@@ -1,0 +1,56 @@
+#include "tool/sweep_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/files/durable_file.hpp"
+#include "kernel/sweeps/results_table.hpp"
+#include "kernel/sweeps/sweep_page.hpp"
+#include "tool/exit_codes.hpp"
+
+namespace faster {
+
+namespace {
+
+using Status = sweeps::PointResult::Status;
+
+std::size_t count_of(Status status, sweeps::Manifest const& manifest, sweeps::Results const& results) {
+    std::size_t count = 0;
+    for (sweeps::Manifest::Point const& point : manifest.points) {
+        auto const found = results.find(point.id);
+        if (found != results.end() && found->second.status == status)
+            ++count;
+    }
+    return count;
+}
+
+void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& results, std::size_t count) {
+    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
+        auto const found = results.find(manifest.points[i].id);
+        if (found == results.end() || found->second.status != Status::failed)
+            continue;
+        fmt::print(stderr, "faster-sim: {} points failed, the first is {}: {}\n", count, manifest.name(i),
+                   found->second.message);
+        return;
+    }
+}
+
+}  // namespace
+
+int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest const& manifest,
+                        sweeps::Results const& results) {
+    io::write_file_durably(folder.table(), sweeps::results_csv(manifest, results));
+    io::write_file_durably(folder.page(), sweeps::sweep_page(manifest, results));
+    std::size_t const failed = count_of(Status::failed, manifest, results);
+    std::size_t const done = count_of(Status::done, manifest, results);
+    std::size_t const deadlocked = count_of(Status::deadlock, manifest, results);
+    std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
+    fmt::print("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
+               there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
+               folder.page().string());
+    if (failed == 0)
+        return exit_done;
+    name_first_failed(manifest, results, failed);
+    return exit_failed_check;
+}
+
+}  // namespace faster

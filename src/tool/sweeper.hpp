@@ -1,0 +1,59 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kernel/base/process_pool.hpp"
+#include "kernel/sweeps/journal.hpp"
+#include "kernel/sweeps/point_identity.hpp"
+#include "kernel/sweeps/schedule.hpp"
+#include "kernel/sweeps/sweep.hpp"
+#include "kernel/sweeps/sweep_folder.hpp"
+#include "tool/progress_line.hpp"
+#include "tool/sweep_command.hpp"
+#include "tool/sweep_work.hpp"
+
+namespace faster {
+
+/// Lets processes do the points of a sweep that have no result yet, and writes results down as they come. What it is
+/// made with has to outlive it.
+class Sweeper {
+  public:
+    /// `points`: those to be done, by number.
+    Sweeper(SweepRequest const& request, sweeps::Sweep const& sweep,
+            std::vector<sweeps::PointIdentity> const& identities, std::vector<std::size_t> const& points,
+            sweeps::SweepFolder const& folder, sweeps::Journal& journal);
+
+    /// How many have no result yet.
+    std::size_t pending() const { return pending_.size(); }
+    /// Until all have one. Throws InputError if nothing can be written.
+    void work(processes::SignalWatch const& watch);
+
+  private:
+    std::size_t processes() const;
+    std::vector<sweeps::Schedule::Job> pending_of(std::vector<std::size_t> const& points) const;
+    std::set<std::string> recorded_functions() const;
+    std::optional<processes::Task> next(std::size_t number);
+    void ended(std::size_t number, processes::Outcome const& outcome);
+    SweepReply reply_of(sweeps::Assignment const& assignment, processes::Outcome const& outcome) const;
+    void write_down(SweepReply const& reply);
+    void remove_useless_events(sweeps::Assignment const& assignment, SweepReply const& reply) const;
+    void remove_all_events() const;
+
+    SweepRequest const& request_;
+    sweeps::Sweep const& sweep_;
+    std::vector<sweeps::PointIdentity> const& identities_;
+    sweeps::SweepFolder const& folder_;
+    sweeps::Journal& journal_;
+    std::size_t all_;
+    std::vector<sweeps::Schedule::Job> pending_;
+    sweeps::Schedule schedule_;
+    std::size_t done_;
+    ProgressLine progress_;
+    std::map<std::size_t, sweeps::Assignment> at_work_;  // by number of the task
+};
+
+}  // namespace faster

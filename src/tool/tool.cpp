@@ -1,0 +1,88 @@
+#include "tool/tool.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/keep_memory.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "tool/exit_codes.hpp"
+
+namespace faster {
+
+namespace {
+
+/// SystemC prints its banner before sc_main runs; a tool's output starts with its own.
+bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
+
+class Tool {
+  public:
+    Tool(ToolText const& text, std::vector<Subcommand> const& commands) : text_(text), commands_(commands) {}
+
+    int run(int argc, char** argv) const {
+        try {
+            return parse(argc, argv)();
+        } catch (InputError const& error) {
+            return one_line_error(error.what());
+        } catch (std::exception const& error) {
+            return one_line_error(std::string("unexpected error: ") + error.what());
+        }
+    }
+
+  private:
+    std::function<int()> parse(int argc, char** argv) const {
+        if (argc > 1)
+            require_known(argv[1]);
+        CLI::App app{text_.description, text_.name};
+        app.set_version_flag("--version", text_.version);
+        app.require_subcommand(1);
+        std::vector<std::function<int()>> actions;
+        for (Subcommand const& command : commands_)
+            actions.push_back(command.declare(*app.add_subcommand(command.name, command.help)));
+        try {
+            app.parse(argc, argv);
+        } catch (CLI::ParseError const& error) {
+            int const code = error.get_exit_code();
+            if (code != 0)
+                throw InputError(fmt::format("{} (see {} --help)", error.what(), text_.name));
+            app.exit(error);  // --help, --version
+            return [] { return exit_done; };
+        }
+        std::size_t chosen = 0;
+        while (!app.got_subcommand(commands_[chosen].name))
+            ++chosen;
+        return actions[chosen];
+    }
+
+    /// The parser would only say that some subcommand is missing.
+    void require_known(std::string const& given) const {
+        std::vector<std::string> known;
+        for (Subcommand const& command : commands_)
+            known.push_back(command.name);
+        if (given.empty() || given.front() == '-' || std::find(known.begin(), known.end(), given) != known.end())
+            return;
+        throw InputError(fmt::format("unknown command {}, expected one of {}{}", given, fmt::join(known, ", "),
+                                     did_you_mean(given, known)));
+    }
+
+    int one_line_error(std::string text) const {
+        while (!text.empty() && text.back() == '\n')
+            text.pop_back();
+        fmt::print(stderr, "{}: {}\n", text_.name, text);
+        return exit_bad_input;
+    }
+
+    ToolText const& text_;
+    std::vector<Subcommand> const& commands_;
+};
+
+}  // namespace
+
+int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv) {
+    keep_freed_memory();
+    return Tool(text, commands).run(argc, argv);
+}
+
+}  // namespace faster

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tool/subcommand.hpp"
+
+namespace faster {
+
+/// What a tool says of itself.
+struct ToolText {
+    std::string name;         ///< as it is called, e.g. faster-sim
+    std::string description;  ///< one line
+    std::string version;
+};
+
+/// Reads a command line, does what it says, and returns the exit code. Errors are one line each. For sc_main().
+int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv);
+
+}  // namespace faster

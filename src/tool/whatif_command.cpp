@@ -1,0 +1,153 @@
+#include "tool/whatif_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+
+#include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/compare/compare.hpp"
+#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/read_run.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/config/settings_list.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/retimed_config.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/retime_many.hpp"
+#include "kernel/report/summary.hpp"
+#include "kernel/report/text_report.hpp"
+#include "kernel/report/whatif_table.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/progress_line.hpp"
+#include "tool/results_folder.hpp"
+#include "tool/options.hpp"
+
+namespace faster {
+
+namespace {
+
+std::vector<runs::SampleRecord> sample_records(std::vector<SampleStatistics> const& samples) {
+    std::vector<runs::SampleRecord> records;
+    records.reserve(samples.size());
+    for (SampleStatistics const& sample : samples)
+        records.push_back({sample.core, sample.start_cycle, sample.end_cycle, sample.counters});
+    return records;
+}
+
+runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
+                               RunStatistics const& run) {
+    std::vector<ResolvedKey> keys = resolved_keys(changed.config);
+    auto const is_engine = [](ResolvedKey const& key) { return key.key == "simulation.engine"; };
+    keys.erase(std::remove_if(keys.begin(), keys.end(), is_engine), keys.end());  // an event file does not know it
+    std::string const summary = report::summary_json(keys, run, {});
+    return runs::compare(runs::run_record(name, recorded.summary, sample_records(recorded.samples)),
+                         runs::run_record("whatif", summary, sample_records(run.samples)));
+}
+
+int retime_one(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& changed,
+               report::HostTime host) {
+    std::unique_ptr<ResultsFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
+    auto const start = std::chrono::steady_clock::now();
+    RunStatistics const run = retiming::retime(recorded.run, machine_of(changed.config));
+    host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (run.deadlocked()) {
+        fmt::print(stderr, "{}", report::deadlock_report(run));
+        if (folder)
+            folder->write_deadlock(changed.config, run);
+        return exit_deadlock;
+    }
+    if (run.samples.size() != recorded.samples.size() || !leftover_tokens(run).empty())
+        throw InputError(request.events +
+                         ": what its processes write is not what they read, expected the file of a run");
+    if (folder)
+        folder->write(changed.config, run, host);
+    fmt::print("{}", report::text_report(run, host));
+    fmt::print("\nCompared with the recorded run\n\n{}",
+               runs::comparison_text(with_recorded(request.events, recorded, changed, run),
+                                     static_cast<std::size_t>(request.top)));
+    if (folder)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+/// The configuration of a matrix's row. Complaints name the row instead of --set.
+LoadedConfig config_of_row(std::string const& matrix, Settings const& row, LoadedConfig const& base) {
+    try {
+        return events::retimed_config(base, row.overrides);
+    } catch (InputError const& error) {
+        std::string what = error.what();
+        if (what.rfind("--set ", 0) == 0)
+            what.erase(0, 6);
+        throw InputError(fmt::format("{}:{}: {}", matrix, row.line, what));
+    }
+}
+
+int retime_matrix(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& base) {
+    auto const csv = io::optional_output_file(request.csv);
+    std::vector<Settings> const list = read_settings_list(request.matrix);
+    std::vector<Machine> machines;
+    report::WhatifTable table(machine_of(recorded.loaded.config), recorded.samples);
+    for (Settings const& row : list) {
+        machines.push_back(machine_of(config_of_row(request.matrix, row, base).config));
+        table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), machines.back());
+    }
+    {
+        ProgressLine progress("configurations");
+        std::size_t done = 0;
+        retiming::retime_many(recorded.run, machines, [&](std::size_t i, RunStatistics const& run) {
+            table.set_result(i, run);
+            progress.show(++done, machines.size());
+        });
+    }
+    if (csv)
+        csv->commit(table.csv());
+    fmt::print("{}", table.text());
+    if (csv)
+        fmt::print("\nwritten: {}\n", request.csv);
+    return exit_done;
+}
+
+}  // namespace
+
+int whatif(WhatifRequest const& request) {
+    auto const start = std::chrono::steady_clock::now();
+    events::EventFile const recorded = events::read_event_file(request.events);
+    report::HostTime host;
+    host.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
+    return request.matrix.empty() ? retime_one(request, recorded, changed, host)
+                                  : retime_matrix(request, recorded, changed);
+}
+
+Subcommand whatif_command() {
+    return {"whatif", "Say how long a recorded run would take with other timing, without running it",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<WhatifRequest>();
+                command.add_option("events", request->events, "Event file of run --events")
+                    ->required()
+                    ->type_name("EVENTS");
+                add_overrides(command, request->overrides);
+                CLI::Option* const out = command.add_option("--out", request->out, "Write the files of run --out");
+                out->type_name("DIR");
+                command
+                    .add_option("--matrix", request->matrix,
+                                "A row for each configuration of this file: a YAML list of maps from keys to values")
+                    ->type_name("FILE")
+                    ->excludes(out);
+                command.add_option("--csv", request->csv, "Write the rows of --matrix to this file")
+                    ->type_name("FILE")
+                    ->needs("--matrix");
+                command
+                    .add_option("--top", request->top, "Rows of each list of the comparison; the others are counted")
+                    ->type_name("N")
+                    ->capture_default_str()
+                    ->check(CLI::Range(0, 1000000));
+                return [request] { return whatif(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "budgets/figure_facts.hpp"
 #include "budgets/figure_pattern.hpp"
 #include "config/plain_text.hpp"
 #include "config/value_reader.hpp"

@@ -111,12 +111,17 @@ template <> struct TokenFields<FullDepthBuffer> {
 /// How many of a token's last fields are a region's.
 constexpr std::size_t region_fields = 4;
 template <> struct TokenFields<SampleCounters> {
-    static constexpr std::array<TokenField, 5> layout{
-        {{"valid_raster", 64}, {"valid_depth", 64}, {"inlier", 64}, {"valid_edge", 64}, {"edge_inlier", 64}}};
-    static std::array<std::int64_t, 5> values(SampleCounters const& t) {
-        return {static_cast<std::int64_t>(t.valid_raster), static_cast<std::int64_t>(t.valid_depth),
-                static_cast<std::int64_t>(t.inlier), static_cast<std::int64_t>(t.valid_edge),
-                static_cast<std::int64_t>(t.edge_inlier)};
+    static constexpr std::array<TokenField, sample_counter_count> layout = [] {
+        std::array<TokenField, sample_counter_count> fields{};
+        for (std::size_t i = 0; i < sample_counter_count; ++i)
+            fields[i] = {sample_counters[i].name, 64};
+        return fields;
+    }();
+    static std::array<std::int64_t, sample_counter_count> values(SampleCounters const& t) {
+        std::array<std::int64_t, sample_counter_count> values{};
+        for (std::size_t i = 0; i < sample_counter_count; ++i)
+            values[i] = static_cast<std::int64_t>(counter(sample_counters[i], t));
+        return values;
     }
 };
 

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "common/little_endian.hpp"
+#include "stats/column_values.hpp"
+#include "stats/sample_columns.hpp"
 
 namespace faster::events {
 
@@ -24,6 +26,16 @@ template <class Number> std::string little_endian(Number value) {
 
 template <class Number> Number from_little_endian(std::string_view bytes) {
     return static_cast<Number>(little_endian_at<sizeof(Number)>(bytes.data()));
+}
+
+/// The figures of a sample that the index has: all but its number, which is its place in the list, and those that
+/// follow from others.
+template <class Sample, class Use> void for_each_figure(Sample& sample, Use use) {
+    for_each_column(sample, [&use](auto const& column, auto& row) {
+        auto* const figure = place_of<std::uint64_t>(column, row);
+        if (figure != nullptr && column.tells != Tells::key)
+            use(*figure);
+    });
 }
 
 }  // namespace faster::events

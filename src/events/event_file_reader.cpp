@@ -129,12 +129,12 @@ class Reader {
                 fail("is damaged: its samples do not add up to its size, expected the file as it was written");
             blocks.push_back({at, value(0), value(1), row.at(2).get<std::uint32_t>()});
             at += value(0);
-            file.samples.push_back({file.samples.size(),
-                                    value(3),
-                                    value(4),
-                                    value(5),
-                                    {value(6), value(7), value(8), value(9), value(10)}});
-            file.run.counters.push_back(file.samples.back().counters);
+            SampleStatistics sample;
+            sample.sample = file.samples.size();
+            for_each_figure(sample,
+                            [&value, i = std::size_t{3}](std::uint64_t& figure) mutable { figure = value(i++); });
+            file.samples.push_back(sample);
+            file.run.counters.push_back(sample.counters);
         }
         if (at != index_at_)
             fail("is damaged: its samples do not add up to its size, expected the file as it was written");

@@ -28,17 +28,9 @@ std::string header_of(RunConfig const& config, retiming::RecordedRun const& run)
 }
 
 Json sample_json(retiming::OperationTape::Block const& block, SampleStatistics const& sample) {
-    return {block.bytes,
-            block.content_bytes,
-            block.checksum,
-            sample.core,
-            sample.start_cycle,
-            sample.end_cycle,
-            sample.counters.valid_raster,
-            sample.counters.valid_depth,
-            sample.counters.inlier,
-            sample.counters.valid_edge,
-            sample.counters.edge_inlier};
+    Json row{block.bytes, block.content_bytes, block.checksum};
+    for_each_figure(sample, [&row](std::uint64_t figure) { row.push_back(figure); });
+    return row;
 }
 
 std::string index_of_file(std::string const& header, retiming::RecordedRun const& run, RunStatistics const& statistics,

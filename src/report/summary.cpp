@@ -2,12 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/block_ram.hpp"
-#include "config/parts.hpp"
 #include "report/critical_path_report.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/json_rows.hpp"
 #include "report/sensitivity_report.hpp"
+#include "stats/table_rows.hpp"
 
 namespace faster::report {
 
@@ -18,26 +17,6 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
     for (ResolvedKey const& key : keys)
         object[key.key] = {{"value", Json::parse(json_text(key.value))}, {"default", key.is_default}};
     return object;
-}
-
-Json bram_row(std::size_t core, std::size_t i, AcceleratorConfig const& config, CoreStatistics const& statistics) {
-    auto const id = static_cast<BramId>(i);
-    MemoryShape const memory = memory_shape(id, config);
-    return {{"core", core},
-            {"bram", name_of(id)},
-            {"words", memory.words},
-            {"bits", memory.bits},
-            {"banks", memory.partition},
-            {"buffers", memory.buffers},
-            {"ports", memory.ports},
-            {"ramb36", ramb36_count(memory)},
-            {"port_conflict_cycles", port_conflict_cycles(statistics, id)}};
-}
-
-Json line_buffer_row(std::size_t core, MemoryShape const& memory) {
-    return {{"core", core},          {"bram", "line_buffers"},         {"words", memory.words},
-            {"bits", memory.bits},   {"banks", memory.partition},      {"buffers", memory.buffers},
-            {"ports", memory.ports}, {"ramb36", ramb36_count(memory)}, {"port_conflict_cycles", 0}};
 }
 
 }  // namespace
@@ -55,21 +34,12 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig
     summary["milliseconds"] = milliseconds(run.total_cycles, config);
     summary["samples"] = run.samples.size();
     summary["raster_cores"] = run.cores.size();
-    for (char const* table : {"modules", "fifos", "brams", "loops"})
-        summary[table] = Json::array();
-    for (std::size_t core = 0; core < run.cores.size(); ++core) {
-        CoreStatistics const& statistics = run.cores[core];
-        for (std::size_t const i : modules_of(run.parts))
-            summary["modules"].push_back(module_row(core, i, statistics.processes[i]));
-        for (std::size_t const i : fifos_of(run.parts))
-            summary["fifos"].push_back(fifo_row(core, i, statistics.fifos[i]));
-        for (std::size_t const i : brams_of(run.parts))
-            summary["brams"].push_back(bram_row(core, i, config, statistics));
-        if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
-            summary["brams"].push_back(line_buffer_row(core, memory));
-        for (std::size_t const i : loops_of(run.parts))
-            summary["loops"].push_back(loop_row(core, i, statistics.loops[i]));
-    }
+    summary["modules"] = Json::array();
+    for (ModuleRow const& row : module_rows(run))
+        summary["modules"].push_back(json_row(row));
+    summary["fifos"] = json_table(fifo_columns, fifo_rows(run));
+    summary["brams"] = json_table(memory_columns, memory_rows(run, config));
+    summary["loops"] = json_table(loop_columns, loop_rows(run));
     summary["bound_by"] = diagnosis_sentences(config, run);
     if (run.critical_path)
         summary["critical_path"] = critical_path_json(run);

@@ -7,10 +7,11 @@
 #include "config/block_ram.hpp"
 #include "config/parts.hpp"
 #include "report/critical_path_report.hpp"
-#include "report/csv.hpp"
 #include "report/diagnosis_text.hpp"
 #include "report/latencies.hpp"
 #include "report/sensitivity_report.hpp"
+#include "stats/column_values.hpp"
+#include "stats/table_rows.hpp"
 
 namespace faster::report {
 
@@ -55,68 +56,36 @@ void module_table(std::string& text, RunStatistics const& run) {
     }
 }
 
-/// Sums one figure of a FIFO or loop over all cores.
-template <class Figure> std::uint64_t over_cores(RunStatistics const& run, Figure figure) {
-    std::uint64_t sum = 0;
-    for (CoreStatistics const& core : run.cores)
-        sum += figure(core);
-    return sum;
-}
-
 void loop_table(std::string& text, RunStatistics const& run) {
     line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
     line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", "loop", "II target", "II achieved",
          "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
-    for (std::size_t const i : loops_of(run.parts)) {
-        LoopStatistics const& l = run.cores.front().loops[i];
-        auto const entries = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].entries; });
-        auto const iterations = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].iterations; });
-        auto const conflicts =
-            over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].port_conflict_cycles; });
-        std::string const trips =
-            entries == 0 ? "-" : fmt::format("{:.1f}", static_cast<double>(iterations) / static_cast<double>(entries));
-        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}",
-             fmt::format("{}.{}", name_of(loop_names[i].module), loop_names[i].name), l.ii_target, l.ii,
-             l.limited_by.empty() ? "-" : l.limited_by, l.depth, entries, iterations, trips, conflicts);
-    }
+    for (LoopRow const& l : over_cores(loop_columns, loop_rows(run)))
+        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
+             l.limited_by.empty() ? "-" : l.limited_by, l.depth, l.entries, l.iterations,
+             l.entries == 0 ? "-"
+                            : fmt::format("{:.1f}", static_cast<double>(l.iterations) / static_cast<double>(l.entries)),
+             l.port_conflict_cycles);
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {
     line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
     line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
          "full stall", "empty stall");
-    for (std::size_t const i : fifos_of(run.parts)) {
-        FifoStatistics const& f = run.cores.front().fifos[i];
-        std::uint64_t occupancy = 0;
-        for (CoreStatistics const& core : run.cores)
-            occupancy = std::max(occupancy, core.fifos[i].max_occupancy);
-        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", fifo_names[i], kind_name(f.kind), f.depth,
-             occupancy, over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].writes; }),
-             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].full_stall_cycles; }),
-             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].empty_stall_cycles; }));
-    }
-}
-
-void bram_line(std::string& text, std::string_view name, MemoryShape const& memory, std::size_t cores,
-               std::uint64_t port_conflicts) {
-    line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", name, memory.words, memory.bits,
-         memory.partition, memory.buffers, memory.ports, ramb36_count(memory) * static_cast<double>(cores),
-         port_conflicts);
+    for (FifoRow const& f : over_cores(fifo_columns, fifo_rows(run)))
+        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", f.fifo, f.kind_name, f.depth, f.max_occupancy,
+             f.writes, f.full_stall_cycles, f.empty_stall_cycles);
 }
 
 void bram_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
-    std::size_t const cores = run.cores.size();
+    auto const cores = static_cast<double>(run.cores.size());
     line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
-         ramb36_of_core(config) * static_cast<double>(cores), ramb36_of_device);
+         ramb36_of_core(config) * cores, ramb36_of_device);
     line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
          "ports", "RAMB36", "port conflict");
-    for (std::size_t const i : brams_of(run.parts)) {
-        auto const id = static_cast<BramId>(i);
-        bram_line(text, name_of(id), memory_shape(id, config), cores,
-                  over_cores(run, [id](CoreStatistics const& core) { return port_conflict_cycles(core, id); }));
-    }
-    if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
-        bram_line(text, "line_buffers", memory, cores, 0);
+    for (MemoryRow const& m : over_cores(memory_columns, memory_rows(run, config)))
+        line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, m.words, m.bits, m.partition,
+             m.buffers, m.ports, m.ramb36() * cores, m.port_conflict_cycles);
 }
 
 void latency_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {

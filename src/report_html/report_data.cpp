@@ -13,6 +13,7 @@
 #include "report_html/html_text.hpp"
 #include "report_html/latency_histogram.hpp"
 #include "report_html/timeline_view.hpp"
+#include "stats/table_rows.hpp"
 
 namespace faster::report {
 
@@ -62,22 +63,6 @@ Json stalls(RunStatistics const& run) {
             if (process.port_conflicts[b] > 0)
                 rows.push_back(conflict_row(i, b, process.port_conflicts[b]));
     }
-    return rows;
-}
-
-Json fifos(RunStatistics const& run) {
-    Json rows = Json::array();
-    for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : fifos_of(run.parts))
-            rows.push_back(fifo_row(core, i, run.cores[core].fifos[i]));
-    return rows;
-}
-
-Json loops(RunStatistics const& run) {
-    Json rows = Json::array();
-    for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : loops_of(run.parts))
-            rows.push_back(loop_row(core, i, run.cores[core].loops[i]));
     return rows;
 }
 
@@ -179,8 +164,8 @@ std::string report_data(HtmlReportInput const& input) {
     data["path_causes"] = path_cause_names;
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
     data["sensitivities"] = sensitivities_json(input.run);
-    data["fifos"] = fifos(input.run);
-    data["loops"] = loops(input.run);
+    data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));
+    data["loops"] = json_table(loop_columns, loop_rows(input.run));
     data["latency"] = latency(input.run);
     data["timelines"] = timelines(input.timelines);
     data["pictures"] = pictures(input.pictures);

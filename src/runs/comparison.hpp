@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/cycles.hpp"
-#include "common/tokens.hpp"
+#include "common/sample_counters.hpp"
 
 namespace faster::runs {
 

@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runs/sample_counters.hpp"
-
 namespace faster::runs {
 
 namespace {
@@ -39,8 +37,8 @@ Json settings(std::vector<SettingChange> const& changes) {
 
 Json counters(SampleCounters const& counters) {
     Json object = Json::object();
-    for (NamedCounter const& counter : sample_counters)
-        object[counter.name] = counters.*counter.value;
+    for (auto const& column : sample_counters)
+        object[column.name] = counter(column, counters);
     return object;
 }
 

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "runs/sample_counters.hpp"
-
 namespace faster::runs {
 
 namespace {
@@ -89,10 +87,10 @@ void headline(std::string& text, RunHead const& a, RunHead const& b) {
 
 std::string counter_changes(SampleChange const& change) {
     std::string text;
-    for (NamedCounter const& counter : sample_counters)
-        if (change.a.*counter.value != change.b.*counter.value)
-            text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", counter.name, change.a.*counter.value,
-                                change.b.*counter.value);
+    for (auto const& column : sample_counters)
+        if (counter(column, change.a) != counter(column, change.b))
+            text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", column.name, counter(column, change.a),
+                                counter(column, change.b));
     return text;
 }
 

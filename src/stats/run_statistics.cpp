@@ -37,13 +37,6 @@ template <std::size_t N> void add(std::array<Cycles, N>& sum, std::array<Cycles,
 }
 }  // namespace
 
-Cycles port_conflict_cycles(CoreStatistics const& core, BramId id) {
-    Cycles conflicts = 0;
-    for (LoopStatistics const& loop : core.loops)
-        conflicts += loop.limited_by == name_of(id) ? loop.port_conflict_cycles : 0;
-    return conflicts;
-}
-
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
     ProcessStatistics sum;
     for (CoreStatistics const& core : run.cores) {

@@ -14,6 +14,7 @@
 #include "report/summary.hpp"
 #include "retiming/sensitivities.hpp"
 #include "simulation/simulate.hpp"
+#include "stats/column_values.hpp"
 #include "support/byte_stream.hpp"
 
 namespace faster::testing {
@@ -51,9 +52,10 @@ class MapCollector : public SampleProbe {
 
 /// Visits the fields of one row, to send or to receive them: both sides share the list.
 template <class Visit, class Row> void visit_sample(Visit visit, Row& row) {
-    auto& counters = row.counters;
-    visit(row.sample, row.core, row.start_cycle, row.end_cycle, counters.valid_raster, counters.valid_depth,
-          counters.inlier, counters.valid_edge, counters.edge_inlier);
+    for_each_column(row, [&visit](auto const& column, auto& figures) {
+        if (auto* const figure = place_of<std::uint64_t>(column, figures))
+            visit(*figure);
+    });
 }
 
 template <class Visit, class Row> void visit_core(Visit visit, Row& core) {

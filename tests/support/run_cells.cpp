@@ -37,11 +37,8 @@ template <class Sample> void add_sample(CellList& cells, std::size_t index, Samp
     cells.at("sample " + std::to_string(index) + ", ");
     cells.add("start_cycle", sample.start_cycle);
     cells.add("end_cycle", sample.end_cycle);
-    cells.add("valid_raster", sample.counters.valid_raster);
-    cells.add("valid_depth", sample.counters.valid_depth);
-    cells.add("inlier", sample.counters.inlier);
-    cells.add("valid_edge", sample.counters.valid_edge);
-    cells.add("edge_inlier", sample.counters.edge_inlier);
+    for (auto const& column : sample_counters)
+        cells.add(column.name, counter(column, sample.counters));
 }
 
 template <class Fifo> void add_fifo(CellList& cells, Fifo const& fifo) {

@@ -5,6 +5,7 @@
 #include "budgets/configuration_hash.hpp"
 #include "budgets/evaluate.hpp"
 #include "budgets/explain.hpp"
+#include "budgets/figure_facts.hpp"
 #include "budgets/figure_pattern.hpp"
 #include "budgets/junit_xml.hpp"
 #include "budgets/limit_text.hpp"

@@ -11,6 +11,9 @@ using namespace faster::runs;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using faster::Cycles;
+using faster::FifoRow;
+using faster::LoopRow;
+using faster::SampleStatistics;
 
 namespace {
 
@@ -18,19 +21,19 @@ ModuleRecord module_of(std::uint64_t core, Cycles busy, Cycles idle) {
     return {core, "rasterizer", {{"busy_cycles", busy}, {"idle_cycles", idle}}};
 }
 
-FifoRecord fifo_of(std::uint64_t core, Cycles full_stall, std::uint64_t occupancy) {
-    FifoRecord fifo;
+FifoRow fifo_of(std::uint64_t core, Cycles full_stall, std::uint64_t occupancy) {
+    FifoRow fifo;
     fifo.core = core;
     fifo.fifo = "command";
-    fifo.kind = "shift_register";
+    fifo.kind_name = "shift_register";
     fifo.depth = 2;
     fifo.full_stall_cycles = full_stall;
     fifo.max_occupancy = occupancy;
     return fifo;
 }
 
-LoopRecord loop_of(std::uint64_t core, Cycles ii, std::uint64_t iterations, Cycles port_conflict) {
-    LoopRecord loop;
+LoopRow loop_of(std::uint64_t core, Cycles ii, std::uint64_t iterations, Cycles port_conflict) {
+    LoopRow loop;
     loop.core = core;
     loop.module = "inlier_unit";
     loop.loop = "sweep";
@@ -40,8 +43,8 @@ LoopRecord loop_of(std::uint64_t core, Cycles ii, std::uint64_t iterations, Cycl
     return loop;
 }
 
-SampleRecord sample_of(Cycles latency, std::uint64_t inliers) {
-    SampleRecord sample;
+SampleStatistics sample_of(Cycles latency, std::uint64_t inliers) {
+    SampleStatistics sample;
     sample.start_cycle = 7;
     sample.end_cycle = 6 + latency;
     sample.counters.inlier = inliers;
@@ -153,9 +156,9 @@ TEST_CASE("FIFO stalls are summed, occupancy is the largest of any core, shapes 
     RunRecord b = a;
     b.fifos = {fifo_of(0, 0, 9), fifo_of(1, 5, 3)};
     CHECK(compare(a, b).fifo_shapes.empty());
-    for (FifoRecord& fifo : b.fifos) {
+    for (FifoRow& fifo : b.fifos) {
         fifo.depth = 16;
-        fifo.kind = "memory";
+        fifo.kind_name = "memory";
     }
     Comparison const comparison = compare(a, b);
     CHECK(words_of(changes_of(comparison, "fifo_stalls")) == Words{"command full_stall_cycles 50 5 -45"});

@@ -87,7 +87,7 @@ TEST_CASE("A run's folder is read back into a record", "[runs]") {
     CHECK(run.configuration[1].value == "200.0");
     REQUIRE(run.fifos.size() == 1);
     CHECK(run.fifos[0].name() == "command");
-    CHECK(run.fifos[0].kind == "memory");
+    CHECK(run.fifos[0].kind_name == "memory");
     CHECK(run.fifos[0].max_occupancy == 5);
     REQUIRE(run.loops.size() == 2);
     CHECK(run.loops[0].name() == "rasterizer.scan");

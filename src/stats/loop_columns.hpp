@@ -1,0 +1,51 @@
+#pragma once
+#include "common/column.hpp"
+#include "common/cycles.hpp"
+
+namespace faster {
+
+/// What a loop of a core has to tell.
+struct LoopStatistics {
+    Cycles ii_target = 1;
+    Cycles ii_recurrence = 1;
+    Cycles ii = 1;
+    Cycles depth = 1;
+    std::uint64_t entries = 0;
+    std::uint64_t iterations = 0;
+    Cycles port_conflict_cycles = 0;
+    Cycles recurrence_cycles = 0;
+    std::string limited_by;
+    std::string bram;                 ///< that demands most; empty if the loop touches none
+    std::uint64_t bram_accesses = 0;  ///< of that, per iteration
+};
+
+/// One row of loops.csv.
+struct LoopRow : LoopStatistics {
+    std::uint64_t core = 0;
+    std::string module;
+    std::string loop;
+    bool is_in_csv = true;  ///< SPEC section 4 leaves some loops out
+
+    std::string name() const { return module + "." + loop; }
+};
+
+inline constexpr Column<LoopRow> loop_columns[]{
+    {"core", "-", &LoopRow::core, Tells::key, OverCores::first, "its core"},
+    {"module", "-", &LoopRow::module, Tells::key, OverCores::first, "the process that runs it"},
+    {"loop", "-", &LoopRow::loop, Tells::key, OverCores::first, "its name in the module"},
+    {"ii_target", "cycles", &LoopRow::ii_target, Tells::shape, OverCores::largest, "what the pragma asks for"},
+    {"ii_recurrence", "cycles", &LoopRow::ii_recurrence, Tells::shape, OverCores::largest,
+     "what a dependence between iterations demands"},
+    {"ii", "cycles", &LoopRow::ii, Tells::shape, OverCores::largest, "what is achieved", "loop_intervals"},
+    {"depth", "cycles", &LoopRow::depth, Tells::shape, OverCores::largest, "pipeline stages"},
+    {"entries", "-", &LoopRow::entries, Tells::work, OverCores::sum, "entries with at least one iteration"},
+    {"iterations", "-", &LoopRow::iterations, Tells::work, OverCores::sum, "over all entries", "loop_iterations"},
+    {"port_conflict_cycles", "cycles", &LoopRow::port_conflict_cycles, Tells::work, OverCores::sum,
+     "lost to block RAM ports", "loop_losses"},
+    {"recurrence_cycles", "cycles", &LoopRow::recurrence_cycles, Tells::work, OverCores::sum, "lost to the dependence",
+     "loop_losses"},
+    {"limited_by", "-", &LoopRow::limited_by, Tells::shape, OverCores::first,
+     "a block RAM, `recurrence`, or empty; static, also for loops that never ran"},
+};
+
+}  // namespace faster

@@ -1,0 +1,37 @@
+#pragma once
+#include "common/cycles.hpp"
+#include "common/sample_counters.hpp"
+
+namespace faster {
+
+/// One row of samples.csv.
+struct SampleStatistics {
+    std::uint64_t sample = 0;
+    std::uint64_t core = 0;
+    Cycles start_cycle = 0;
+    Cycles end_cycle = 0;
+    SampleCounters counters;
+
+    Cycles latency_cycles() const { return end_cycle + 1 - start_cycle; }
+};
+
+/// The columns of samples.csv before those of the counters.
+inline constexpr Column<SampleStatistics> sample_columns[]{
+    {"sample", "-", &SampleStatistics::sample, Tells::key, OverCores::first, "index, 0, 1, 2, ... over all cores"},
+    {"core", "-", &SampleStatistics::core, Tells::when, OverCores::first, "that scored it"},
+    {"start_cycle", "cycle", &SampleStatistics::start_cycle, Tells::when, OverCores::first, "in which it starts"},
+    {"end_cycle", "cycle", &SampleStatistics::end_cycle, Tells::when, OverCores::first, "in which it ends"},
+    {"latency_cycles", "cycles", &SampleStatistics::latency_cycles, Tells::when, OverCores::first,
+     "end + 1 - start, queueing included. Samples of a core overlap: latencies do not add up to `total_cycles`"},
+};
+
+/// Calls `visit(column, row)` for every column of samples.csv, in their order. `row` is what the column's member is of:
+/// the sample or its counters.
+template <class Sample, class Visit> void for_each_column(Sample&& sample, Visit const& visit) {
+    for (auto const& column : sample_columns)
+        visit(column, sample);
+    for (auto const& column : sample_counters)
+        visit(column, sample.counters);
+}
+
+}  // namespace faster

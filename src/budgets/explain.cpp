@@ -1,7 +1,6 @@
 #include "budgets/explain.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "budgets/figure_facts.hpp"
 #include "config/keys.hpp"
@@ -21,6 +20,7 @@ std::vector<runs::Change>* list_for(Explanation& explanation, std::string const&
         case Tells::work:
             return &explanation.work;
         case Tells::waiting:
+        case Tells::peak:
             return &explanation.waiting;
         case Tells::result:
             return &explanation.results;
@@ -29,10 +29,6 @@ std::vector<runs::Change>* list_for(Explanation& explanation, std::string const&
             break;
     }
     return nullptr;
-}
-
-bool is_larger(runs::Change const& left, runs::Change const& right) {
-    return std::abs(left.difference()) > std::abs(right.difference());
 }
 
 runs::Change change_of(Figure const& before, std::optional<std::uint64_t> after) {
@@ -85,7 +81,7 @@ Explanation explain(Baseline const& baseline, Measurement const& measurement) {
             list->push_back(change);
     }
     for (auto* const list : {&explanation.shapes, &explanation.work, &explanation.waiting, &explanation.results})
-        std::stable_sort(list->begin(), list->end(), is_larger);
+        runs::sort_by_difference(*list);
     return explanation;
 }
 

@@ -14,12 +14,12 @@ namespace faster::budgets {
 
 namespace {
 
-constexpr ColumnFacts unknown{"", "-", Tells::work, OverCores::sum, ""};
-constexpr ColumnFacts cycles_by_cause{"", "cycles", Tells::waiting, OverCores::sum, "by FIFO or by block RAM"};
+constexpr ColumnFacts unknown{"", "-", Tells::work, ""};
+constexpr ColumnFacts cycles_by_cause{"", "cycles", Tells::waiting, "by FIFO or by block RAM"};
 constexpr ColumnFacts run_columns[]{
-    {"total_cycles", "cycles", Tells::when, OverCores::first, "how long the run takes"},
-    {"samples", "-", Tells::shape, OverCores::first, "how many there are"},
-    {"raster_cores", "-", Tells::shape, OverCores::first, "how many there are"},
+    {"total_cycles", "cycles", Tells::when, "how long the run takes"},
+    {"samples", "-", Tells::shape, "how many there are"},
+    {"raster_cores", "-", Tells::shape, "how many there are"},
 };
 
 template <class Table> ColumnFacts const& column_of(Table const& columns, std::string const& name) {

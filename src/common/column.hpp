@@ -12,15 +12,9 @@ enum class Tells {
     shape,    ///< how the thing is built
     when,     ///< a cycle of the run, or a span of them
     work,     ///< what was done; the same amount however quickly
-    waiting,  ///< what time made of it: stalls, occupancies
+    waiting,  ///< cycles in which nothing could be done
+    peak,     ///< the most that was there at once
     result,   ///< what was computed
-};
-
-/// How a column's figures in several cores become one.
-enum class OverCores {
-    sum,
-    largest,
-    first,  ///< the same in every core
 };
 
 /// Where a column is written. What CSV files have is read back from a finished run.
@@ -36,11 +30,12 @@ struct ColumnFacts {
     char const* name;
     char const* unit;  ///< "-": none
     Tells tells;
-    OverCores over_cores;
     char const* meaning;                ///< for docs/formats.md
     char const* compared_in = nullptr;  ///< the list of a comparison in which its changes are told
     WrittenTo written = WrittenTo::all;
 
+    /// Whether the figures of several cores add up. Otherwise the largest stands for all.
+    bool is_summed() const { return tells == Tells::work || tells == Tells::waiting || tells == Tells::result; }
     bool is_in_csv() const { return written == WrittenTo::all; }
     bool is_in_json() const { return written != WrittenTo::budgets; }
     /// A column of figures; keys and texts are no figures.
@@ -57,9 +52,9 @@ template <class Row> struct Column : ColumnFacts {
         std::variant<std::uint64_t Row::*, std::string Row::*, std::uint64_t (Row::*)() const, double (Row::*)() const>;
     Member member;
 
-    constexpr Column(char const* its_name, char const* its_unit, Member its_member, Tells what, OverCores how,
-                     char const* its_meaning, char const* its_list = nullptr, WrittenTo where = WrittenTo::all)
-        : ColumnFacts{its_name, its_unit, what, how, its_meaning, its_list, where}, member(its_member) {}
+    constexpr Column(char const* its_name, char const* its_unit, Member its_member, Tells what, char const* its_meaning,
+                     char const* its_list = nullptr, WrittenTo where = WrittenTo::all)
+        : ColumnFacts{its_name, its_unit, what, its_meaning, its_list, where}, member(its_member) {}
 };
 
 }  // namespace faster

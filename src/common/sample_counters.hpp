@@ -18,15 +18,13 @@ struct SampleCounters {
 /// The counters as columns of samples.csv. A counter with a row here is in every file that tells of samples, in
 /// comparisons, budgets, event files and waveforms.
 inline constexpr Column<SampleCounters> sample_counters[]{
-    {"valid_raster", "draws", &SampleCounters::valid_raster, Tells::result, OverCores::sum,
+    {"valid_raster", "draws", &SampleCounters::valid_raster, Tells::result,
      "fragments that went into the depth buffer, redraws included"},
-    {"valid_depth", "px", &SampleCounters::valid_depth, Tells::result, OverCores::sum,
+    {"valid_depth", "px", &SampleCounters::valid_depth, Tells::result,
      "inner window pixels with observed depth <= 3.0 m; missing readings (0) count"},
-    {"inlier", "px", &SampleCounters::inlier, Tells::result, OverCores::sum,
-     "pixels whose rendered and observed depth agree"},
-    {"valid_edge", "px", &SampleCounters::valid_edge, Tells::result, OverCores::sum,
-     "inner window pixels that are rendered edges"},
-    {"edge_inlier", "px", &SampleCounters::edge_inlier, Tells::result, OverCores::sum,
+    {"inlier", "px", &SampleCounters::inlier, Tells::result, "pixels whose rendered and observed depth agree"},
+    {"valid_edge", "px", &SampleCounters::valid_edge, Tells::result, "inner window pixels that are rendered edges"},
+    {"edge_inlier", "px", &SampleCounters::edge_inlier, Tells::result,
      "inliers that are both rendered and observed edges"},
 };
 constexpr std::size_t sample_counter_count = std::size(sample_counters);

@@ -28,6 +28,9 @@ struct Change {
     std::int64_t difference() const;
 };
 
+/// Largest absolute difference first.
+void sort_by_difference(std::vector<Change>& changes);
+
 /// B - A in per cent of A; nothing if A is 0.
 std::optional<double> percent_of(double a, double b);
 

@@ -66,12 +66,9 @@ template <class Value, class Row> Value* place_of(Column<Row> const& column, Row
 /// Puts the same item of another core to what is known of it.
 template <class Row, std::size_t N> void add_core(Columns<Row, N> columns, Row& sum, Row const& row) {
     for (Column<Row> const& column : columns)
-        if (auto* const place = place_of<std::uint64_t>(column, sum)) {
+        if (auto* const place = place_of<std::uint64_t>(column, sum); place != nullptr && column.tells != Tells::key) {
             std::uint64_t const figure = *figure_in(column, row);
-            if (column.over_cores == OverCores::sum)
-                *place += figure;
-            if (column.over_cores == OverCores::largest)
-                *place = std::max(*place, figure);
+            *place = column.is_summed() ? *place + figure : std::max(*place, figure);
         }
 }
 

@@ -21,18 +21,17 @@ enum class CycleClass : std::size_t {
 
 /// The classes by their names. Columns of modules have the same names with "_cycles" behind.
 inline constexpr ColumnFacts cycle_classes[]{
-    {"busy", "cycles", Tells::work, OverCores::sum, "works: an operation, or an iteration at its target interval"},
-    {"fill_drain", "cycles", Tells::work, OverCores::sum, "a loop's pipeline fills or empties: L - II for every entry"},
-    {"setup", "cycles", Tells::work, OverCores::sum, "prepares what its next loop goes over"},
-    {"empty_stall", "cycles", Tells::waiting, OverCores::sum, "an input FIFO is empty; `stalls` has them by FIFO"},
-    {"full_stall", "cycles", Tells::waiting, OverCores::sum, "an output FIFO is full; `stalls` has them by FIFO"},
-    {"port_conflict", "cycles", Tells::work, OverCores::sum,
+    {"busy", "cycles", Tells::work, "works: an operation, or an iteration at its target interval"},
+    {"fill_drain", "cycles", Tells::work, "a loop's pipeline fills or empties: L - II for every entry"},
+    {"setup", "cycles", Tells::work, "prepares what its next loop goes over"},
+    {"empty_stall", "cycles", Tells::waiting, "an input FIFO is empty; `stalls` has them by FIFO"},
+    {"full_stall", "cycles", Tells::waiting, "an output FIFO is full; `stalls` has them by FIFO"},
+    {"port_conflict", "cycles", Tells::work,
      "a block RAM has too few ports for the target interval; `port_conflicts` has them by block RAM"},
-    {"recurrence", "cycles", Tells::work, OverCores::sum,
-     "a dependence between iterations forbids the target interval"},
-    {"idle_before", "cycles", Tells::waiting, OverCores::sum,
+    {"recurrence", "cycles", Tells::work, "a dependence between iterations forbids the target interval"},
+    {"idle_before", "cycles", Tells::waiting,
      "waits for its first token, and has done nothing before. `fifos.csv` counts these cycles as an empty stall"},
-    {"idle_after", "cycles", Tells::waiting, OverCores::sum, "has nothing to do any more"},
+    {"idle_after", "cycles", Tells::waiting, "has nothing to do any more"},
 };
 constexpr std::size_t cycle_class_count = std::size(cycle_classes);
 

@@ -28,22 +28,19 @@ struct FifoRow : FifoStatistics {
 };
 
 inline constexpr Column<FifoRow> fifo_columns[]{
-    {"core", "-", &FifoRow::core, Tells::key, OverCores::first, "its core"},
-    {"fifo", "-", &FifoRow::fifo, Tells::key, OverCores::first, "its name"},
-    {"kind", "-", &FifoRow::kind_name, Tells::shape, OverCores::first,
-     "`shift_register` or `memory`; `auto` is resolved"},
-    {"depth", "tokens", &FifoRow::depth, Tells::shape, OverCores::largest, "as configured"},
-    {"capacity", "tokens", &FifoRow::capacity, Tells::shape, OverCores::largest, "how many fit", nullptr,
-     WrittenTo::json_and_budgets},
-    {"write_latency", "cycles", &FifoRow::write_latency, Tells::shape, OverCores::largest,
+    {"core", "-", &FifoRow::core, Tells::key, "its core"},
+    {"fifo", "-", &FifoRow::fifo, Tells::key, "its name"},
+    {"kind", "-", &FifoRow::kind_name, Tells::shape, "`shift_register` or `memory`; `auto` is resolved"},
+    {"depth", "tokens", &FifoRow::depth, Tells::shape, "as configured"},
+    {"capacity", "tokens", &FifoRow::capacity, Tells::shape, "how many fit", nullptr, WrittenTo::json_and_budgets},
+    {"write_latency", "cycles", &FifoRow::write_latency, Tells::shape,
      "stage in which the writing loop sends; 0 where no loop writes"},
-    {"writes", "tokens", &FifoRow::writes, Tells::work, OverCores::sum, "written"},
-    {"reads", "tokens", &FifoRow::reads, Tells::work, OverCores::sum, "read"},
-    {"full_stall_cycles", "cycles", &FifoRow::full_stall_cycles, Tells::waiting, OverCores::sum, "waited by the writer",
+    {"writes", "tokens", &FifoRow::writes, Tells::work, "written"},
+    {"reads", "tokens", &FifoRow::reads, Tells::work, "read"},
+    {"full_stall_cycles", "cycles", &FifoRow::full_stall_cycles, Tells::waiting, "waited by the writer", "fifo_stalls"},
+    {"empty_stall_cycles", "cycles", &FifoRow::empty_stall_cycles, Tells::waiting, "waited by the reader",
      "fifo_stalls"},
-    {"empty_stall_cycles", "cycles", &FifoRow::empty_stall_cycles, Tells::waiting, OverCores::sum,
-     "waited by the reader", "fifo_stalls"},
-    {"max_occupancy", "tokens", &FifoRow::max_occupancy, Tells::waiting, OverCores::largest,
+    {"max_occupancy", "tokens", &FifoRow::max_occupancy, Tells::peak,
      "most tokens written and unread at the end of a cycle", "fifo_occupancies"},
 };
 

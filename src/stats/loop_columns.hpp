@@ -30,21 +30,19 @@ struct LoopRow : LoopStatistics {
 };
 
 inline constexpr Column<LoopRow> loop_columns[]{
-    {"core", "-", &LoopRow::core, Tells::key, OverCores::first, "its core"},
-    {"module", "-", &LoopRow::module, Tells::key, OverCores::first, "the process that runs it"},
-    {"loop", "-", &LoopRow::loop, Tells::key, OverCores::first, "its name in the module"},
-    {"ii_target", "cycles", &LoopRow::ii_target, Tells::shape, OverCores::largest, "what the pragma asks for"},
-    {"ii_recurrence", "cycles", &LoopRow::ii_recurrence, Tells::shape, OverCores::largest,
-     "what a dependence between iterations demands"},
-    {"ii", "cycles", &LoopRow::ii, Tells::shape, OverCores::largest, "what is achieved", "loop_intervals"},
-    {"depth", "cycles", &LoopRow::depth, Tells::shape, OverCores::largest, "pipeline stages"},
-    {"entries", "-", &LoopRow::entries, Tells::work, OverCores::sum, "entries with at least one iteration"},
-    {"iterations", "-", &LoopRow::iterations, Tells::work, OverCores::sum, "over all entries", "loop_iterations"},
-    {"port_conflict_cycles", "cycles", &LoopRow::port_conflict_cycles, Tells::work, OverCores::sum,
-     "lost to block RAM ports", "loop_losses"},
-    {"recurrence_cycles", "cycles", &LoopRow::recurrence_cycles, Tells::work, OverCores::sum, "lost to the dependence",
+    {"core", "-", &LoopRow::core, Tells::key, "its core"},
+    {"module", "-", &LoopRow::module, Tells::key, "the process that runs it"},
+    {"loop", "-", &LoopRow::loop, Tells::key, "its name in the module"},
+    {"ii_target", "cycles", &LoopRow::ii_target, Tells::shape, "what the pragma asks for"},
+    {"ii_recurrence", "cycles", &LoopRow::ii_recurrence, Tells::shape, "what a dependence between iterations demands"},
+    {"ii", "cycles", &LoopRow::ii, Tells::shape, "what is achieved", "loop_intervals"},
+    {"depth", "cycles", &LoopRow::depth, Tells::shape, "pipeline stages"},
+    {"entries", "-", &LoopRow::entries, Tells::work, "entries with at least one iteration"},
+    {"iterations", "-", &LoopRow::iterations, Tells::work, "over all entries", "loop_iterations"},
+    {"port_conflict_cycles", "cycles", &LoopRow::port_conflict_cycles, Tells::work, "lost to block RAM ports",
      "loop_losses"},
-    {"limited_by", "-", &LoopRow::limited_by, Tells::shape, OverCores::first,
+    {"recurrence_cycles", "cycles", &LoopRow::recurrence_cycles, Tells::work, "lost to the dependence", "loop_losses"},
+    {"limited_by", "-", &LoopRow::limited_by, Tells::shape,
      "a block RAM, `recurrence`, or empty; static, also for loops that never ran"},
 };
 

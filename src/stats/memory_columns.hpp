@@ -18,23 +18,20 @@ struct MemoryRow : MemoryShape {
 };
 
 inline constexpr Column<MemoryRow> memory_columns[]{
-    {"core", "-", &MemoryRow::core, Tells::key, OverCores::first, "its core"},
-    {"bram", "-", &MemoryRow::bram, Tells::key, OverCores::first, "its name"},
-    {"words", "-", &MemoryRow::words, Tells::shape, OverCores::largest,
+    {"core", "-", &MemoryRow::core, Tells::key, "its core"},
+    {"bram", "-", &MemoryRow::bram, Tells::key, "its name"},
+    {"words", "-", &MemoryRow::words, Tells::shape,
      "of each buffer, all banks together; 0: the configuration has no such memory", nullptr, WrittenTo::json},
-    {"bits", "bits", &MemoryRow::bits, Tells::shape, OverCores::largest, "per word", nullptr, WrittenTo::json},
-    {"banks", "-", &MemoryRow::partition, Tells::shape, OverCores::largest, "that share the words", nullptr,
+    {"bits", "bits", &MemoryRow::bits, Tells::shape, "per word", nullptr, WrittenTo::json},
+    {"banks", "-", &MemoryRow::partition, Tells::shape, "that share the words", nullptr, WrittenTo::json},
+    {"buffers", "-", &MemoryRow::buffers, Tells::shape, "how often all of this is there", nullptr, WrittenTo::json},
+    {"ports", "-", &MemoryRow::ports, Tells::shape, "accesses per cycle, of all banks of a buffer together", nullptr,
      WrittenTo::json},
-    {"buffers", "-", &MemoryRow::buffers, Tells::shape, OverCores::largest, "how often all of this is there", nullptr,
-     WrittenTo::json},
-    {"ports", "-", &MemoryRow::ports, Tells::shape, OverCores::largest,
-     "accesses per cycle, of all banks of a buffer together", nullptr, WrittenTo::json},
-    {"ports", "-", &MemoryRow::ports_of_bank, Tells::shape, OverCores::largest, "of a bank, as configured", nullptr,
-     WrittenTo::budgets},
-    {"ramb36", "RAMB36", &MemoryRow::ramb36, Tells::shape, OverCores::sum,
-     "36 Kbit block RAMs that it takes, all buffers together", nullptr, WrittenTo::json},
-    {"port_conflict_cycles", "cycles", &MemoryRow::port_conflict_cycles, Tells::work, OverCores::sum,
-     "of the loops that it limits", nullptr, WrittenTo::json_and_budgets},
+    {"ports", "-", &MemoryRow::ports_of_bank, Tells::shape, "of a bank, as configured", nullptr, WrittenTo::budgets},
+    {"ramb36", "RAMB36", &MemoryRow::ramb36, Tells::shape, "36 Kbit block RAMs that it takes, all buffers together",
+     nullptr, WrittenTo::json},
+    {"port_conflict_cycles", "cycles", &MemoryRow::port_conflict_cycles, Tells::work, "of the loops that it limits",
+     nullptr, WrittenTo::json_and_budgets},
 };
 
 }  // namespace faster

@@ -17,11 +17,11 @@ struct SampleStatistics {
 
 /// The columns of samples.csv before those of the counters.
 inline constexpr Column<SampleStatistics> sample_columns[]{
-    {"sample", "-", &SampleStatistics::sample, Tells::key, OverCores::first, "index, 0, 1, 2, ... over all cores"},
-    {"core", "-", &SampleStatistics::core, Tells::when, OverCores::first, "that scored it"},
-    {"start_cycle", "cycle", &SampleStatistics::start_cycle, Tells::when, OverCores::first, "in which it starts"},
-    {"end_cycle", "cycle", &SampleStatistics::end_cycle, Tells::when, OverCores::first, "in which it ends"},
-    {"latency_cycles", "cycles", &SampleStatistics::latency_cycles, Tells::when, OverCores::first,
+    {"sample", "-", &SampleStatistics::sample, Tells::key, "index, 0, 1, 2, ... over all cores"},
+    {"core", "-", &SampleStatistics::core, Tells::when, "that scored it"},
+    {"start_cycle", "cycle", &SampleStatistics::start_cycle, Tells::when, "in which it starts"},
+    {"end_cycle", "cycle", &SampleStatistics::end_cycle, Tells::when, "in which it ends"},
+    {"latency_cycles", "cycles", &SampleStatistics::latency_cycles, Tells::when,
      "end + 1 - start, queueing included. Samples of a core overlap: latencies do not add up to `total_cycles`"},
 };
 

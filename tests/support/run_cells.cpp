@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "stats/column_values.hpp"
+
 namespace faster::testing {
 
 namespace {
@@ -157,16 +159,14 @@ Cells all_cells(RunStatistics const& run) {
             FifoStatistics const& fifo = run.cores[k].fifos[i];
             more.at(in_fifo(k, i));
             more.add("kind", static_cast<std::uint64_t>(fifo.kind));
-            more.add("depth", fifo.depth);
-            more.add("capacity", fifo.capacity);
-            more.add("write_latency", fifo.write_latency);
+            for (auto const& column : fifo_columns)
+                more.add(column.name, cell_in(column, FifoRow{fifo, k, "", ""}));
         }
         for (std::size_t i = 0; i < loop_count; ++i) {
             LoopStatistics const& loop = run.cores[k].loops[i];
             more.at(in_loop(k, i));
-            more.add("ii_target", loop.ii_target);
-            more.add("ii_recurrence", loop.ii_recurrence);
-            more.add("depth", loop.depth);
+            for (auto const& column : loop_columns)
+                more.add(column.name, cell_in(column, LoopRow{loop, k, "", ""}));
             more.add("bram", loop.bram);
         }
         for (std::size_t i = 0; i < module_count; ++i) {

@@ -15,17 +15,28 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
         cores_.push_back(make_core(core_name.c_str(), machine_, share, time_base));
     }
     if (engine == Engine::decoupled)
-        run_one_after_the_other();
+        let_cores_take_turns();
 }
 
 /// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
-void DataflowAccelerator::run_one_after_the_other() {
+void DataflowAccelerator::let_cores_take_turns() {
     auto const automaton = std::make_shared<timing::Automaton>();
     for (std::size_t core = 0; core < cores_.size(); ++core) {
         if (!machine_->lead.followers.empty())
             cores_[core]->timing().let_follow(machine_->lead, automaton);
         if (core > 0)
             cores_[core]->run_after(*cores_[core - 1]);
+    }
+}
+
+/// A core that is stuck before it has done its share does not keep the next ones from theirs.
+void DataflowAccelerator::run() {
+    sc_core::sc_start();
+    for (std::size_t next = 1; engine_ == Engine::decoupled && next < cores_.size(); ++next) {
+        if (cores_[next]->share().count == 0 || cores_[next - 1]->is_turn_over())
+            continue;
+        cores_[next - 1]->end_turn();
+        sc_core::sc_start();
     }
 }
 

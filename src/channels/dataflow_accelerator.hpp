@@ -23,8 +23,11 @@ class DataflowAccelerator : public sc_core::sc_module {
     Engine engine() const { return engine_; }
     std::vector<std::unique_ptr<DataflowCore>> const& cores() const { return cores_; }
 
+    /// Lets simulated time pass until nothing moves any more.
+    void run();
+
   private:
-    void run_one_after_the_other();
+    void let_cores_take_turns();
 
     std::shared_ptr<Machine const> machine_;
     Engine engine_;

@@ -9,7 +9,11 @@ namespace faster {
 
 DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine, CoreShare share,
                            TimeBase const& time_base)
-    : sc_module(name), machine_(std::move(machine)), share_(share), time_base_(time_base) {
+    : sc_module(name),
+      machine_(std::move(machine)),
+      share_(share),
+      time_base_(time_base),
+      is_turn_over_(share.count == 0) {
     for (MachineFifo const& fifo : machine_->fifos)
         timing_.add_fifo(fifo.shape());
     for (std::size_t process = 0; process < machine_->process_places(); ++process)
@@ -76,8 +80,8 @@ void DataflowCore::begin_sample(std::size_t process) {
 void DataflowCore::await_turn_of(std::size_t process) const {
     std::vector<MachineEnd> const& ends = machine_->processes[process].ends;
     bool const reads = std::any_of(ends.begin(), ends.end(), [](MachineEnd const& end) { return !end.writes; });
-    while (!reads && before_ != nullptr && before_->samples_ended_ < before_->share_.count)
-        sc_core::wait(before_->done_);
+    while (!reads && before_ != nullptr && !before_->is_turn_over_)
+        sc_core::wait(before_->turn_ends_);
 }
 
 void DataflowCore::end_sample() {
@@ -86,7 +90,12 @@ void DataflowCore::end_sample() {
     if (progress_)
         progress_();
     if (samples_ended_ == share_.count)
-        done_.notify(sc_core::SC_ZERO_TIME);
+        end_turn();
+}
+
+void DataflowCore::end_turn() {
+    is_turn_over_ = true;
+    turn_ends_.notify(sc_core::SC_ZERO_TIME);
 }
 
 }  // namespace faster

@@ -58,11 +58,17 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// Calls back before the machine's process that begins samples begins the i-th sample of the core.
     void on_sample_begins(std::function<void(std::size_t i)> call) { sample_begins_.push_back(std::move(call)); }
     /// Calls back whenever a process begins its next sample, with the number of the process.
-    void on_process_begins(std::function<void(std::size_t process)> call) { process_begins_.push_back(std::move(call)); }
+    void on_process_begins(std::function<void(std::size_t process)> call) {
+        process_begins_.push_back(std::move(call));
+    }
 
     /// Lets this core begin when another one has done its share. Cores need not take turns, as they share nothing; but
     /// one after the other keeps the host's caches warm (decoupled).
     void run_after(DataflowCore const& other) { before_ = &other; }
+    /// Whether the core has done its share, or has let the next one begin all the same.
+    bool is_turn_over() const { return is_turn_over_; }
+    /// Lets the next core begin. By itself when the share is done.
+    void end_turn();
     /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled).
     void catch_up() override;
 
@@ -92,8 +98,9 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::vector<std::function<void(std::size_t)>> process_begins_;
     std::vector<std::size_t> begun_;  // samples, by process
     std::size_t samples_ended_ = 0;
-    DataflowCore const* before_ = nullptr;  // whose share is done first
-    sc_core::sc_event done_{"done"};
+    DataflowCore const* before_ = nullptr;  // whose turn is before
+    bool is_turn_over_;
+    sc_core::sc_event turn_ends_{"turn_ends"};
 };
 
 }  // namespace faster

@@ -1,7 +1,7 @@
 #include "channels/simulate.hpp"
 
+#include <memory>
 #include <optional>
-#include <systemc>
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
@@ -62,9 +62,9 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     Recordings recordings(accelerator, options.recordings);
     std::unique_ptr<Taping> taping;
     if (options.recorded != nullptr)
-        taping = std::make_unique<Taping>(accelerator, *options.recorded,
-                                          timing_of_taping(accelerator.engine(), options));
-    sc_core::sc_start();
+        taping =
+            std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator.engine(), options));
+    accelerator.run();
     RunStatistics run = statistics_of(accelerator, taping.get());
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);

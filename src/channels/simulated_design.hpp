@@ -23,7 +23,8 @@ class SimulatedDesign {
     /// What is recorded may decide keys of the configuration: they are changed then. Throws InputError.
     virtual std::unique_ptr<Workload> load_workload(LoadedConfig& loaded) const = 0;
     /// The SystemC modules of a configuration, which must outlive them, as must the others.
-    virtual std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config, Machine const& machine,
+    virtual std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config,
+                                                           std::shared_ptr<Machine const> machine,
                                                            Workload& workload) const = 0;
 };
 

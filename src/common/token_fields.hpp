@@ -1,30 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <string>
 
 #include "common/buffer_tokens.hpp"
 #include "common/tokens.hpp"
+#include "kernel/machine/token_field.hpp"
 
 namespace faster {
 
-/// One number of a token, as recordings show it.
-struct TokenField {
-    char const* name;
-    unsigned bits;
-    bool is_signed = false;
-    static constexpr int only_lane = -1;
-    int lane = only_lane;  ///< of a token of several values: which of them
-};
-
-/// "depth"; of a token of several values "depth0", "depth1", ...
-inline std::string label(TokenField const& field) {
-    return field.lane == TokenField::only_lane ? field.name : field.name + std::to_string(field.lane);
-}
-
-/// The fields of each FIFO's tokens: `layout`, and a token's values in that order, sign-extended. Specialized for every
-/// token type; by FIFO where a plain number serves several.
-template <class Token> struct TokenFields;
+// The fields of each FIFO's tokens (see TokenFields); by FIFO where a plain number serves several.
 
 template <> struct TokenFields<SampleHeader> {
     static constexpr std::array<TokenField, 4> layout{
@@ -111,12 +95,17 @@ template <> struct TokenFields<FullDepthBuffer> {
 /// How many of a token's last fields are a region's.
 constexpr std::size_t region_fields = 4;
 template <> struct TokenFields<SampleCounters> {
-    static constexpr std::array<TokenField, 5> layout{
-        {{"valid_raster", 64}, {"valid_depth", 64}, {"inlier", 64}, {"valid_edge", 64}, {"edge_inlier", 64}}};
-    static std::array<std::int64_t, 5> values(SampleCounters const& t) {
-        return {static_cast<std::int64_t>(t.valid_raster), static_cast<std::int64_t>(t.valid_depth),
-                static_cast<std::int64_t>(t.inlier), static_cast<std::int64_t>(t.valid_edge),
-                static_cast<std::int64_t>(t.edge_inlier)};
+    static constexpr std::array<TokenField, sample_counter_count> layout = [] {
+        std::array<TokenField, sample_counter_count> fields{};
+        for (std::size_t i = 0; i < sample_counter_count; ++i)
+            fields[i] = {sample_counters[i].name, 64};
+        return fields;
+    }();
+    static std::array<std::int64_t, sample_counter_count> values(SampleCounters const& t) {
+        std::array<std::int64_t, sample_counter_count> values{};
+        for (std::size_t i = 0; i < sample_counter_count; ++i)
+            values[i] = static_cast<std::int64_t>(counter(sample_counters[i], t));
+        return values;
     }
 };
 

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "common/sample_counters.hpp"
+
 namespace faster {
 
 /// One vertex after the vertex transform, as raw codes (formats: FractionBits).
@@ -62,19 +64,6 @@ struct EdgeToken {
     std::int16_t row = 0;
     std::int16_t col = 0;
     EdgeTokenKind kind = EdgeTokenKind::Edge;
-};
-
-/// Token of `result`: the five counters of one sample (SPEC section 2, InlierUnit). They do not wrap.
-struct SampleCounters {
-    std::uint64_t valid_raster = 0;
-    std::uint64_t valid_depth = 0;
-    std::uint64_t inlier = 0;
-    std::uint64_t valid_edge = 0;
-    std::uint64_t edge_inlier = 0;
-    friend bool operator==(SampleCounters const& a, SampleCounters const& b) {
-        return a.valid_raster == b.valid_raster && a.valid_depth == b.valid_depth && a.inlier == b.inlier &&
-               a.valid_edge == b.valid_edge && a.edge_inlier == b.edge_inlier;
-    }
 };
 
 }  // namespace faster

@@ -13,8 +13,8 @@ using Make = KeyMaker<FasterConfig>;
 constexpr IntegerRange cycles_range{1, 1'000'000};
 
 template <class Field> Key fraction_key(std::string const& name, std::string const& what, int max, Field field) {
-    return Make::integer_key({"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "SPEC 2"},
-                       {0, max}, field);
+    return Make::integer_key(
+        {"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "SPEC 2"}, {0, max}, field);
 }
 
 void add_fraction_keys(Keys& keys) {
@@ -45,19 +45,20 @@ template <class Field> Key threshold_key(std::string const& weight, std::string 
 
 template <class Field> Key buffers_key(std::string const& module, std::string const& what, Field field) {
     return Make::integer_key({"accelerator." + module + ".buffers", "",
-                        what + " for samples in turn; with 2, a process of its own reads one out while the next "
-                               "sample's tokens go into the other.",
-                        "thesis A.2, A.3; 2: this project"},
-                       {1, 2}, field);
+                              what + " for samples in turn; with 2, a process of its own reads one out while the next "
+                                     "sample's tokens go into the other.",
+                              "thesis A.2, A.3; 2: this project"},
+                             {1, 2}, field);
 }
 
 template <class Field> Key clearing_key(std::string const& module, std::string const& what, Field field) {
-    return Make::choice_key({"accelerator." + module + ".clearing", "",
-                       "How " + what +
-                           " become empty for the next sample: by a loop before it (wide: a word of every bank per "
-                           "iteration), or by the loop that reads them out.",
-                       "thesis A.2, A.3; others: this project"},
-                      field);
+    return Make::choice_key(
+        {"accelerator." + module + ".clearing", "",
+         "How " + what +
+             " become empty for the next sample: by a loop before it (wide: a word of every bank per "
+             "iteration), or by the loop that reads them out.",
+         "thesis A.2, A.3; others: this project"},
+        field);
 }
 
 void add_edge_map_keys(Keys& keys) {

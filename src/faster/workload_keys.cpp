@@ -40,9 +40,8 @@ std::vector<ItemField> fields_of_scene_object() {
 
 /// In the order of fields_of_scene_object().
 ItemValue item_of(SceneObjectConfig const& object) {
-    return {{{"object", object.object},
-             {"translation_m", object.translation_m},
-             {"rotation_deg", object.rotation_deg}}};
+    return {
+        {{"object", object.object}, {"translation_m", object.translation_m}, {"rotation_deg", object.rotation_deg}}};
 }
 
 SceneObjectConfig scene_object(ItemValue const& item) {

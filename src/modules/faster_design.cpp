@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "common/sample_counters.hpp"
 #include "faster/clear_design.hpp"
 #include "faster/faster_complaints.hpp"
 #include "faster/faster_config.hpp"
@@ -30,9 +31,13 @@ std::unique_ptr<DesignConfig> FasterDesign::default_config() const { return std:
 
 std::vector<Key> FasterDesign::keys() const { return faster_keys(describe_raster_core(AcceleratorConfig())); }
 
-CoreDescription FasterDesign::core(RunConfig const& config) const { return describe_raster_core(accelerator_of(config)); }
+CoreDescription FasterDesign::core(RunConfig const& config) const {
+    return describe_raster_core(accelerator_of(config));
+}
 
-std::vector<std::string> FasterDesign::complaints(LoadedConfig const& loaded) const { return faster_complaints(loaded); }
+std::vector<std::string> FasterDesign::complaints(LoadedConfig const& loaded) const {
+    return faster_complaints(loaded);
+}
 
 IdleKeys FasterDesign::idle_keys(RunConfig const& config) const {
     constexpr char const* flow = "accelerator.flow";
@@ -73,8 +78,9 @@ std::vector<std::filesystem::path> FasterDesign::files_of(std::filesystem::path 
     return {manifest, folder / files.samples, folder / files.triangles, folder / files.depth, folder / files.edges};
 }
 
-std::vector<std::string> FasterDesign::counters() const {
-    return {"valid_raster", "valid_depth", "inlier", "valid_edge", "edge_inlier"};
+std::vector<ColumnFacts> const& FasterDesign::counters() const {
+    static std::vector<ColumnFacts> const all(std::begin(sample_counters), std::end(sample_counters));
+    return all;
 }
 
 Design const& design() {

@@ -17,7 +17,7 @@ class FasterDesign final : public Design {
     std::vector<Preset> const& presets() const override;
     /// Of a stimulus trace.
     std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const override;
-    std::vector<std::string> counters() const override;
+    std::vector<ColumnFacts> const& counters() const override;
 };
 
 }  // namespace faster

@@ -10,7 +10,7 @@ namespace faster {
 
 /// The raster cores of a configuration, for a stimulus; both must outlive them. `machine`: of that configuration.
 std::unique_ptr<DataflowAccelerator> make_accelerator(AcceleratorConfig const& config, Stimulus const& stimulus,
-                                                      Machine const& machine, Engine engine,
+                                                      std::shared_ptr<Machine const> machine, Engine engine,
                                                       SampleProbe* probe = nullptr);
 
 /// Builds them, runs them until nothing moves, and collects their figures. `probe` sees the maps of every sample; it

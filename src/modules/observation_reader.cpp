@@ -29,7 +29,8 @@ ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
     module.loop("read")
         .does("reads one token of observed pixels per iteration")
         .of_depth(5)
-        .writes_to({"observed_depth", "observed_edge"});
+        .writes_to({"observed_depth", "observed_edge"})
+        .unlisted();
     return module;
 }
 

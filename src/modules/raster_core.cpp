@@ -1,5 +1,6 @@
 #include "modules/raster_core.hpp"
 
+#include "common/sample_counters.hpp"
 #include "modules/raster_core_activity.hpp"
 
 namespace faster {
@@ -16,6 +17,8 @@ CoreDescription describe_raster_core(AcceleratorConfig const& config) {
                   "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                   "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
                   "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
+    core.cores_are = "raster cores";
+    core.remark = "window " + std::to_string(config.window) + " x " + std::to_string(config.window) + " px";
     core.begins = "rasterizer";
     core.ends = "result_collector";
     core.pace = {"rasterizer",
@@ -118,8 +121,7 @@ void RasterCore::bind_scoring() {
 }
 
 Counters RasterCore::result(std::size_t i) const {
-    SampleCounters const& result = result_collector.results()[i];
-    return {result.valid_raster, result.valid_depth, result.inlier, result.valid_edge, result.edge_inlier};
+    return values_of(result_collector.results()[i]);
 }
 
 /// By these the rasterizer can be ahead of the last process, and one: all get their headers in one step, and the

@@ -8,7 +8,7 @@
 
 namespace faster {
 
-RasterCoreActivity::RasterCoreActivity(Machine const& machine, AcceleratorConfig const& config)
+RasterCoreActivity::RasterCoreActivity(AcceleratorConfig const& config, Machine const& machine)
     : machine_(machine),
       edge_map_config_(config.edge_map),
       depth_clearing_(config.inlier_unit.clearing),
@@ -182,7 +182,7 @@ void RasterCoreActivity::take_token(Cycles cycle) {
             return take_token_with_two_maps(cycle == token_read_);
         case EdgeMapAlgorithm::inner_border:
             if (kind == static_cast<std::int64_t>(EdgeTokenKind::Object))
-                write_pixels(object_map_, token_);
+                access_pixels(object_map_, true, token_);
             return;
     }
 }
@@ -243,8 +243,8 @@ void RasterCoreActivity::read_maps_out(std::int64_t iteration) {
 void RasterCoreActivity::draw_fragment(Cycles cycle) {
     if (fragment_read_ != cycle)  // a triangle's, in a flattened loop
         return;
-    read_pixels(depth_buffer_, fragment_);
-    write_pixels(depth_buffer_, fragment_);
+    access_pixels(depth_buffer_, false, fragment_);
+    access_pixels(depth_buffer_, true, fragment_);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
@@ -303,16 +303,10 @@ void RasterCoreActivity::access(std::size_t memory, bool writes, std::int64_t ro
         access(memory, writes, row * side_ + col);
 }
 
-void RasterCoreActivity::write_pixels(std::size_t memory, Token const& token) {
+void RasterCoreActivity::access_pixels(std::size_t memory, bool writes, Token const& token) {
     for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
         if ((token.mask >> lane) % 2 != 0)
-            access(memory, true, token.row, token.col + lane);
-}
-
-void RasterCoreActivity::read_pixels(std::size_t memory, Token const& token) {
-    for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
-        if ((token.mask >> lane) % 2 != 0)
-            access(memory, false, token.row, token.col + lane);
+            access(memory, writes, token.row, token.col + lane);
 }
 
 }  // namespace faster

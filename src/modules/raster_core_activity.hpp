@@ -17,7 +17,7 @@ namespace faster {
 class RasterCoreActivity : public recording::MemoryActivity {
   public:
     /// `machine` is the one that the configuration makes, and must outlive this.
-    RasterCoreActivity(Machine const& machine, AcceleratorConfig const& config);
+    RasterCoreActivity(AcceleratorConfig const& config, Machine const& machine);
 
     void token_read(recording::TokenRead const& read) override;
     void iterated(recording::LoopIteration const& iteration, recording::MemoryPorts& ports) override;
@@ -67,8 +67,7 @@ class RasterCoreActivity : public recording::MemoryActivity {
     // Accesses; of pixels beside the window there are none
     void access(std::size_t memory, bool writes, std::int64_t pixel);
     void access(std::size_t memory, bool writes, std::int64_t row, std::int64_t col);
-    void write_pixels(std::size_t memory, Token const& token);
-    void read_pixels(std::size_t memory, Token const& token);
+    void access_pixels(std::size_t memory, bool writes, Token const& token);
 
     Machine const& machine_;
     EdgeMapConfig edge_map_config_;

@@ -62,7 +62,8 @@ ModuleDescription Rasterizer::describe(AcceleratorConfig const& config) {
         .writes_to(written)
         .also_reads(overlaps ? std::vector<std::string>{"vertex"} : std::vector<std::string>{});
     module.setup = SetupDescription{12, config.rasterizer.scan == ScanPolicy::spans ? span_division_cycles : 0,
-                                    "Cycles of the triangle setup, from the third vertex to the area.", "scan",
+                                    "Cycles of the triangle setup, from the third vertex to the area.",
+                                    overlaps ? "waiting for triangles to be set up" : "setting up triangles", "scan",
                                     overlaps ? "" : "area"};
     return module;
 }

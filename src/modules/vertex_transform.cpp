@@ -14,7 +14,7 @@ ModuleDescription VertexTransform::describe() {
         .carries("vertices from the vertex transform to the rasterizer")
         .of_bits(2 * wires::vertex_xy + wires::vertex_z)
         .leaves("vertex", 40);
-    module.loop("vertex").does("transforms one vertex per iteration").of_depth(41).writes_to({"vertex"});
+    module.loop("vertex").does("transforms one vertex per iteration").of_depth(41).writes_to({"vertex"}).unlisted();
     return module;
 }
 

@@ -12,10 +12,11 @@ std::unique_ptr<Workload> FasterSimulation::load_workload(LoadedConfig& loaded) 
     return workload;
 }
 
-std::unique_ptr<DataflowAccelerator> FasterSimulation::elaborate(RunConfig const& config, Machine const& machine,
+std::unique_ptr<DataflowAccelerator> FasterSimulation::elaborate(RunConfig const& config,
+                                                                 std::shared_ptr<Machine const> machine,
                                                                  Workload& workload) const {
     auto const& ours = static_cast<FasterWorkload const&>(workload);
-    return make_accelerator(accelerator_of(config), ours.stimulus, machine, config.simulation.engine, ours.probe);
+    return make_accelerator(accelerator_of(config), ours.stimulus, std::move(machine), config.simulation.engine, ours.probe);
 }
 
 SimulatedDesign const& simulated_design() {

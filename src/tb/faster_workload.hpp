@@ -17,7 +17,7 @@ struct FasterWorkload final : Workload {
 class FasterSimulation final : public SimulatedDesign {
   public:
     std::unique_ptr<Workload> load_workload(LoadedConfig& loaded) const override;
-    std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config, Machine const& machine,
+    std::unique_ptr<DataflowAccelerator> elaborate(RunConfig const& config, std::shared_ptr<Machine const> machine,
                                                    Workload& workload) const override;
 };
 

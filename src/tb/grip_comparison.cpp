@@ -56,7 +56,7 @@ std::vector<Agreement> agreements(GripComparison const& comparison) {
             score, grip::rank_correlation(figures(comparison.grip, of_grip), figures(comparison.counters, of_flow))};
     };
     using Score = grip::PoseScore;
-    using Counters = SampleCounters;
+    using Sums = SampleCounters;
     return {agreement(
                 "weight", [](Score const& s) { return s.weight(); }, weight),
             agreement(
@@ -64,10 +64,10 @@ std::vector<Agreement> agreements(GripComparison const& comparison) {
             agreement(
                 "edge_ratio", [](Score const& s) { return s.edge.ratio(); }, edge_ratio),
             agreement(
-                "inliers", [](Score const& s) { return s.raw.inliers; }, [](Counters const& c) { return c.inlier; }),
+                "inliers", [](Score const& s) { return s.raw.inliers; }, [](Sums const& c) { return c.inlier; }),
             agreement(
                 "edge_inliers", [](Score const& s) { return s.edge.inliers; },
-                [](Counters const& c) { return c.edge_inlier; })};
+                [](Sums const& c) { return c.edge_inlier; })};
 }
 
 /// What people call it: the preset, or the flow that was chosen on its own.

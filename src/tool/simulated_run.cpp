@@ -5,9 +5,8 @@
 namespace faster {
 
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options) {
-    Machine const machine = machine_of(config);
-    auto const accelerator = simulated_design().elaborate(config, machine, workload);
-    return simulate(*accelerator, machine, config.simulation.engine, options);
+    auto const machine = std::make_shared<Machine const>(machine_of(config));
+    return simulate(*simulated_design().elaborate(config, machine, workload), options);
 }
 
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options) {

@@ -56,7 +56,7 @@ int start_budget(CheckRequest const& request) {
     }
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
-    file.commit(budgets::starting_budget(budget, measurement, today()));
+    file.commit(budgets::starting_budget(budget, measurement, {"inlier", "inlier_unit"}, today()));
     fmt::print("written: {}\nnext: faster-sim check {}\n", budget.file.string(), budget.file.string());
     return exit_done;
 }

@@ -29,22 +29,14 @@ namespace faster {
 
 namespace {
 
-std::vector<runs::SampleRecord> sample_records(std::vector<SampleStatistics> const& samples) {
-    std::vector<runs::SampleRecord> records;
-    records.reserve(samples.size());
-    for (SampleStatistics const& sample : samples)
-        records.push_back({sample.core, sample.start_cycle, sample.end_cycle, sample.counters});
-    return records;
-}
-
 runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
                                RunStatistics const& run) {
     std::vector<ResolvedKey> keys = resolved_keys(changed.config);
     auto const is_engine = [](ResolvedKey const& key) { return key.key == "simulation.engine"; };
     keys.erase(std::remove_if(keys.begin(), keys.end(), is_engine), keys.end());  // an event file does not know it
     std::string const summary = report::summary_json(keys, run, {});
-    return runs::compare(runs::run_record(name, recorded.summary, sample_records(recorded.samples)),
-                         runs::run_record("whatif", summary, sample_records(run.samples)));
+    return runs::compare(runs::run_record(name, recorded.summary, recorded.samples),
+                         runs::run_record("whatif", summary, run.samples));
 }
 
 int retime_one(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& changed,

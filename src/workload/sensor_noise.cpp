@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 namespace faster::workload {
 namespace {

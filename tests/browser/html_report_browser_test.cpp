@@ -4,10 +4,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "faster/parts.hpp"
 #include "kernel/report/html/html_report.hpp"
 #include "support/browser.hpp"
 #include "support/example_run.hpp"
+#include "support/idle_run.hpp"
+#include "support/raster_machine.hpp"
 #include "support/report_page.hpp"
 #include "support/temp_folder.hpp"
 
@@ -26,7 +27,6 @@ std::string png_of(int side) {
 
 std::string example_page(std::string const& title) {
     return report::html_report({title,
-                                AcceleratorConfig{},
                                 example_run(),
                                 example_keys(),
                                 {example_timeline(0, 0, 1), example_timeline(1, 3, 450001)},
@@ -64,7 +64,7 @@ TEST_CASE("A click on the head of a column sorts numbers as numbers and names as
     folder.write("report.html", example_page("example.yaml"));
     Json const check = self_check(folder, "report.html");
     Json const& writes = column(check, "FIFOs", "writes");  // 2 cores, 1000 more from row to row
-    REQUIRE(writes["ascending"].size() == fifos_of(Flow::faster).size());
+    REQUIRE(writes["ascending"].size() == fifos_of(example_run().machine).size());
     CHECK(writes["ascending"].front() == "2,000");
     CHECK(writes["ascending"].back() == "28,000");
     CHECK(writes["descending"].front() == "28,000");
@@ -115,7 +115,8 @@ TEST_CASE("A run without samples is drawn, too", "[browser]") {
     if (browser_is_missing())
         return;
     TempFolder const folder;
-    folder.write("report.html", report::html_report({"empty", AcceleratorConfig{}, RunStatistics{}, {}, {}, {}}));
+    RunStatistics const empty = testing::idle_run(testing::raster_machine({}), 0);
+    folder.write("report.html", report::html_report({"empty", empty, {}, {}, {}}));
     Json const check = self_check(folder, "report.html");
     CHECK(check["sections"] == Json::array({"summary", "modules", "fifos", "loops", "configuration"}));
 }

@@ -5,8 +5,11 @@
 
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/retime.hpp"
+#include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/recorded_accesses.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
@@ -58,11 +61,11 @@ class DirtyWords {
                : fifo == FifoId::depth_free ? std::set{BramId::depth_buffer}
                                             : std::set<BramId>{};
     }
-    void take(std::size_t module, recording::BramAccess const& access) {
+    void take(std::size_t module, recording::PortAccess const& access) {
         if (!access.writes)
             return;
         bool const draws = module == index_of(ModuleId::edge_map_builder) || module == index_of(ModuleId::inlier_unit);
-        std::set<std::uint64_t>& words = words_[{access.bram, access.buffer}];
+        std::set<std::uint64_t>& words = words_[{access.memory, access.buffer}];
         if (draws)
             words.insert(access.address);
         else
@@ -72,7 +75,7 @@ class DirtyWords {
     void give(BramId bram, std::size_t buffer) const {
         auto const words = words_.find({index_of(bram), buffer});
         if (words != words_.end() && !words->second.empty())
-            throw std::runtime_error("buffer " + std::to_string(buffer) + " of " + bram_names[index_of(bram)] +
+            throw std::runtime_error("buffer " + std::to_string(buffer) + " of " + name_of(bram) +
                                      " is not clear at word " + std::to_string(*words->second.begin()));
     }
     std::size_t drawn() const { return drawn_; }
@@ -83,14 +86,14 @@ class DirtyWords {
 };
 
 /// In the simulation's process: what it throws, run_forked() throws.
-void check_clearing(AcceleratorConfig const& config, std::vector<recording::RecordedCore> const& cores) {
+void check_clearing(std::vector<recording::RecordedCore> const& cores) {
     std::map<std::size_t, DirtyWords> dirty;
-    for_each_access(config, cores, [&](auto const& event, auto const& read, auto const& accesses) {
+    for_each_access(cores, [&](auto const& event, auto const& read, auto const& accesses) {
         DirtyWords& words = dirty[event.core];
-        for (recording::BramAccess const& access : accesses)
-            words.take(event.module, access);
+        for (recording::PortAccess const& access : accesses)
+            words.take(event.process, access);
         if (event.event.kind == recording::Event::Kind::read)
-            for (BramId const bram : DirtyWords::drawn_next(FifoId{event.event.item}))
+            for (BramId const bram : DirtyWords::drawn_next(fifo_ids.at(event.event.item)))
                 words.give(bram, static_cast<std::size_t>(read.at(0)));
     });
     for (auto const& [core, words] : dirty)
@@ -123,7 +126,7 @@ TEST_CASE("Without triangles two buffers and a touched region take W^2 + 9 cycle
                 run_forked(with_two_of_each(SweepRegion::touched), empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == pixels + 10 + static_cast<Cycles>(samples - 1) * (pixels + 9));
             for (SampleStatistics const& sample : run.samples)
-                CHECK(sample.counters.valid_depth == static_cast<std::uint64_t>((window - 2) * (window - 2)));
+                CHECK(counters_of(sample).valid_depth == static_cast<std::uint64_t>((window - 2) * (window - 2)));
         }
 }
 
@@ -152,11 +155,10 @@ TEST_CASE("What was drawn into a buffer is cleared before anybody draws there ag
         CAPTURE(seed);
         Trial trial = trial_of(seed);
         trial.config.edge_map.clearing = trial.config.inlier_unit.clearing = MapClearing::on_read_out;
-        for (LoopConfig& loop : trial.config.loops)  // or a loop ends before the accesses of its last iteration
-            loop.depth = std::max<Cycles>(loop.depth, 64);
+        for (LoopId const id : keyed_loop_ids)  // or a loop ends before the accesses of its last iteration
+            trial.config.loop(id).depth = std::max<Cycles>(loop_of(trial.config, id).depth, 64);
         ForkOptions options;
-        options.recordings.push_back(
-            {recording::RecordingWindow{}, [&](auto const& cores) { check_clearing(trial.config, cores); }});
+        options.recordings.push_back({recording::RecordingWindow{}, check_clearing});
         CHECK_NOTHROW(
             run_forked(trial.config, trial.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, options));
     }
@@ -179,10 +181,10 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
             config.inlier_unit = recorded.config.inlier_unit;
             config.rasterizer = recorded.config.rasterizer;
             config.window = recorded.config.window;
-            for (std::size_t bram = 0; bram < bram_count; ++bram)
-                config.brams[bram].partition = recorded.config.brams[bram].partition;
+            for (BramId const bram : bram_ids)
+                config.memory(bram).partition = recorded.config.memory(bram).partition;
             RunStatistics const run = run_forked(config, recorded.stimulus, Engine::decoupled).statistics;
-            RunStatistics const retimed = retiming::retime(file.run, config);
+            RunStatistics const retimed = retiming::retime(file.run, raster_machine(config));
             REQUIRE(retimed.deadlocked() == run.deadlocked());
             CHECK((run.deadlocked() || first_difference(all_cells(retimed), all_cells(run)) == ""));
         }

@@ -52,7 +52,7 @@ TEST_CASE("One small triangle, as worked out by hand", "[closed_form]") {
     CHECK(run.samples[0].start_cycle == 1);
     CHECK(run.samples[0].end_cycle == 166);
     CHECK(run.samples[0].latency_cycles() == 166);
-    CHECK(run.samples[0].counters == SampleCounters{3, 4, 4, 1, 1});
+    CHECK(run.samples[0].counters == Counters{3, 4, 4, 1, 1});
 
     FifoStatistics const& command = fifo_of(run, FifoId::command);
     CHECK(command.writes == 5);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
 
@@ -60,10 +61,10 @@ template <class Wanted> Cycles cycles_where(RunStatistics const& run, Wanted wan
 Trial plain_trial(std::uint64_t seed) {
     Trial trial = trial_of(seed);
     trial.config = AcceleratorConfig();
-    trial.config.raster_cores = 1 + seed % 2;
-    for (FifoConfig& fifo : trial.config.fifos) {
-        fifo.kind = FifoKind::shift_register;
-        fifo.depth = 4;
+    trial.config.cores = 1 + seed % 2;
+    for (FifoId const id : fifo_ids) {
+        trial.config.fifo(id).kind = FifoKind::shift_register;
+        trial.config.fifo(id).depth = 4;
     }
     return trial;
 }
@@ -163,36 +164,36 @@ TEST_CASE("What makes a row of the critical path longer makes the run longer by 
             ++compared;
         };
         AcceleratorConfig longer = trial.config;
-        ++longer.setup_depth;
+        longer.setup("rasterizer") = setup_depth_of(longer) + 1;
         check("setup",
               cycles_where(run, [](PathRow const& row) { return row.cause == PathCause::setup; }) /
-                  trial.config.setup_depth,
+                  setup_depth_of(trial.config),
               longer);
-        for (std::size_t f = 0; f < fifo_count; ++f) {
+        for (FifoId const fifo : fifo_ids) {
             longer = trial.config;
-            longer.fifos[f].kind = FifoKind::memory;  // as much room, one cycle more of read latency
-            --longer.fifos[f].depth;
-            check(std::string("read latency of ") + fifo_names[f],
+            longer.fifo(fifo).kind = FifoKind::memory;  // as much room, one cycle more of read latency
+            longer.fifo(fifo).depth = fifo_of(trial.config, fifo).depth - 1;
+            check(std::string("read latency of ") + fifo.name,
                   cycles_where(run,
-                               [f](PathRow const& row) {
-                                   return row.cause == PathCause::read_latency && index_of(*row.fifo) == f;
+                               [fifo](PathRow const& row) {
+                                   return row.cause == PathCause::read_latency && *row.fifo == index_of(fifo);
                                }),
                   longer);
         }
-        for (std::size_t l = 0; l < loop_count; ++l) {
+        for (LoopId const loop : loop_ids) {
+            std::size_t const l = index_of(loop);
             auto const of_loop = [l](PathCause cause) {
-                return
-                    [l, cause](PathRow const& row) { return row.cause == cause && row.loop == static_cast<LoopId>(l); };
+                return [l, cause](PathRow const& row) { return row.cause == cause && row.loop == l; };
             };
             longer = trial.config;
-            longer.loop(LoopId{l}).ii = run.cores.front().loops[l].ii + 1;
+            longer.loop(loop).ii = run.cores.front().loops[l].ii + 1;
             // Where the interval has more than one cycle, all of them are one iteration's.
             Cycles const iterations =
                 (cycles_where(run, of_loop(PathCause::busy)) + cycles_where(run, of_loop(PathCause::port_conflict))) /
                 run.cores.front().loops[l].ii;
             Cycles const entries_at_most = run.cores[run.critical_path->core].loops[l].entries * 2;
             CAPTURE(entries_at_most);
-            check(std::string("interval of loop ") + loop_names[l].name,
+            check(std::string("interval of loop ") + loop.name,
                   iterations - std::min(iterations, entries_at_most), longer);
         }
     }

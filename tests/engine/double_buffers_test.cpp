@@ -5,6 +5,7 @@
 
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/recorded_accesses.hpp"
 #include "support/run_cells.hpp"
@@ -67,13 +68,13 @@ bool check(Trial const& trial) { return check_agreement(trial.config, trial.stim
 /// buffer.
 class Watch {
   public:
-    void take(std::size_t core, std::size_t module, recording::BramAccess const& access) {
-        Tenant& tenant = tenants_[{core, access.bram, access.buffer}];
+    void take(std::size_t core, std::size_t module, recording::PortAccess const& access) {
+        Tenant& tenant = tenants_[{core, access.memory, access.buffer}];
         if (tenant.turns > 0 && tenant.module != module && access.cycle <= tenant.last)
             throw std::runtime_error(std::string("buffer ") + std::to_string(access.buffer) + " of " +
-                                     bram_names[access.bram] + " changes hands in cycle " +
-                                     std::to_string(access.cycle) + " from " + module_names[tenant.module] +
-                                     ", last at " + std::to_string(tenant.last) + ", to " + module_names[module]);
+                                     bram_ids.at(access.memory).name + " changes hands in cycle " +
+                                     std::to_string(access.cycle) + " from " + module_ids.at(tenant.module).name +
+                                     ", last at " + std::to_string(tenant.last) + ", to " + module_ids.at(module).name);
         tenant.turns += tenant.turns == 0 || tenant.module != module ? 1 : 0;
         tenant.module = module;
         tenant.last = std::max(tenant.last, access.cycle);
@@ -83,7 +84,7 @@ class Watch {
         for (auto const& [place, tenant] : tenants_)
             if (tenant.turns > 2 * ((samples_per_core + 1) / 2))
                 throw std::runtime_error("buffer " + std::to_string(std::get<2>(place)) + " of " +
-                                         bram_names[std::get<1>(place)] + " changes hands too often");
+                                         bram_ids.at(std::get<1>(place)).name + " changes hands too often");
         if (tenants_.size() < 4 && region == SweepRegion::window)
             throw std::runtime_error("buffers are not taken in turns");
     }
@@ -101,9 +102,9 @@ class Watch {
 void watch_buffers(AcceleratorConfig const& config, std::size_t samples_per_core,
                    std::vector<recording::RecordedCore> const& cores) {
     Watch watch;
-    for_each_access(config, cores, [&](auto const& event, auto const&, auto const& accesses) {
-        for (recording::BramAccess const& access : accesses)
-            watch.take(event.core, event.module, access);
+    for_each_access(cores, [&](auto const& event, auto const&, auto const& accesses) {
+        for (recording::PortAccess const& access : accesses)
+            watch.take(event.core, event.process, access);
     });
     watch.finish(samples_per_core, config.inlier_unit.sweep_region);
 }
@@ -186,7 +187,7 @@ TEST_CASE("Handing over buffers through FIFOs of depth 1 does not deadlock, nor 
         trial.config.edge_map.buffers = trial.config.inlier_unit.buffers = 2;
         auto const total_with = [&trial](std::uint64_t depth) {
             for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free})
-                trial.config.fifo(fifo) = {depth, FifoKind::shift_register, 0};
+                trial.config.fifo(fifo) = {depth, FifoKind::shift_register, Cycles{0}};
             RunStatistics const statistics = run(trial).statistics;
             REQUIRE_FALSE(statistics.deadlocked());
             for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free})
@@ -203,9 +204,9 @@ TEST_CASE("No two samples are in one buffer at once", "[double_buffers]") {
         CAPTURE(seed);
         Trial trial = trial_of(seed);
         trial.config.edge_map.buffers = trial.config.inlier_unit.buffers = 2;
-        trial.config.raster_cores = 1;
-        for (LoopConfig& loop : trial.config.loops)  // or a loop ends before the accesses of its last iteration
-            loop.depth = std::max<Cycles>(loop.depth, 64);
+        trial.config.cores = 1;
+        for (LoopId const id : keyed_loop_ids)  // or a loop ends before the accesses of its last iteration
+            trial.config.loop(id).depth = std::max<Cycles>(loop_of(trial.config, id).depth, 64);
         if (trial.stimulus.samples.size() < 4)
             continue;
         ForkOptions options;
@@ -232,8 +233,8 @@ TEST_CASE("The critical path adds up with double buffers, the same from both eng
         Cycles sum = 0;
         for (PathRow const& row : decoupled.critical_path.value().rows) {
             sum += row.cycles;
-            through_handovers += row.fifo && index_of(*row.fifo) >= index_of(FifoId::map_full) ? 1U : 0U;
-            CHECK(has_part(Parts(trial.config), row.module));
+            through_handovers += row.fifo && *row.fifo >= index_of(FifoId::map_full) ? 1U : 0U;
+            CHECK(decoupled.machine.processes.at(row.module).is_present);
         }
         CHECK(sum == decoupled.total_cycles);
         CHECK(first_difference(path_cells(run(trial, Engine::lockstep, options).statistics), path_cells(decoupled)) ==

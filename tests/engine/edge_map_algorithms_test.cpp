@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "modules/core_shapes.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
 namespace faster::testing {
@@ -22,7 +22,7 @@ struct Schedule {
 };
 
 void check_schedule(AcceleratorConfig const& config, LoopId loop, Schedule const& expected) {
-    CAPTURE(static_cast<int>(config.edge_map.algorithm), static_cast<int>(loop));
+    CAPTURE(static_cast<int>(config.edge_map.algorithm), std::string(loop));
     timing::InitiationInterval const interval = initiation_interval(loop, config);
     CHECK(interval.achieved == expected.ii);
     CHECK(interval.port_conflict_per_iteration == expected.port_conflicts);
@@ -49,16 +49,16 @@ TEST_CASE("Initiation intervals of the token loop, as derived in docs/timing-mod
 
 TEST_CASE("With other ports the token loops of the designs change as their accesses say", "[edge_map]") {
     AcceleratorConfig bounded = machine(EdgeMapAlgorithm::bounded);
-    bounded.bram(BramId::edge_map).ports = 5;
+    bounded.memory(BramId::edge_map).ports = 5;
     check_schedule(bounded, LoopId::token, {2, 0, 1, "recurrence"});
-    bounded.bram(BramId::edge_map).ports = 1;
+    bounded.memory(BramId::edge_map).ports = 1;
     check_schedule(bounded, LoopId::token, {5, 3, 1, "edge_map"});
     AcceleratorConfig first_write = machine(EdgeMapAlgorithm::dual_map_4_1_2);
-    first_write.bram(BramId::object_map).ports = 3;
+    first_write.memory(BramId::object_map).ports = 3;
     check_schedule(first_write, LoopId::token, {1, 0, 0, ""});
     AcceleratorConfig inner = machine(EdgeMapAlgorithm::inner_border);
-    for (BramConfig& bram : inner.brams)
-        bram.ports = 1;
+    for (BramId const bram : bram_ids)
+        inner.memory(bram).ports = 1;
     for (LoopId const loop : {LoopId::edge_clear, LoopId::token, LoopId::output, LoopId::sweep})
         check_schedule(inner, loop, {1, 0, 0, ""});
 }

@@ -32,8 +32,8 @@ bool check_seed(std::uint64_t seed, TrialOptions options) {
     AcceleratorConfig config = random_config(seed, options.config);
     if (options.has_extreme_depths) {
         std::mt19937_64 random(seed);
-        for (FifoConfig& fifo : config.fifos)
-            fifo.depth = std::array<std::uint64_t, 6>{1, 2, 5, 70, 300, 1500}[random() % 6];
+        for (FifoId const id : fifo_ids)
+            config.fifo(id).depth = std::array<std::uint64_t, 6>{1, 2, 5, 70, 300, 1500}[random() % 6];
     }
     adopt(stimulus, config);
     return check_agreement(config, stimulus);
@@ -254,7 +254,7 @@ TEST_CASE("Engines and twin agree: every kind of triangle under the default mach
         options.triangles = {1, 12};
         Stimulus const stimulus = random_stimulus(6000 + static_cast<std::uint64_t>(kind), options);
         AcceleratorConfig config;
-        config.raster_cores = 2;
+        config.cores = 2;
         REQUIRE(check_agreement(config, stimulus));
     }
 }

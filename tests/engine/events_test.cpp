@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <random>
 
+#include "faster/faster_config.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/keys.hpp"
@@ -17,6 +18,7 @@
 #include "kernel/replay/tape_reader.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 #include "support/spelled_out.hpp"
 #include "support/temp_folder.hpp"
@@ -73,7 +75,7 @@ AcceleratorConfig recorded_configuration(std::uint64_t seed, std::size_t number)
     AcceleratorConfig config;
     if (number % 2 == 1)
         config = random_config(seed);
-    config.raster_cores = 1 + seed % 5;
+    config.cores = 1 + seed % 5;
     config.edge_map.algorithm = static_cast<EdgeMapAlgorithm>(number % 6);
     config.edge_map.clearing = number % 3 == 0 ? MapClearing::on_read_out : MapClearing::loop;
     config.inlier_unit.clearing = number % 4 == 0 ? MapClearing::on_read_out : MapClearing::loop;
@@ -116,10 +118,10 @@ std::filesystem::path small_file(test::TempFolder const& folder) {
 struct Samples {
     explicit Samples(events::EventFile const& its_file)
         : file(its_file),
-          parts(file.loaded.config.accelerator),
-          cutter(*file.run.blueprint, parts),
-          tape(file.run.tape, retiming::LeadCore(*file.run.blueprint, parts)),
-          known(retiming::LeadCore(*file.run.blueprint, parts)) {}
+          machine(raster_machine(accelerator_of(file.loaded.config))),
+          cutter(*file.run.blueprint, machine.lead),
+          tape(file.run.tape, retiming::LeadCore(*file.run.blueprint, machine.lead)),
+          known(retiming::LeadCore(*file.run.blueprint, machine.lead)) {}
 
     std::size_t count() const { return file.run.tape.samples(); }
     retiming::SampleOperations operations(std::size_t sample) {
@@ -138,7 +140,7 @@ struct Samples {
         run.counters.resize(1);
         run.tape.put(0, sample, known.book());
         run.tape.finish();
-        return retiming::retime(run, file.loaded.config.accelerator);
+        return retiming::retime(run, machine);
     }
     bool can_do(retiming::SampleOperations const& operations) const {
         for (std::size_t i = 0; i < operations.size(); ++i) {
@@ -153,7 +155,7 @@ struct Samples {
     }
 
     events::EventFile const& file;
-    Parts parts;
+    Machine machine;
     retiming::SampleCutter cutter;
     retiming::TapeReader tape;
     retiming::KnownPhrases known;
@@ -198,7 +200,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run, Parts(recorded));
+        retiming::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -206,11 +208,11 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
             RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
             {
                 INFO("without scripts");
-                check_equal(retiming::retime_unscripted(scripted, config), run);
+                check_equal(retiming::retime_unscripted(scripted, raster_machine(config)), run);
             }
             {
                 INFO("from scripts");
-                check_equal(retiming::retime(scripted, config), run);
+                check_equal(retiming::retime(scripted, raster_machine(config)), run);
             }
             deadlocks += run.deadlocked() ? 1U : 0U;
         }
@@ -251,11 +253,12 @@ TEST_CASE("On how many threads a run is read does not matter", "[events]") {
         AcceleratorConfig const recorded = recorded_configuration(9600 + number, number);
         record(recorded, workload(number), Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const one(file.run, recorded, 1);
+        timing::Lead const lead = raster_machine(recorded).lead;
+        retiming::ScriptedRun const one(file.run, lead, 1);
         CHECK(one.size() == file.samples.size());
         for (std::size_t const jobs : {2U, 3U, 20U}) {
             CAPTURE(number, jobs);
-            retiming::ScriptedRun const run(file.run, recorded, jobs);
+            retiming::ScriptedRun const run(file.run, lead, jobs);
             CHECK(run.size() == file.samples.size());
             CHECK(said_by_phrases(run) == said_by_phrases(one));
         }
@@ -278,7 +281,7 @@ TEST_CASE("An event file knows its run", "[events]") {
     AcceleratorConfig const config = random_config(9300);
     RunStatistics const run = record(config, workload(0), Engine::lockstep, folder / "events");
     events::EventFile const file = events::read_event_file(folder / "events");
-    check_equal(retiming::retime(file.run, file.loaded.config.accelerator), run);
+    check_equal(retiming::retime(file.run, raster_machine(accelerator_of(file.loaded.config))), run);
     REQUIRE(file.samples.size() == run.samples.size());
     for (std::size_t i = 0; i < run.samples.size(); ++i) {
         CHECK(file.samples[i].end_cycle == run.samples[i].end_cycle);
@@ -408,11 +411,11 @@ TEST_CASE("A sample that goes on with what is not its own is refused", "[events]
 TEST_CASE("A machine that no core is like is refused", "[events]") {
     test::TempFolder const folder;
     events::EventFile const file = events::read_event_file(small_file(folder));
-    Parts const parts(file.loaded.config.accelerator);
+    Machine const recorded = raster_machine(accelerator_of(file.loaded.config));
     Json const machine = events::machine_json(*file.run.blueprint);
-    auto const read = [&parts](Json const& changed) {
+    auto const read = [&recorded](Json const& changed) {
         retiming::RecordedRun run;
-        events::read_machine(changed, parts, run);
+        events::read_machine(changed, recorded, run);
     };
     CHECK_NOTHROW(read(machine));
     auto const refused = [&](auto change) {
@@ -463,11 +466,11 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     events::EventFile const file = events::read_event_file(folder / "events");
     std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
     retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
-    Keys const keys = timing_keys({});
+    Keys const keys = timing_keys(file.loaded.config);
     auto const costs = [&](std::size_t i, std::int64_t value) {
         RunConfig config = file.loaded.config;
         keys[i].write(config, KeyValue{value});
-        RunStatistics const run = retiming::retime(file.run, config.accelerator);
+        RunStatistics const run = retiming::retime(file.run, raster_machine(accelerator_of(config)));
         return run.deadlocked() || run.total_cycles > recorded.total_cycles;
     };
     std::size_t found = 0;

@@ -2,19 +2,26 @@
 #include <random>
 
 #include "kernel/sizing/cheapest_choice.hpp"
-#include "kernel/sizing/token_bits.hpp"
+#include "support/raster_machine.hpp"
 
 namespace faster::sizing {
 namespace {
 
+using testing::FifoId;
+using testing::fifo_count;
+
 constexpr FifoKind srl = FifoKind::shift_register;
 constexpr FifoKind memory = FifoKind::memory;
+
+unsigned token_bits(FifoId fifo, AcceleratorConfig const& config) {
+    return testing::raster_machine(config).fifos.at(index_of(fifo)).bits;
+}
 
 Primitives primitives(FifoKind kind, std::uint64_t depth, unsigned bits) {
     return primitives_of(kind, depth, bits, CostWeights());
 }
 
-double cost(Choice const& choice, std::array<unsigned, fifo_count> const& bits) {
+double cost(Choice const& choice, std::vector<unsigned> const& bits) {
     return cost_of(sum_of(choice, bits, CostWeights()), CostWeights());
 }
 
@@ -91,22 +98,21 @@ TEST_CASE("Levels are the deepest choices of each price, for every depth", "[siz
 }
 
 TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
-    std::array<unsigned, fifo_count> bits;
-    bits.fill(20);
+    std::vector<unsigned> const bits(fifo_count, 20);
     for (unsigned seed = 1; seed <= 150; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         constexpr std::size_t free = 4;  // the others have one level
-        Levels levels;
+        Levels levels(fifo_count);
         for (std::size_t i = 0; i < fifo_count; ++i)
             levels[i] = levels_of(FifoKind::automatic, bits[i], i < free ? 100 + random() % 900 : 1, CostWeights());
         std::vector<Cut> cuts(random() % 8);
         for (Cut& cut : cuts)
             for (std::size_t i = 0; i < free; ++i)
                 if (random() % 2 == 0)
-                    cut.members.push_back({static_cast<FifoId>(i), random() % 300, random() % 3 == 0});
+                    cut.members.push_back({i, random() % 300, random() % 3 == 0});
         double least = -1;
-        Choice choice;
+        Choice choice(fifo_count);
         for (std::size_t i = 0; i < fifo_count; ++i)
             choice[i] = levels[i].front().choice;
         for (Level const& a : levels[0])

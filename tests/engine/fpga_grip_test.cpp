@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "faster/block_ram.hpp"
-#include "faster/parts.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/retime.hpp"
-#include "modules/core_shapes.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
@@ -54,7 +53,7 @@ Cycles extract_ii(NeighbourAccess access, int neighbourhood, std::uint64_t ports
     AcceleratorConfig config = fpga_grip();
     config.edge_extraction.neighbour_access = access;
     config.edge_extraction.neighbourhood = neighbourhood;
-    config.bram(BramId::depth_buffer).ports = ports;
+    config.memory(BramId::depth_buffer).ports = ports;
     return initiation_interval(LoopId::extract, config).achieved;
 }
 
@@ -133,12 +132,12 @@ TEST_CASE("A recorded run of flow fpga_grip retimes to what a run takes", "[fpga
         options.events = folder / "events";
         RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, options).statistics;
         events::EventFile const file = events::read_event_file(folder / "events");
-        CHECK(first_difference(all_cells(retiming::retime(file.run, config)), all_cells(run)) == "");
+        CHECK(first_difference(all_cells(retiming::retime(file.run, raster_machine(config))), all_cells(run)) == "");
         AcceleratorConfig changed = config;
         changed.edge_extraction.square_root_latency += 7;
-        changed.fifo(FifoId::command).depth += 3;
-        changed.loop(LoopId::extract).ii += 1;
-        CHECK(first_difference(all_cells(retiming::retime(file.run, changed)),
+        changed.fifo(FifoId::command).depth = fifo_of(config, FifoId::command).depth + 3;
+        changed.loop(LoopId::extract).ii = testing::loop_of(config, LoopId::extract).ii + 1;
+        CHECK(first_difference(all_cells(retiming::retime(file.run, raster_machine(changed))),
                                all_cells(run_forked(changed, stimulus, Engine::decoupled).statistics)) == "");
     }
 }
@@ -156,8 +155,8 @@ TEST_CASE("The rows of the critical path of flow fpga_grip add up", "[fpga_grip]
         Cycles sum = 0;
         for (PathRow const& row : run.critical_path.value().rows) {
             sum += row.cycles;
-            in_extraction += row.loop == LoopId::extract ? row.cycles : 0;
-            CHECK(has_part({Flow::fpga_grip}, row.module));
+            in_extraction += row.loop == index_of(LoopId::extract) ? row.cycles : 0;
+            CHECK(run.machine.processes.at(row.module).is_present);
         }
         CHECK(sum == run.total_cycles);
         CHECK(first_difference(path_cells(run), path_cells(lockstep)) == "");

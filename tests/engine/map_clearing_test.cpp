@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "faster/block_ram.hpp"
-#include "modules/core_shapes.hpp"
+#include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
 namespace faster::testing {
@@ -30,8 +30,8 @@ TEST_CASE("Line buffers bring the sweep to II 1, clearing on read-out costs it a
     AcceleratorConfig both = machine(NeighbourAccess::window, MapClearing::on_read_out);
     CHECK(sweep_ii(both) == 1);
     CHECK(initiation_interval(LoopId::output, both).achieved == 1);
-    both.bram(BramId::depth_buffer).ports = 1;
-    both.bram(BramId::edge_map).ports = 1;
+    both.memory(BramId::depth_buffer).ports = 1;
+    both.memory(BramId::edge_map).ports = 1;
     CHECK(sweep_ii(both) == 2);
     CHECK(initiation_interval(LoopId::output, both).achieved == 2);
 }
@@ -77,8 +77,8 @@ TEST_CASE("Without triangles, lanes divide the sweep of line buffers and clearin
             config.inlier_unit.sweep_lanes = lanes;
             auto const side = static_cast<Cycles>(window);
             auto const row = (side + static_cast<Cycles>(lanes) - 1) / static_cast<Cycles>(lanes);
-            for (BramConfig& bram : config.brams)
-                bram.partition = {PartitionType::cyclic, static_cast<std::uint64_t>(lanes), 2};
+            for (BramId const bram : bram_ids)
+                config.memory(bram).partition = {PartitionType::cyclic, static_cast<std::uint64_t>(lanes), 2};
             Cycles const sweep = side * row + row + 8;
             // The line buffers fill from cycle 6 to 6 + row; the first edge bits are there in cycle 10.
             Cycles const wait = row < 3 ? 3 - row : 0;
@@ -97,7 +97,7 @@ TEST_CASE("Lanes need banks, for themselves and for their neighbours", "[map_cle
     config.inlier_unit.sweep_lanes = 4;
     CHECK(sweep_ii(config) == 7);  // 14 words
     CHECK(initiation_interval(LoopId::output, config).achieved == 2);
-    config.bram(BramId::depth_buffer).partition = {PartitionType::cyclic, 4, 2};
+    config.memory(BramId::depth_buffer).partition = {PartitionType::cyclic, 4, 2};
     CHECK(sweep_ii(config) == 2);
     config.inlier_unit.neighbour_access = NeighbourAccess::window;
     CHECK(sweep_ii(config) == 1);
@@ -115,10 +115,10 @@ TEST_CASE("Wide clearing takes as long as the largest bank has words", "[map_cle
     };
     config.window = 10;
     CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{200, 200});
-    config.bram(BramId::edge_map).partition = {PartitionType::cyclic, 3, 2};
+    config.memory(BramId::edge_map).partition = {PartitionType::cyclic, 3, 2};
     CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{200, 200});  // the object map is one bank still
-    config.bram(BramId::object_map).partition = {PartitionType::block, 4, 0};
-    config.bram(BramId::depth_buffer).partition = {PartitionType::cyclic, 10, 1};
+    config.memory(BramId::object_map).partition = {PartitionType::block, 4, 0};
+    config.memory(BramId::depth_buffer).partition = {PartitionType::cyclic, 10, 1};
     CHECK(iterations() == std::pair<std::uint64_t, std::uint64_t>{80, 20});
     CHECK(initiation_interval(LoopId::edge_clear, config).achieved == 1);
 }
@@ -131,9 +131,9 @@ TEST_CASE("How maps are cleared and read changes no result", "[map_clearing]") {
         for (MapClearing const clearing : {MapClearing::loop, MapClearing::on_read_out}) {
             RunStatistics const run =
                 run_forked(machine(access, clearing), one_small_triangle(), Engine::decoupled).statistics;
-            CHECK(run.samples.at(0).counters.inlier == plain.samples.at(0).counters.inlier);
-            CHECK(run.samples.at(0).counters.edge_inlier == plain.samples.at(0).counters.edge_inlier);
-            CHECK(run.samples.at(0).counters.valid_edge == plain.samples.at(0).counters.valid_edge);
+            CHECK(counters_of(run.samples.at(0)).inlier == counters_of(plain.samples.at(0)).inlier);
+            CHECK(counters_of(run.samples.at(0)).edge_inlier == counters_of(plain.samples.at(0)).edge_inlier);
+            CHECK(counters_of(run.samples.at(0)).valid_edge == counters_of(plain.samples.at(0)).valid_edge);
         }
 }
 

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <memory>
 
+#include "faster/faster_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/plain_reader.hpp"
-#include "modules/core_shapes.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::testing {
@@ -61,14 +62,15 @@ struct Asked {
 Asked replay_all(retiming::ScriptSource const& source, retiming::ScriptedRun const& run,
                  AcceleratorConfig const& config) {
     Asked asked;
-    auto const core = retiming::core_variant(*run.run().blueprint, config);
-    core->let_follow(rasterizer_and_followers(Parts(config)), std::make_shared<timing::Automaton>());
-    retiming::PlainReader reader(run.run(), run.parts());
+    Machine const machine = raster_machine(config);
+    auto const core = retiming::core_variant(*run.run().blueprint, machine);
+    core->let_follow(machine.lead, std::make_shared<timing::Automaton>());
+    retiming::PlainReader reader(run.run(), run.lead());
     auto const plain = [&](std::size_t sample) {
         ++asked.plain;
         return reader.read(sample);
     };
-    retiming::Replay replay(source, plain, {0, samples}, *core);
+    retiming::Replay replay(source, plain, {0, samples}, *core, machine.lead);
     replay.go_on_to(samples);
     core->resolve();
     asked.is_stuck = !core->waits().empty();
@@ -80,8 +82,8 @@ Asked replay_all(retiming::ScriptSource const& source, retiming::ScriptedRun con
 TEST_CASE("Where nobody can go on any more, no further samples are read", "[replay]") {
     test::TempFolder const folder;
     events::EventFile const file = recorded_run(folder);
-    AcceleratorConfig const recorded = file.loaded.config.accelerator;
-    retiming::ScriptedRun const run(file.run, Parts(recorded));
+    AcceleratorConfig const recorded = accelerator_of(file.loaded.config);
+    retiming::ScriptedRun const run(file.run, raster_machine(recorded).lead);
     for (bool const scripted : {false, true}) {
         CAPTURE(scripted);
         Watched const watched(run);

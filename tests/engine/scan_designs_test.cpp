@@ -96,7 +96,7 @@ TEST_CASE("The loops of a small triangle with lanes", "[scan_designs][lanes]") {
     config.rasterizer.scan = ScanPolicy::spans;  // not 3 and 2 on the way back
     CHECK(loop_of(loops(2), LoopId::scan).iterations == 3);
     for (BramId const bram : {BramId::object_map, BramId::depth_buffer})
-        config.bram(bram).partition = {PartitionType::cyclic, 4, 2};
+        config.memory(bram).partition = {PartitionType::cyclic, 4, 2};
     RunStatistics const banked = loops(4);
     CHECK(loop_of(banked, LoopId::fragment).ii == 1);
     CHECK(loop_of(banked, LoopId::token).ii == 1);

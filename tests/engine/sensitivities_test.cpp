@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/keys.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
@@ -26,16 +27,21 @@ Trial random_trial(std::uint64_t seed) {
     return {random_config(seed, config), random_stimulus(seed, stimulus)};
 }
 
+RunConfig run_config(AcceleratorConfig const& accelerator) {
+    RunConfig config;
+    accelerator_of(config) = accelerator;
+    return config;
+}
+
 /// Runs the step, and counts those that change something.
 void check_step(Trial const& trial, Cycles total, Key const& key, std::int64_t value, SensitivityStep const& step,
                 std::size_t& changes) {
     if (!step.valid)
         return;
     CAPTURE(key.name(), value);
-    RunConfig changed;
-    changed.accelerator = trial.config;
+    RunConfig changed = run_config(trial.config);
     key.write(changed, KeyValue{value});
-    RunStatistics const run = run_forked(changed.accelerator, trial.stimulus, Engine::decoupled).statistics;
+    RunStatistics const run = run_forked(accelerator_of(changed), trial.stimulus, Engine::decoupled).statistics;
     REQUIRE(step.deadlocks == run.deadlocked());
     CHECK(step.total_cycles == (run.deadlocked() ? 0 : run.total_cycles));
     changes += run.deadlocked() || run.total_cycles != total ? 1U : 0U;
@@ -45,7 +51,7 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
     ForkOptions options;
     options.sensitivities = true;
     RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
-    Keys const keys = timing_keys(Parts(trial.config));
+    Keys const keys = timing_keys(run_config(trial.config));
     REQUIRE(run.sensitivities.size() == keys.size());
     std::size_t changes = 0;
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -101,7 +107,7 @@ TEST_CASE("So it does where the scan tests several pixels at a time", "[sensitiv
 TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
     Trial trial = random_trial(8010);
     trial.config = AcceleratorConfig();
-    trial.config.raster_cores = 2;
+    trial.config.cores = 2;
     check_all_steps(trial, Engine::decoupled);
     ForkOptions options;
     options.sensitivities = true;

@@ -1,17 +1,23 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "faster/faster_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/sizing/size_fifos.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::sizing {
 namespace {
 
+using testing::FifoId;
+using testing::fifo_count;
+using testing::fifo_ids;
 using Random = std::mt19937_64;
 
 /// A recorded run of a small random workload on a small random machine, which is printed if a check fails.
@@ -26,11 +32,14 @@ struct Case {
         options.events = folder / "events";
         REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
-        config = file.loaded.config.accelerator;
+        config = accelerator_of(file.loaded.config);
     }
 
+    Machine machine() const { return testing::raster_machine(config); }
+    /// With these options, on the configuration that was recorded.
+    Sizing size(SizingOptions const& options) const { return size_fifos(file.run, file.loaded.config, options); }
     Cycles cycles(Choice const& choice) const {
-        RunStatistics const run = retiming::retime(file.run, with_choice(config, choice));
+        RunStatistics const run = retiming::retime(file.run, with_choice(machine(), choice));
         return run.deadlocked() ? Cut::deadlock : run.total_cycles;
     }
 };
@@ -49,10 +58,10 @@ Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
     machine.any_region = true;
     AcceleratorConfig config = testing::random_config(seed, machine);
     Random random(seed);
-    for (FifoConfig& fifo : config.fifos)
-        fifo.kind = FifoKind::shift_register;
+    for (FifoId const id : fifo_ids)
+        config.fifo(id).kind = FifoKind::shift_register;
     for (std::size_t i = 0; i < free_fifos; ++i)
-        config.fifos[free_fifos == fifo_count ? i : random() % fifo_count].kind = std::array<FifoKind, 4>{
+        config.fifo(fifo_ids[free_fifos == fifo_count ? i : random() % fifo_count]).kind = std::array<FifoKind, 4>{
             FifoKind::automatic, FifoKind::automatic, FifoKind::shift_register, FifoKind::memory}[random() % 4];
     return {testing::random_stimulus(seed, workload), config};
 }
@@ -63,7 +72,7 @@ FifoChoice random_fifo(Random& random) {
 }
 
 Choice random_choice(Random& random) {
-    Choice choice;
+    Choice choice(fifo_count);
     for (FifoChoice& fifo : choice)
         fifo = random_fifo(random);
     return choice;
@@ -86,7 +95,8 @@ class BruteForce {
     BruteForce(Case const& of, Sizing const& sizing) : case_(of), sizing_(sizing) {
         for (std::size_t i = 0; i < fifo_count; ++i) {
             std::uint64_t const depth = std::max<std::uint64_t>(3, sizing.unbounded.choice[i].depth);
-            levels_[i] = levels_of(of.config.fifos[i].kind, sizing.bits[i], depth, sizing.options.weights);
+            levels_[i] = levels_of(fifo_of(of.config, fifo_ids[i]).kind, sizing.machine.fifos[i].bits, depth,
+                                   sizing.options.weights);
         }
         for (std::size_t i = fifo_count; i-- > 0;)
             least_[i] = least_[i + 1] + levels_[i].front().cost;
@@ -123,9 +133,9 @@ class BruteForce {
 
     Case const& case_;
     Sizing const& sizing_;
-    Levels levels_;
+    Levels levels_ = Levels(fifo_count);
     std::array<double, fifo_count + 1> least_{};
-    Choice choice_{};
+    Choice choice_ = Choice(fifo_count);
     bool only_counts_ = false;
     std::size_t tried_ = 0;
     std::size_t found_ = 0;
@@ -137,12 +147,12 @@ void check_certificate(Case const& of, Sizing const& sizing) {
     CHECK(of.cycles(sizing.answer.choice) == sizing.answer.total_cycles);
     std::size_t steps = 0;
     for (CertificateRow const& row : sizing.certificate) {
-        CAPTURE(name_of(row.fifo), row.shallower.depth);
+        CAPTURE(fifo_ids.at(row.fifo).name, row.shallower.depth);
         Choice shallower = sizing.answer.choice;
-        shallower[index_of(row.fifo)] = row.shallower;
-        CHECK(row.shallower.depth < sizing.answer.choice[index_of(row.fifo)].depth);
+        shallower[row.fifo] = row.shallower;
+        CHECK(row.shallower.depth < sizing.answer.choice[row.fifo].depth);
         CHECK(of.cycles(shallower) >= row.core_cycles);
-        CHECK((of.config.raster_cores > 1 || of.cycles(shallower) == row.core_cycles));
+        CHECK((of.config.cores > 1 || of.cycles(shallower) == row.core_cycles));
         CHECK(row.core_cycles > sizing.bound);
         steps += row.is_token_step ? 1U : 0U;
     }
@@ -178,7 +188,7 @@ TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]"
     std::size_t tried = 0;
     for (std::uint64_t seed = 60; seed < 70; ++seed) {
         Case const one = random_case(seed);
-        CoreTimes times(one.file.run, one.config);
+        CoreTimes times(one.file.run, one.machine());
         Random random(seed);
         for (int i = 0; i < 20; ++i) {
             Cut const cut = times.explain(0, random_choice(random));
@@ -189,9 +199,9 @@ TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]"
                     if (random() % 3 > 0)
                         fifo = {FifoKind::shift_register, 300};
                 for (Cut::Member const& member : cut.members)
-                    if (member.lets_escape(choice[index_of(member.fifo)])) {
+                    if (member.lets_escape(choice[member.fifo])) {
                         std::uint64_t const capacity = member.capacity > 0 ? member.capacity : 300;
-                        choice[index_of(member.fifo)] = member.is_slow ? FifoChoice{FifoKind::memory, capacity - 1}
+                        choice[member.fifo] = member.is_slow ? FifoChoice{FifoKind::memory, capacity - 1}
                                                                        : FifoChoice{FifoKind::shift_register, capacity};
                     }
                 REQUIRE_FALSE(cut.is_escaped(choice));
@@ -207,7 +217,7 @@ TEST_CASE("Unlimited FIFOs beside others take as long as those with room for eve
     std::size_t deadlocks = 0;
     for (std::uint64_t seed = 70; seed < 80; ++seed) {
         Case const one = random_case(seed);
-        CoreTimes times(one.file.run, one.config);
+        CoreTimes times(one.file.run, one.machine());
         Random random(seed);
         for (int i = 0; i < 30; ++i) {
             CAPTURE(seed, i);
@@ -234,10 +244,10 @@ TEST_CASE("What is found does not depend on how many jobs look for it", "[sizing
         SizingOptions options = within(static_cast<double>(seed % 3) * 4);
         options.front_points = 3;
         options.jobs = 1;
-        Sizing const alone = size_fifos(one.file.run, one.config, options);
+        Sizing const alone = one.size(options);
         for (unsigned const jobs : {2U, 5U}) {
             options.jobs = jobs;
-            Sizing const together = size_fifos(one.file.run, one.config, options);
+            Sizing const together = one.size(options);
             CHECK(together.answer.choice == alone.answer.choice);
             CHECK(together.unbounded.choice == alone.unbounded.choice);
             REQUIRE(together.front.size() == alone.front.size());
@@ -251,7 +261,7 @@ TEST_CASE("Unbounded FIFOs are as fast as those with room for everything", "[siz
     for (std::uint64_t seed = 80; seed < 90; ++seed) {
         CAPTURE(seed);
         Case const one = random_case(seed);
-        Sizing const sizing = size_fifos(one.file.run, one.config, within(0));
+        Sizing const sizing = one.size(within(0));
         Choice everything = sizing.unbounded.choice;
         for (FifoChoice& fifo : everything)
             fifo.depth = 5000;  // tokens; none of these workloads has more in a FIFO
@@ -266,7 +276,7 @@ TEST_CASE("No combination of depths that costs less is within the bound: all are
         Case const one = random_case(seed, 5);
         for (double const percent : {0.0, 4.0, 15.0}) {
             CAPTURE(seed, percent);
-            Sizing const sizing = size_fifos(one.file.run, one.config, within(percent));
+            Sizing const sizing = one.size(within(percent));
             CHECK(sizing.is_proven);
             BruteForce brute_force(one, sizing);
             std::size_t const combinations = brute_force.cheaper();
@@ -287,11 +297,12 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
         Case const one = random_case(seed);
         double const percent = static_cast<double>(seed % 4) * 2.5;
         CAPTURE(seed, percent);
-        Sizing const sizing = size_fifos(one.file.run, one.config, within(percent));
+        Sizing const sizing = one.size(within(percent));
         check_certificate(one, sizing);
-        AcceleratorConfig config = with_choice(one.config, sizing.answer.choice);
-        for (std::size_t i = 0; i < fifo_count; ++i)
-            config.fifos[i].kind = one.config.fifos[i].kind;  // auto is decided by the depth
+        AcceleratorConfig config = one.config;
+        MachineSettings const sized = with_choice(one.config, one.machine(), sizing.answer.choice);
+        for (FifoId const id : fifo_ids)
+            config.fifo(id).depth = sized.fifo(id).depth;  // not the kind: auto is decided by the depth
         RunStatistics const run = testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;
         REQUIRE_FALSE(run.deadlocked());
         CHECK(run.total_cycles == sizing.answer.total_cycles);
@@ -307,15 +318,15 @@ TEST_CASE("FIFOs between two buffers are sized too", "[sizing]") {
         config.inlier_unit.sweep_region = has_region ? SweepRegion::touched : SweepRegion::window;
         config.edge_map.buffers = config.inlier_unit.buffers = 2;
         Case const one(plain.stimulus, config);
-        Sizing const sizing = size_fifos(one.file.run, one.config, within(0));
+        Sizing const sizing = one.size(within(0));
         check_certificate(one, sizing);
         CHECK(sizing.answer.choice[index_of(FifoId::map_full)].depth == 1);  // one token at a time
         CHECK(sizing.answer.choice[index_of(FifoId::depth_free)].depth == 1);
-        CHECK(sizing.bits[index_of(FifoId::map_free)] == 1);
-        unsigned const corner_bits = sizing.bits[index_of(FifoId::region)];  // none without one
+        CHECK(sizing.machine.fifos[index_of(FifoId::map_free)].bits == 1);
+        unsigned const corner_bits = sizing.machine.fifos[index_of(FifoId::region)].bits;  // none without one
         CHECK((corner_bits > 0) == has_region);
-        CHECK(sizing.bits[index_of(FifoId::map_full)] == 1 + 2 * corner_bits);
-        CHECK(sizing.bits[index_of(FifoId::depth_full)] == 33 + 2 * corner_bits);
+        CHECK(sizing.machine.fifos[index_of(FifoId::map_full)].bits == 1 + 2 * corner_bits);
+        CHECK(sizing.machine.fifos[index_of(FifoId::depth_full)].bits == 33 + 2 * corner_bits);
     }
 }
 
@@ -326,13 +337,13 @@ TEST_CASE("Where block RAM is nearly free, a memory may be cheaper than a shift 
         Case const one = random_case(seed);
         SizingOptions options = within(5);
         options.weights.luts_per_ramb36 = 20;
-        Sizing const sizing = size_fifos(one.file.run, one.config, options);
+        Sizing const sizing = one.size(options);
         CHECK(sizing.is_proven);
         CHECK(one.cycles(sizing.answer.choice) <= sizing.bound);
         for (CertificateRow const& row : sizing.certificate)
             CHECK(row.breaks(sizing.bound));
         for (std::size_t i = 0; i < fifo_count; ++i)
-            memories += one.config.fifos[i].kind == FifoKind::automatic &&
+            memories += fifo_of(one.config, fifo_ids[i]).kind == FifoKind::automatic &&
                                 sizing.answer.choice[i] == FifoChoice{FifoKind::memory, 3}
                             ? 1U
                             : 0U;
@@ -346,9 +357,9 @@ TEST_CASE("A search that is given up says what it does not know", "[sizing]") {
         CAPTURE(seed);
         Case const one = random_case(seed);
         SizingOptions options = within(0);
-        double const proven = size_fifos(one.file.run, one.config, options).answer.cost;
+        double const proven = one.size(options).answer.cost;
         options.most_retimings = 1;
-        Sizing const sizing = size_fifos(one.file.run, one.config, options);
+        Sizing const sizing = one.size(options);
         CHECK(sizing.answer.total_cycles <= sizing.bound);
         CHECK(sizing.least_cost <= proven + 1e-6);
         CHECK(sizing.answer.cost >= proven - 1e-6);
@@ -363,7 +374,7 @@ TEST_CASE("Points of the front get faster as they cost more, and none is beaten 
     Case const one = random_case(207);
     SizingOptions options = within(3);
     options.front_points = 6;
-    Sizing const sizing = size_fifos(one.file.run, one.config, options);
+    Sizing const sizing = one.size(options);
     REQUIRE_FALSE(sizing.front.empty());
     for (std::size_t i = 0; i < sizing.front.size(); ++i) {
         FrontPoint const& point = sizing.front[i];
@@ -381,11 +392,11 @@ TEST_CASE("Points of the front get faster as they cost more, and none is beaten 
 TEST_CASE("Threads change nothing about a sizing, and a run without samples needs next to nothing", "[sizing]") {
     Case const one = random_case(209);
     SizingOptions options = within(1);
-    Sizing const alone = size_fifos(one.file.run, one.config, options);
+    Sizing const alone = one.size(options);
     options.jobs = 4;
-    CHECK(size_fifos(one.file.run, one.config, options).answer.choice == alone.answer.choice);
+    CHECK(one.size(options).answer.choice == alone.answer.choice);
     Case const nothing(testing::empty_stimulus(4, 0), testing::with_cores(2));
-    Sizing const sizing = size_fifos(nothing.file.run, nothing.config, within(0));
+    Sizing const sizing = nothing.size(within(0));
     CHECK(sizing.is_proven);
     CHECK(sizing.answer.total_cycles == 0);
     CHECK(sizing.certificate.empty());

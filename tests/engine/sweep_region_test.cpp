@@ -1,9 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "faster/parts.hpp"
+#include "support/counters.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
 namespace faster::testing {
@@ -50,7 +51,7 @@ TEST_CASE("Without triangles nothing is swept, and a sample takes W^2 + 8 cycles
         CHECK(loop_of(run, LoopId::output).entries == 0);
         CHECK(loop_of(run, LoopId::read).iterations == 4 * static_cast<std::uint64_t>(samples));
         for (SampleStatistics const& sample : run.samples)
-            CHECK(sample.counters.valid_depth == 31 * 31);
+            CHECK(counters_of(sample).valid_depth == 31 * 31);
     }
 }
 
@@ -111,8 +112,8 @@ TEST_CASE("FIFOs of depth 1 do not lock a touched sweep", "[sweep_region]") {
         config.edge_map.algorithm = static_cast<EdgeMapAlgorithm>(seed % 6);
         config.edge_map.buffers = 1 + static_cast<int>(seed / 6 % 2);
         config.inlier_unit.buffers = 1 + static_cast<int>(seed / 3 % 2);
-        for (FifoConfig& fifo : config.fifos)
-            fifo.depth = 1;
+        for (FifoId const id : fifo_ids)
+            config.fifo(id).depth = 1;
         for (FifoId const id : {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index})
             config.fifo(id).depth = 2;
         REQUIRE(check_agreement(config, stimulus));
@@ -122,10 +123,11 @@ TEST_CASE("FIFOs of depth 1 do not lock a touched sweep", "[sweep_region]") {
 TEST_CASE("The FIFOs of a touched sweep are in its design only", "[sweep_region]") {
     for (Flow const flow : {Flow::faster, Flow::fpga_grip})
         for (FifoId const id : {FifoId::region, FifoId::valid_depth}) {
-            CHECK_FALSE(has_part(Parts(flow), id));
-            Parts touched(flow);
-            touched.sweep_region = SweepRegion::touched;
-            CHECK(has_part(touched, id));
+            AcceleratorConfig config;
+            config.flow = flow;
+            CHECK_FALSE(raster_machine(config).fifos.at(index_of(id)).is_present);
+            config.inlier_unit.sweep_region = SweepRegion::touched;
+            CHECK(raster_machine(config).fifos.at(index_of(id)).is_present);
         }
 }
 

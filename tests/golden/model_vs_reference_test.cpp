@@ -15,7 +15,7 @@
 #include "workload/files/mesh_file.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/object_mesh.hpp"
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 namespace faster::testing {
 namespace {

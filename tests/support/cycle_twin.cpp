@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
 #include "support/twin_programs.hpp"
 
@@ -87,9 +88,9 @@ using Fifos = std::vector<FifoModel>;  // [FifoId]
 
 Fifos make_fifos(AcceleratorConfig const& config) {
     Fifos fifos;
-    for (std::size_t i = 0; i < fifo_count; ++i) {
-        bool const is_pipelined = i == index_of(FifoId::area_reciprocal);
-        fifos.emplace_back(config.fifos[i], is_pipelined ? config.fifos[i].write_latency : 0);
+    for (FifoId const id : fifo_ids) {
+        FifoConfig const fifo = fifo_of(config, id);
+        fifos.emplace_back(fifo, id == FifoId::area_reciprocal ? fifo.write_latency : 0);
     }
     return fifos;
 }
@@ -204,33 +205,25 @@ std::vector<BramUse> output_uses(AcceleratorConfig const& config) {
 std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
     EdgeMapAlgorithm const algorithm = config.edge_map.algorithm;
     bool const is_inner = algorithm == EdgeMapAlgorithm::inner_border;
-    switch (loop) {
-        case LoopId::edge_clear:
-            if (is_inner)
-                return {{BramId::object_map, {own}}};
-            if (has_one_map(algorithm))
-                return {{BramId::edge_map, {own}}};
-            return {{BramId::edge_map, {own}}, {BramId::object_map, {own}}};
-        case LoopId::token:
-            return token_uses(config);
-        case LoopId::output:
-        case LoopId::buffered_output:
-            return output_uses(config);
-        case LoopId::depth_clear:
-            return {{BramId::depth_buffer, {own}}};
-        case LoopId::fragment:
-            return {{BramId::depth_buffer, fragment_words(config)}};
-        case LoopId::sweep:
-        case LoopId::buffered_sweep:
-            return {{BramId::depth_buffer, sweep_words(config)}};
-        case LoopId::extract:
-        case LoopId::buffered_extract:
-            return {{BramId::depth_buffer, extract_words(config.edge_extraction)}};
-        case LoopId::vertex:
-        case LoopId::scan:
-        case LoopId::read:
-            break;
+    if (loop == LoopId::edge_clear) {
+        if (is_inner)
+            return {{BramId::object_map, {own}}};
+        if (has_one_map(algorithm))
+            return {{BramId::edge_map, {own}}};
+        return {{BramId::edge_map, {own}}, {BramId::object_map, {own}}};
     }
+    if (loop == LoopId::token)
+        return token_uses(config);
+    if (loop == LoopId::output || loop == LoopId::buffered_output)
+        return output_uses(config);
+    if (loop == LoopId::depth_clear)
+        return {{BramId::depth_buffer, {own}}};
+    if (loop == LoopId::fragment)
+        return {{BramId::depth_buffer, fragment_words(config)}};
+    if (loop == LoopId::sweep || loop == LoopId::buffered_sweep)
+        return {{BramId::depth_buffer, sweep_words(config)}};
+    if (loop == LoopId::extract || loop == LoopId::buffered_extract)
+        return {{BramId::depth_buffer, extract_words(config.edge_extraction)}};
     return {};
 }
 
@@ -238,7 +231,7 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
 Cycles depth_of(AcceleratorConfig const& config, LoopId id) {
     EdgeExtractionConfig const& units = config.edge_extraction;
     bool const extracts = id == LoopId::extract || id == LoopId::buffered_extract;
-    return config.loop(id).depth + (extracts ? units.square_root_latency + units.divider_latency : 0);
+    return loop_of(config, id).depth + (extracts ? units.square_root_latency + units.divider_latency : 0);
 }
 
 /// How many stretches of the dimension have banks of their own.
@@ -285,12 +278,12 @@ struct LoopRules {
 };
 
 LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
-    LoopConfig const& loop = config.loop(id);
+    LoopConfig const loop = loop_of(config, id);
     Cycles ports_ii = 0;
     double largest_quotient = 0;
     std::string tightest;
     for (BramUse const& use : bram_uses(id, config)) {
-        BramConfig const& bram = config.bram(use.bram);
+        BramConfig const bram = bram_of(config, use.bram);
         std::uint64_t const accesses = most_in_a_bank(use.words, bram.partition, config.window);
         ports_ii = std::max(ports_ii, ceil_div(accesses, bram.ports));
         double const quotient = static_cast<double>(accesses) / static_cast<double>(bram.ports);
@@ -317,20 +310,33 @@ LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
 
 std::array<TwinLoop, loop_count> make_loops(AcceleratorConfig const& config) {
     std::array<TwinLoop, loop_count> loops;
-    for (std::size_t i = 0; i < loop_count; ++i) {
-        LoopRules const rules = rules_of(config, static_cast<LoopId>(i));
-        loops[i].ii = rules.ii;
-        loops[i].limited_by = rules.limited_by;
+    for (LoopId const id : loop_ids) {
+        LoopRules const rules = rules_of(config, id);
+        loops[index_of(id)].ii = rules.ii;
+        loops[index_of(id)].limited_by = rules.limited_by;
     }
     return loops;
 }
+
+/// Where in the pipelines of loops tokens leave, and where those end: what is asked for in every cycle.
+struct Stages {
+    explicit Stages(AcceleratorConfig const& config) {
+        for (FifoId const id : fifo_ids)
+            write_latency[index_of(id)] = fifo_of(config, id).write_latency;
+        for (LoopId const id : loop_ids)
+            depth[index_of(id)] = depth_of(config, id);
+    }
+
+    std::array<Cycles, fifo_count> write_latency{};
+    std::array<Cycles, loop_count> depth{};
+};
 
 /// One process: where it is in its program, and since when.
 class ProcessModel {
   public:
     ProcessModel(AcceleratorConfig const& config, TwinProgram program, Fifos& fifos,
                  std::array<TwinLoop, loop_count>& loops)
-        : config_(config), program_(std::move(program)), fifos_(fifos), loops_(loops) {}
+        : config_(config), stages_(config), program_(std::move(program)), fifos_(fifos), loops_(loops) {}
 
     bool is_finished() const { return state_ == program_.size(); }
 
@@ -382,7 +388,8 @@ class ProcessModel {
 
     /// Steps of a loop: p = 0 .. (n - 1) * II + L - 1.
     Cycles last_loop_step(TwinState const& state) const {
-        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + depth_of(config_, *state.loop) - 1;
+        return (state.iterations.size() - 1) * loops_[index_of(*state.loop)].ii + stages_.depth[index_of(*state.loop)] -
+               1;
     }
 
     std::vector<TwinAccess> current_accesses() const {
@@ -394,7 +401,7 @@ class ProcessModel {
         std::vector<TwinAccess> accesses;
         for (std::size_t k = 0; k < state.accesses.size(); ++k) {
             TwinAccess const& access = state.accesses[k];
-            Cycles const stage = access.kind == AccessKind::Write ? config_.fifo(access.fifo).write_latency : 0;
+            Cycles const stage = access.kind == AccessKind::Write ? stages_.write_latency[index_of(access.fifo)] : 0;
             if (loop_step_ < stage || (loop_step_ - stage) % ii != 0) {
                 continue;
             }
@@ -461,6 +468,7 @@ class ProcessModel {
     }
 
     AcceleratorConfig const& config_;
+    Stages const stages_;
     TwinProgram const program_;
     Fifos& fifos_;
     std::array<TwinLoop, loop_count>& loops_;
@@ -474,7 +482,7 @@ class ProcessModel {
 
 /// Writes of loops must leave the pipeline before its end, else the steps above would lose them.
 void check_write_latency(AcceleratorConfig const& config, LoopId loop, FifoId fifo) {
-    if (config.fifo(fifo).write_latency >= config.loop(loop).depth) {
+    if (fifo_of(config, fifo).write_latency >= loop_of(config, loop).depth) {
         throw std::invalid_argument(std::string("write latency of ") + name_of(fifo) +
                                     " is beyond the end of its loop");
     }
@@ -484,7 +492,7 @@ void check(AcceleratorConfig const& config, Stimulus const& stimulus) {
     if (stimulus.is_posed()) {
         throw std::invalid_argument("the cycle twin has no vertex transform: give it triangles");
     }
-    if (config.raster_cores == 0) {
+    if (config.cores == 0) {
         throw std::invalid_argument("the cycle twin needs at least one core");
     }
     check_write_latency(config, LoopId::vertex, FifoId::vertex);
@@ -575,7 +583,7 @@ TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus) {
     check(config, stimulus);
     TwinResult result;
     result.samples.resize(stimulus.samples.size());
-    std::size_t const cores = config.raster_cores;
+    std::size_t const cores = config.cores;
     for (std::size_t core = 0; core < cores; ++core) {
         run_core(config, stimulus, samples_of_core(stimulus.samples.size(), cores, core), result);
     }

@@ -27,8 +27,8 @@ void check_figures(Trial const& trial) {
 /// Every cycle of the run is in exactly one class of every process.
 void check_buckets(RunStatistics const& run) {
     for (std::size_t core = 0; core < run.cores.size(); ++core) {
-        for (std::size_t const i : modules_of(run.parts)) {
-            CAPTURE(core, module_names[i]);
+        for (std::size_t const i : modules_of(run.machine)) {
+            CAPTURE(core, module_ids[i].name);
             ProcessStatistics const& process = run.cores[core].processes[i];
             CHECK(process.sum() == run.total_cycles);
             for (Cycles const cycles : process.cycles)

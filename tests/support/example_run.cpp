@@ -3,22 +3,44 @@
 #include <algorithm>
 #include <random>
 
+#include "faster/faster_config.hpp"
+#include "support/counters.hpp"
+#include "support/idle_run.hpp"
+#include "support/parts.hpp"
+#include "support/raster_machine.hpp"
+
 namespace faster::test {
 
 namespace {
 
+using testing::BramId;
+using testing::FifoId;
+using testing::LoopId;
+using testing::ModuleId;
+
 constexpr Cycles total_cycles = 1000000;
 
+/// Two cores of the default design.
+Machine const& example_machine() {
+    static Machine const machine = [] {
+        AcceleratorConfig config;
+        config.cores = 2;
+        return testing::raster_machine(config);
+    }();
+    return machine;
+}
+
 ProcessStatistics example_process(std::size_t module) {
-    ProcessStatistics process;
+    Machine const& machine = example_machine();
+    ProcessStatistics process = testing::idle_core(machine).processes[module];
     process[CycleClass::busy] = 100000 + 30000 * module;
     process[CycleClass::fill_drain] = 20000;
     process[CycleClass::idle_before] = 1000 * module;
     process[CycleClass::idle_after] = 5000;
     Cycles left = total_cycles - process.sum();
-    for (std::size_t const f : fifos_of({})) {
-        bool const reads = index_of(fifo_ends[f].reader) == module;
-        if (!reads && index_of(fifo_ends[f].writer) != module)
+    for (std::size_t const f : fifos_of(machine)) {
+        bool const reads = machine.fifos[f].reader == module;
+        if (!reads && machine.fifos[f].writer != module)
             continue;
         process.stalls[f] = left / 2;
         process[reads ? CycleClass::empty_stall : CycleClass::full_stall] += left / 2;
@@ -30,13 +52,14 @@ ProcessStatistics example_process(std::size_t module) {
 }
 
 CoreStatistics example_core() {
-    CoreStatistics core;
+    Machine const& machine = example_machine();
+    CoreStatistics core = testing::idle_core(machine);
     core.end_cycle = total_cycles;
-    for (std::size_t const i : modules_of({}))
+    for (std::size_t const i : modules_of(machine))
         core.processes[i] = example_process(i);
-    for (std::size_t const i : fifos_of({}))
+    for (std::size_t const i : fifos_of(machine))
         core.fifos[i] = {FifoKind::shift_register, 2, 2, 1, 1000 * (i + 1), 1000 * (i + 1), 70 * i, 900 - 60 * i, 2};
-    for (std::size_t const i : loops_of({}))
+    for (std::size_t const i : loops_of(machine))
         core.loops[i] = {1, 1, 1, 3 + i, 10, 1000 * (i + 1), 0, 0, "", "", 0};
     LoopStatistics& sweep = core.loops[index_of(LoopId::sweep)];
     sweep.ii = 3;
@@ -52,13 +75,13 @@ class Sketch {
     explicit Sketch(SampleTimeline& timeline) : timeline_(timeline) {}
 
     void loop(LoopId id, Cycles begin, Cycles end) {
-        add(loop_names[index_of(id)].module, TimelineSpan::Kind::loop, index_of(id), begin, end);
+        add(index_of(id.module), TimelineSpan::Kind::loop, index_of(id), begin, end);
     }
     void empty(FifoId id, Cycles begin, Cycles end) {
-        add(fifo_ends[index_of(id)].reader, TimelineSpan::Kind::empty_stall, index_of(id), begin, end);
+        add(example_machine().fifos[index_of(id)].reader, TimelineSpan::Kind::empty_stall, index_of(id), begin, end);
     }
     void full(FifoId id, Cycles begin, Cycles end) {
-        add(fifo_ends[index_of(id)].writer, TimelineSpan::Kind::full_stall, index_of(id), begin, end);
+        add(example_machine().fifos[index_of(id)].writer, TimelineSpan::Kind::full_stall, index_of(id), begin, end);
     }
     Cycles between(Cycles low, Cycles high) { return low + random_() % (high - low); }
     void sort() {
@@ -67,10 +90,9 @@ class Sketch {
     }
 
   private:
-    void add(ModuleId module, TimelineSpan::Kind kind, std::size_t item, Cycles begin, Cycles end) {
+    void add(std::size_t module, TimelineSpan::Kind kind, std::size_t item, Cycles begin, Cycles end) {
         Cycles const count = kind == TimelineSpan::Kind::loop ? (end - begin) / 2 : end - begin;
-        timeline_.spans.push_back(
-            {index_of(module), kind, item, timeline_.begin + begin, timeline_.begin + end, count});
+        timeline_.spans.push_back({module, kind, item, timeline_.begin + begin, timeline_.begin + end, count});
     }
 
     SampleTimeline& timeline_;
@@ -111,8 +133,9 @@ CriticalPath example_path() {
     path.core = 1;
     auto const add = [&path](ModuleId module, std::optional<LoopId> loop, PathCause cause, Cycles cycles) -> PathRow& {
         PathRow row;
-        row.module = module;
-        row.loop = loop;
+        row.module = index_of(module);
+        if (loop)
+            row.loop = index_of(*loop);
         row.cause = cause;
         row.cycles = cycles;
         return path.rows.emplace_back(row);
@@ -121,7 +144,7 @@ CriticalPath example_path() {
     add(ModuleId::inlier_unit, LoopId::sweep, PathCause::port_conflict, 300000).bram = name_of(BramId::depth_buffer);
     add(ModuleId::rasterizer, std::nullopt, PathCause::setup, 90000);
     PathRow& crossing = add(ModuleId::inlier_unit, LoopId::fragment, PathCause::read_latency, 10000);
-    crossing.fifo = FifoId::command;
+    crossing.fifo = index_of(FifoId::command);
     crossing.crossings = 10000;
     return path;
 }
@@ -139,13 +162,15 @@ std::vector<Sensitivity> example_sensitivities() {
 
 RunStatistics example_run() {
     RunStatistics run;
+    run.machine = example_machine();
     run.total_cycles = total_cycles;
     run.cores = {example_core(), example_core()};
     run.cores[0].samples = 3;
     run.cores[1].samples = 2;
     for (std::uint64_t sample = 0; sample < 5; ++sample) {
         Cycles const begin = 1 + sample * 150000;
-        run.samples.push_back({sample, sample / 3, begin, begin + sample_cycles - 1 + 1000 * sample, {}});
+        run.samples.push_back({sample, sample / 3, begin, begin + sample_cycles - 1 + 1000 * sample,
+                               Counters(testing::counter_names.size())});
     }
     run.critical_path = example_path();
     run.sensitivities = example_sensitivities();
@@ -158,6 +183,7 @@ SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles
     timeline.sample = sample;
     timeline.begin = begin;
     timeline.end = begin + sample_cycles;
+    timeline.occupancy.resize(example_machine().fifos.size());
     Sketch sketch(timeline);
     sketch.loop(LoopId::vertex, 0, last_triangle);
     sketch.full(FifoId::vertex, 60, last_triangle - 500);
@@ -181,8 +207,8 @@ SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles
 
 std::vector<ResolvedKey> example_keys() {
     RunConfig config;
-    config.workload.trace = hostile_text;
-    config.accelerator.raster_cores = 2;
+    workload_of(config).trace = hostile_text;
+    accelerator_of(config).cores = 2;
     return resolved_keys(config);
 }
 

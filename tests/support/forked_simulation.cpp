@@ -9,12 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/summary.hpp"
 #include "support/byte_stream.hpp"
-#include "tb/simulation/simulate.hpp"
+#include "support/idle_run.hpp"
+#include "support/raster_machine.hpp"
 
 namespace faster::testing {
 
@@ -51,9 +53,7 @@ class MapCollector : public SampleProbe {
 
 /// Visits the fields of one row, to send or to receive them: both sides share the list.
 template <class Visit, class Row> void visit_sample(Visit visit, Row& row) {
-    auto& counters = row.counters;
-    visit(row.sample, row.core, row.start_cycle, row.end_cycle, counters.valid_raster, counters.valid_depth,
-          counters.inlier, counters.valid_edge, counters.edge_inlier);
+    visit(row.sample, row.core, row.start_cycle, row.end_cycle, row.counters);
 }
 
 template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
@@ -67,10 +67,7 @@ template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
     for (auto& row : core.processes) {
         for (auto& cycles : row.cycles)
             visit(cycles);
-        for (auto& cycles : row.stalls)
-            visit(cycles);
-        for (auto& cycles : row.port_conflicts)
-            visit(cycles);
+        visit(row.stalls, row.port_conflicts);
     }
 }
 
@@ -119,7 +116,7 @@ template <class Pixel> void get_image(ByteReader& reader, int window, Image<Pixe
     image.pixels() = std::move(pixels);
 }
 
-ForkedRun from_bytes(std::string bytes, int window) {
+ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
     ByteReader reader(std::move(bytes));
     auto const get = [&reader](auto&... values) { reader.get(values...); };
     std::string error;
@@ -127,11 +124,12 @@ ForkedRun from_bytes(std::string bytes, int window) {
     if (!error.empty())
         throw std::runtime_error("simulate: " + error);
     ForkedRun run;
+    run.statistics.machine = machine;
     bool has_path = false;
     CriticalPath path;
     get(run.statistics.total_cycles, has_path, path.core);
     run.statistics.samples.resize(reader.get_size());
-    run.statistics.cores.resize(reader.get_size());
+    run.statistics.cores.resize(reader.get_size(), idle_core(machine));
     run.statistics.stuck.resize(reader.get_size());
     path.rows.resize(reader.get_size());
     run.statistics.sensitivities.resize(reader.get_size());
@@ -158,7 +156,7 @@ ForkedRun from_bytes(std::string bytes, int window) {
 
 LoadedConfig loaded_from(AcceleratorConfig const& config) {
     LoadedConfig loaded;
-    loaded.config.accelerator = config;
+    accelerator_of(loaded.config) = config;
     return loaded;
 }
 
@@ -166,7 +164,7 @@ void write_events(std::filesystem::path const& file, AcceleratorConfig const& co
                   retiming::RecordedRun const& recorded, RunStatistics const& run) {
     RunConfig const whole = loaded_from(config).config;
     events::write_event_file(io::OutputFile(file), whole, recorded, run,
-                             report::summary_json(resolved_keys(whole), config, run, {}));
+                             report::summary_json(resolved_keys(whole), run, {}));
 }
 
 std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
@@ -174,13 +172,12 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
     try {
         MapCollector collector(wanted.with_maps ? stimulus.samples.size() : 0, stimulus.window);
         SimulationOptions options;
-        options.probe = wanted.with_maps ? &collector : nullptr;
         options.critical_path = wanted.critical_path;
         options.trail_length = wanted.trail_length;
         options.recordings = wanted.recordings;
         retiming::RecordedRun recorded;
         options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
-        RunStatistics run = simulate(config, stimulus, engine, options);
+        RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : nullptr);
         if (wanted.sensitivities)
             run.sensitivities = retiming::sensitivities(recorded, loaded_from(config));
         if (!wanted.events.empty() && !run.deadlocked())
@@ -250,7 +247,7 @@ ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, 
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     check_status(status);
-    return from_bytes(std::move(bytes), stimulus.window);
+    return from_bytes(std::move(bytes), raster_machine(config), stimulus.window);
 }
 
 }  // namespace faster::testing

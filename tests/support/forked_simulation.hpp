@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "common/stimulus.hpp"
-#include "faster/run_config.hpp"
+#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/timing/trail.hpp"
-#include "tb/simulation/simulate.hpp"
+#include "modules/faster_simulation.hpp"
 
 namespace faster::testing {
 

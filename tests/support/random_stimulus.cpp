@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "faster/parts.hpp"
+#include "support/plain_config.hpp"
 
 namespace faster::testing {
 namespace {
@@ -293,12 +293,18 @@ void draw_extraction(Dice& dice, EdgeExtractionConfig& config) {
 void make_room(AcceleratorConfig& config, std::initializer_list<FifoId> fifos, Cycles look_ahead) {
     Cycles latest = 0;
     for (FifoId const id : fifos) {
-        latest = std::max(latest, config.fifo(id).write_latency);
+        latest = std::max(latest, fifo_of(config, id).write_latency);
     }
     for (FifoId const id : fifos) {
-        FifoConfig& fifo = config.fifo(id);
-        fifo.depth = std::max<std::uint64_t>(fifo.depth, latest - fifo.write_latency + look_ahead + 1);
+        FifoConfig const fifo = fifo_of(config, id);
+        config.fifo(id).depth = std::max<std::uint64_t>(fifo.depth, latest - fifo.write_latency + look_ahead + 1);
     }
+}
+
+/// Of loops with keys of their own, in a machine with one buffer of each map.
+bool has_loop(Flow flow, LoopId id) {
+    bool const extracts = flow == Flow::fpga_grip;
+    return id == LoopId::extract ? extracts : id.module != ModuleId::edge_map_builder || !extracts;
 }
 
 void draw_scan(Dice& dice, AcceleratorConfig& config) {
@@ -352,30 +358,33 @@ Stimulus random_stimulus(std::uint64_t seed, RandomStimulusOptions const& option
 AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& options) {
     Dice dice(seed);
     AcceleratorConfig config;
-    config.raster_cores = static_cast<std::uint64_t>(dice.in(options.cores));
+    config.cores = static_cast<std::uint64_t>(dice.in(options.cores));
     config.edge_map.flush_last = dice.one_in(2);
-    config.setup_depth = static_cast<Cycles>(dice.between(1, 16));
-    for (BramConfig& bram : config.brams) {
-        bram.ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
+    config.setup("rasterizer") = static_cast<Cycles>(dice.between(1, 16));
+    for (BramId const id : bram_ids) {
+        config.memory(id).ports = static_cast<std::uint64_t>(dice.between(1, static_cast<int>(options.max_ports)));
     }
     config.flow = options.flow;
-    for (std::size_t const i : loops_of(Parts(config))) {
-        LoopConfig& loop = config.loop(LoopId{i});
+    for (LoopId const id : keyed_loop_ids) {
+        if (!has_loop(config.flow, id)) {
+            continue;
+        }
+        LoopSettings& loop = config.loop(id);
         loop.ii = skewed_cycles(dice, options.max_target_ii);
         loop.recurrence_ii = skewed_cycles(dice, options.max_recurrence_ii);
         loop.depth = static_cast<Cycles>(dice.one_in(2) ? dice.between(1, 4) : dice.between(1, 24));
     }
     auto const draw_fifo = [&](FifoId id) {
-        FifoConfig& fifo = config.fifo(id);
+        FifoSettings& fifo = config.fifo(id);
         fifo.depth = static_cast<std::uint64_t>(skewed(dice, options.fifo_depth));
         fifo.kind = static_cast<FifoKind>(dice.between(0, 2));
         fifo.write_latency = 0;
     };
     for (std::size_t i = 0; i <= index_of(FifoId::result); ++i) {
-        draw_fifo(FifoId{i});
+        draw_fifo(fifo_ids[i]);
     }
     auto const draw_latency = [&](FifoId fifo, LoopId loop) {
-        int const last_stage = static_cast<int>(config.loop(loop).depth) - 1;
+        int const last_stage = static_cast<int>(loop_of(config, loop).depth) - 1;
         config.fifo(fifo).write_latency =
             static_cast<Cycles>(dice.one_in(2) ? last_stage : dice.between(0, last_stage));
     };
@@ -405,11 +414,11 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         config.rasterizer.lanes = dice.between(1, options.max_scan_lanes);
         config.rasterizer.edge_tokens = EdgeTokens::object;
     }
-    for (BramConfig& bram : config.brams) {
+    for (BramId const id : bram_ids) {
         if (options.any_partition) {
-            bram.partition = {static_cast<PartitionType>(dice.between(0, 2)),
-                              static_cast<std::uint64_t>(dice.between(1, 4)),
-                              static_cast<std::uint64_t>(dice.between(0, 2))};
+            config.memory(id).partition = {static_cast<PartitionType>(dice.between(0, 2)),
+                                           static_cast<std::uint64_t>(dice.between(1, 4)),
+                                           static_cast<std::uint64_t>(dice.between(0, 2))};
         }
     }
     for (double& threshold : config.edge_map.thresholds) {
@@ -433,8 +442,8 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);
         if (config.rasterizer.setup_overlap > 0) {  // an area leaves at once, its command when it has passed the loop
-            Cycles const stages = config.loop(LoopId::scan).depth;
-            config.fifo(FifoId::area).depth = std::max<std::uint64_t>(config.fifo(FifoId::area).depth, stages);
+            Cycles const stages = loop_of(config, LoopId::scan).depth;
+            config.fifo(FifoId::area).depth = std::max<std::uint64_t>(fifo_of(config, FifoId::area).depth, stages);
         }
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }

@@ -1,12 +1,14 @@
 #include "support/recorded_accesses.hpp"
 
+#include "kernel/recording/fifo_state.hpp"
+#include "kernel/recording/memory_trace.hpp"
+
 namespace faster::testing {
 
-void for_each_access(AcceleratorConfig const& config, std::vector<recording::RecordedCore> const& cores,
-                     AccessVisit const& visit) {
+void for_each_access(std::vector<recording::RecordedCore> const& cores, AccessVisit const& visit) {
     using Kind = recording::Event::Kind;
     for (recording::RecordedCore const& core : cores) {
-        recording::BramModel brams(config);
+        recording::MemoryTrace memories(core);
         std::vector<recording::FifoState> fifos(core.fifos.begin(), core.fifos.end());
         recording::TokenValues read;
         recording::for_each_event({{core.core, core.spools}}, [&](recording::CoreEvent const& event) {
@@ -14,7 +16,7 @@ void for_each_access(AcceleratorConfig const& config, std::vector<recording::Rec
                 fifos[event.event.item].write(*event.fields);
             if (event.event.kind == Kind::read)
                 fifos[event.event.item].read(read);
-            visit(event, read, brams.take(event, read));
+            visit(event, read, memories.take(event, read));
         });
     }
 }

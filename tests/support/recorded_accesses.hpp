@@ -2,17 +2,18 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/recording/vcd_core.hpp"
+#include "kernel/recording/event_merge.hpp"
+#include "kernel/recording/memory_ports.hpp"
+#include "kernel/recording/recorded_core.hpp"
 
 namespace faster::testing {
 
 /// An event of a recorded core, the fields of the token that it reads, if it does, and the accesses to block RAM that
 /// it stands for.
 using AccessVisit = std::function<void(recording::CoreEvent const& event, recording::TokenValues const& read,
-                                       std::vector<recording::BramAccess> const& accesses)>;
+                                       std::vector<recording::PortAccess> const& accesses)>;
 
 /// Visits core after core, the earliest event first.
-void for_each_access(AcceleratorConfig const& config, std::vector<recording::RecordedCore> const& cores,
-                     AccessVisit const& visit);
+void for_each_access(std::vector<recording::RecordedCore> const& cores, AccessVisit const& visit);
 
 }  // namespace faster::testing

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "kernel/figures/column_values.hpp"
+#include "support/counters.hpp"
+
 namespace faster::testing {
 
 namespace {
@@ -24,24 +27,25 @@ class CellList {
 
 std::string in_core(std::size_t core, std::string const& what) { return "core " + std::to_string(core) + ", " + what; }
 std::string in_loop(std::size_t core, std::size_t loop) {
-    return in_core(core, std::string("loop ") + name_of(loop_names[loop].module) + "." + loop_names[loop].name + ", ");
+    return in_core(core, std::string("loop ") + name_of(loop_ids[loop].module) + "." + loop_ids[loop].name + ", ");
 }
 std::string in_fifo(std::size_t core, std::size_t fifo) {
-    return in_core(core, std::string("fifo ") + fifo_names[fifo] + ", ");
+    return in_core(core, std::string("fifo ") + fifo_ids[fifo].name + ", ");
 }
 std::string in_process(std::size_t core, std::size_t process) {
-    return in_core(core, std::string("process ") + module_names[process] + ", ");
+    return in_core(core, std::string("process ") + module_ids[process].name + ", ");
 }
+
+Counters const& row_of(SampleStatistics const& sample) { return sample.counters; }
+Counters row_of(TwinSample const& sample) { return counters_of(sample.counters); }
 
 template <class Sample> void add_sample(CellList& cells, std::size_t index, Sample const& sample) {
     cells.at("sample " + std::to_string(index) + ", ");
     cells.add("start_cycle", sample.start_cycle);
     cells.add("end_cycle", sample.end_cycle);
-    cells.add("valid_raster", sample.counters.valid_raster);
-    cells.add("valid_depth", sample.counters.valid_depth);
-    cells.add("inlier", sample.counters.inlier);
-    cells.add("valid_edge", sample.counters.valid_edge);
-    cells.add("edge_inlier", sample.counters.edge_inlier);
+    Counters const& counters = row_of(sample);
+    for (std::size_t i = 0; i < counter_names.size(); ++i)
+        cells.add(counter_names[i], counters.at(i));
 }
 
 template <class Fifo> void add_fifo(CellList& cells, Fifo const& fifo) {
@@ -160,16 +164,14 @@ Cells all_cells(RunStatistics const& run) {
             FifoStatistics const& fifo = run.cores[k].fifos[i];
             more.at(in_fifo(k, i));
             more.add("kind", static_cast<std::uint64_t>(fifo.kind));
-            more.add("depth", fifo.depth);
-            more.add("capacity", fifo.capacity);
-            more.add("write_latency", fifo.write_latency);
+            for (auto const& column : fifo_columns)
+                more.add(column.name, cell_in(column, FifoRow{fifo, k, "", ""}));
         }
         for (std::size_t i = 0; i < loop_count; ++i) {
             LoopStatistics const& loop = run.cores[k].loops[i];
             more.at(in_loop(k, i));
-            more.add("ii_target", loop.ii_target);
-            more.add("ii_recurrence", loop.ii_recurrence);
-            more.add("depth", loop.depth);
+            for (auto const& column : loop_columns)
+                more.add(column.name, cell_in(column, LoopRow{loop, k, "", ""}));
             more.add("bram", loop.bram);
         }
         for (std::size_t i = 0; i < module_count; ++i) {
@@ -178,9 +180,9 @@ Cells all_cells(RunStatistics const& run) {
             for (std::size_t c = 0; c < cycle_class_count; ++c)
                 more.add(cycle_class_names[c], process.cycles[c]);
             for (std::size_t f = 0; f < fifo_count; ++f)
-                more.add(std::string("stall ") + fifo_names[f], process.stalls[f]);
+                more.add(std::string("stall ") + fifo_ids[f].name, process.stalls[f]);
             for (std::size_t b = 0; b < bram_count; ++b)
-                more.add(std::string("conflict ") + bram_names[b], process.port_conflicts[b]);
+                more.add(std::string("conflict ") + bram_ids[b].name, process.port_conflicts[b]);
         }
     }
     for (Cell& cell : more.take())
@@ -208,9 +210,10 @@ Cells path_cells(RunStatistics const& run) {
     CellList cells;
     cells.add("core", run.critical_path.value().core);
     for (PathRow const& row : run.critical_path->rows) {
-        std::string const loop = row.loop ? loop_names[index_of(*row.loop)].name : "outside loops";
-        std::string const item = row.fifo ? fifo_names[index_of(*row.fifo)] : row.bram;
-        cells.at(std::string(name_of(row.module)) + ", " + loop + ", " + name_of(row.cause) + " " + item + ", ");
+        std::string const loop = row.loop ? loop_ids.at(*row.loop).name : "outside loops";
+        std::string const item = row.fifo ? fifo_ids.at(*row.fifo).name : row.bram;
+        cells.at(std::string(module_ids.at(row.module).name) + ", " + loop + ", " + name_of(row.cause) + " " + item +
+                 ", ");
         cells.add("cycles", row.cycles);
         cells.add("crossings", row.crossings);
     }

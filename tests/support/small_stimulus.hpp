@@ -8,7 +8,7 @@ namespace faster::testing {
 
 inline AcceleratorConfig with_cores(std::uint64_t cores) {
     AcceleratorConfig config;
-    config.raster_cores = cores;
+    config.cores = cores;
     return config;
 }
 

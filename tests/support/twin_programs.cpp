@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
 
 namespace faster::testing {
@@ -157,7 +158,7 @@ void draw_overlapped(TwinProgram& program, TwinSampleFunction const& sample, std
 
 TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const& config) {
     // 18 more for the divisions that spans need
-    Cycles const setup = config.setup_depth + (config.rasterizer.scan == ScanPolicy::spans ? 18 : 0);
+    Cycles const setup = setup_depth_of(config) + (config.rasterizer.scan == ScanPolicy::spans ? 18 : 0);
     TwinProgram program;
     step(program, {read_of(FifoId::sample_raster)});
     if (config.rasterizer.setup_overlap == 0) {
@@ -233,14 +234,14 @@ std::vector<BramConfig> maps_of(AcceleratorConfig const& config) {
         case EdgeMapAlgorithm::threshold:
         case EdgeMapAlgorithm::transition:
         case EdgeMapAlgorithm::bounded:
-            return {config.bram(BramId::edge_map)};
+            return {bram_of(config, BramId::edge_map)};
         case EdgeMapAlgorithm::inner_border:
-            return {config.bram(BramId::object_map)};
+            return {bram_of(config, BramId::object_map)};
         case EdgeMapAlgorithm::dual_map:
         case EdgeMapAlgorithm::dual_map_4_1_2:
             break;
     }
-    return {config.bram(BramId::edge_map), config.bram(BramId::object_map)};
+    return {bram_of(config, BramId::edge_map), bram_of(config, BramId::object_map)};
 }
 
 void output(TwinProgram& program, LoopId id, TwinSampleFunction const& sample, AcceleratorConfig const& config) {
@@ -379,7 +380,8 @@ void score(TwinProgram& program, ScoringLoops const& loops, TwinSampleFunction c
 TwinProgram inlier_unit(TwinSampleFunction const& sample, AcceleratorConfig const& config, std::size_t side) {
     TwinProgram program;
     pass(program, 1);
-    clearing_loop(program, LoopId::depth_clear, config.inlier_unit.clearing, {config.bram(BramId::depth_buffer)}, side);
+    clearing_loop(program, LoopId::depth_clear, config.inlier_unit.clearing, {bram_of(config, BramId::depth_buffer)},
+                  side);
     step(program, {read_of(FifoId::command)});
     if (config.inlier_unit.fragment_loop == FragmentLoop::flattened) {
         take_in_one_loop(program, sample);

@@ -8,8 +8,8 @@
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
 #include "faster/accelerator_config.hpp"
-#include "faster/machine.hpp"
 #include "kernel/base/cycles.hpp"
+#include "support/parts.hpp"
 
 namespace faster::testing {
 

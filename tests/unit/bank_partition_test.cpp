@@ -4,9 +4,6 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "faster/block_ram.hpp"
-#include "faster/loop_accesses.hpp"
-
 namespace faster {
 namespace {
 
@@ -77,59 +74,6 @@ TEST_CASE("Every word has a bank, and none has more than bank_words", "[partitio
     CHECK(BankPartition({cyclic, 3, 0}, side).bank_words() == 16);
     CHECK(BankPartition({block, 3, 2}, side).banks() == 3);
     CHECK(BankPartition({block, 3, 2}, side).bank_words() == 40);
-}
-
-TEST_CASE("Loops know where they touch their memories", "[partition]") {
-    AcceleratorConfig config;
-    auto const crowd_of = [&config](LoopId loop, std::size_t memory, PartitionConfig const& partition) {
-        return crowd(loop_accesses(loop, config).at(memory).pattern, partition);
-    };
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 3, 0}) == 1);
-    config.inlier_unit.clearing = MapClearing::on_read_out;
-    CHECK(crowd_of(LoopId::sweep, 0, {}) == 6);
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 3, 0}) == 1);  // above to the left is a ninth bank
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 2, 0}) == 2);
-    config.inlier_unit.neighbour_access = NeighbourAccess::window;
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 4, 0}) == 2);  // the word it has read
-    CHECK(crowd_of(LoopId::fragment, 0, {cyclic, 4, 0}) == 2);
-    CHECK(crowd_of(LoopId::token, 1, {cyclic, 2, 1}) == 2);  // above and below are both odd
-    CHECK(crowd_of(LoopId::token, 1, {cyclic, 3, 1}) == 1);
-    config.edge_map.algorithm = EdgeMapAlgorithm::bounded;
-    CHECK(crowd_of(LoopId::token, 0, {}) == 5);
-    CHECK(crowd_of(LoopId::token, 0, {cyclic, 3, 1}) == 2);
-    CHECK(crowd_of(LoopId::token, 0, {cyclic, 3, 2}) == 5);
-    CHECK(loop_accesses(LoopId::token, config).size() == 1);
-    CHECK(loop_accesses(LoopId::scan, config).empty());
-}
-
-TEST_CASE("Lanes of the scan touch a word each of the maps they draw in", "[partition][lanes]") {
-    AcceleratorConfig config;
-    config.edge_map.algorithm = EdgeMapAlgorithm::inner_border;
-    config.rasterizer.lanes = 4;
-    auto const crowd_of = [&config](LoopId loop, PartitionConfig const& partition) {
-        return crowd(loop_accesses(loop, config).at(0).pattern, partition);
-    };
-    CHECK(crowd_of(LoopId::fragment, {}) == 8);
-    CHECK(crowd_of(LoopId::fragment, {cyclic, 2, 2}) == 4);
-    CHECK(crowd_of(LoopId::fragment, {cyclic, 4, 2}) == 2);
-    CHECK(crowd_of(LoopId::fragment, {cyclic, 4, 1}) == 8);
-    CHECK(crowd_of(LoopId::token, {}) == 4);
-    CHECK(crowd_of(LoopId::token, {cyclic, 3, 2}) == 2);
-    CHECK(crowd_of(LoopId::token, {cyclic, 4, 2}) == 1);
-    CHECK(crowd_of(LoopId::sweep, {}) == 1);  // has lanes of its own
-}
-
-TEST_CASE("A split memory takes the primitives of its banks", "[partition][block_ram]") {
-    AcceleratorConfig config;
-    BramConfig& bram = config.bram(BramId::depth_buffer);
-    CHECK(ramb36_count(memory_shape(BramId::depth_buffer, config)) == 15);
-    bram.partition = {cyclic, 2, 0};  // 10,000 x 11: 2K x 18 five times
-    CHECK(ramb36_count(memory_shape(BramId::depth_buffer, config)) == 4 * 5);
-    bram.partition = {cyclic, 3, 2};  // 200 x 67 x 11
-    CHECK(memory_shape(BramId::depth_buffer, config).bank_words == 13400);
-    CHECK(ramb36_count(memory_shape(BramId::depth_buffer, config)) == 3 * 6);
-    bram.ports = 3;  // of each bank: two copies
-    CHECK(ramb36_count(memory_shape(BramId::depth_buffer, config)) == 2 * 3 * 6);
 }
 
 }  // namespace faster

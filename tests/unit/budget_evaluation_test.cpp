@@ -5,11 +5,15 @@
 #include "kernel/budgets/configuration_hash.hpp"
 #include "kernel/budgets/evaluate.hpp"
 #include "kernel/budgets/explain.hpp"
+#include "kernel/budgets/figure_facts.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
 #include "kernel/budgets/junit_xml.hpp"
 #include "kernel/budgets/limit_text.hpp"
 #include "kernel/budgets/run_figures.hpp"
+#include "support/counters.hpp"
+#include "support/idle_run.hpp"
 #include "support/input_error_text.hpp"
+#include "support/raster_machine.hpp"
 
 using namespace faster::budgets;
 using Catch::Matchers::Contains;
@@ -164,10 +168,10 @@ TEST_CASE("A name matches part by part") {
 }
 
 TEST_CASE("Figures of all cores are sums, of shapes and occupancies the largest") {
-    faster::RunStatistics run;
+    faster::RunStatistics run = faster::testing::idle_run(faster::testing::raster_machine({}), 2);
     run.total_cycles = 100;
-    run.cores.resize(2);
     run.samples.resize(1);
+    run.samples[0].counters.resize(faster::testing::counter_names.size());
     run.samples[0].start_cycle = 5;
     run.samples[0].end_cycle = 14;
     for (std::size_t core = 0; core < 2; ++core) {
@@ -181,7 +185,7 @@ TEST_CASE("Figures of all cores are sums, of shapes and occupancies the largest"
         run.cores[core].loops[8].limited_by = "depth_buffer";
         run.cores[core].loops[8].port_conflict_cycles = 6;
     }
-    Figures const found = run_figures(run, faster::AcceleratorConfig{});
+    Figures const found = run_figures(run);
     CHECK(found.find("total_cycles") == 100);
     CHECK(found.find("raster_cores") == 2);
     CHECK(found.find("fifos.vertex.depth") == 2);

@@ -1,20 +1,31 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
+#include "faster/adopt_trace.hpp"
+#include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/key_names.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/keys_as_markdown.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/resolved_config.hpp"
+#include "support/parts.hpp"
 
+using faster::accelerator_of;
 using faster::LoadedConfig;
 using faster::RunConfig;
+using faster::workload_of;
+using faster::testing::BramId;
+using faster::testing::FifoId;
+using faster::testing::LoopId;
+using faster::testing::ModuleId;
 namespace fs = std::filesystem;
 
 namespace {
@@ -109,14 +120,15 @@ TEST_CASE("An empty configuration is the default machine", "[config]") {
 
 TEST_CASE("The defaults are those of the thesis and SPEC section 3", "[config]") {
     RunConfig const config = loaded("").config;
-    CHECK(config.accelerator.raster_cores == 10);
-    CHECK(config.accelerator.window == 200);
-    CHECK(config.accelerator.clock_mhz == 200.0);
-    CHECK(config.accelerator.fraction_bits == faster::FractionBits{4, 14, 30, 18, 9});
-    CHECK(config.accelerator.fifo(faster::FifoId::vertex).write_latency == 40);
-    CHECK(config.accelerator.fifo(faster::FifoId::area_reciprocal).write_latency == 36);
-    CHECK(config.accelerator.loop(faster::LoopId::fragment).depth == 10);
-    CHECK(config.workload.samples.count == 620);
+    CHECK(accelerator_of(config).cores == 10);
+    CHECK(accelerator_of(config).window == 200);
+    CHECK(accelerator_of(config).clock_mhz == 200.0);
+    CHECK(accelerator_of(config).fraction_bits == faster::FractionBits{4, 14, 30, 18, 9});
+    faster::Machine const machine = faster::machine_of(config);
+    CHECK(machine.fifos[index_of(FifoId::vertex)].write_latency == 40);
+    CHECK(machine.fifos[index_of(FifoId::area_reciprocal)].write_latency == 36);
+    CHECK(machine.loops[index_of(LoopId::fragment)].depth == 10);
+    CHECK(workload_of(config).samples.count == 620);
 }
 
 TEST_CASE("Every kind of key can be set in a file", "[config]") {
@@ -146,28 +158,28 @@ workload:
 simulation: {engine: lockstep}
 )")
                                  .config;
-    CHECK(config.accelerator.raster_cores == 3);
-    CHECK(config.accelerator.clock_mhz == 250.0);
-    CHECK(config.accelerator.edge_map.flush_last);
-    CHECK(config.accelerator.fifo(faster::FifoId::area).depth == 16);
-    CHECK(config.accelerator.fifo(faster::FifoId::area).kind == faster::FifoKind::memory);
-    CHECK(config.accelerator.fifo(faster::FifoId::area_reciprocal).write_latency == 50);
-    CHECK(config.accelerator.setup_depth == 20);
-    CHECK(config.accelerator.loop(faster::LoopId::scan).ii == 2);
-    CHECK(config.accelerator.loop(faster::LoopId::scan).recurrence_ii == 3);
-    CHECK(config.accelerator.loop(faster::LoopId::scan).depth == 9);
-    CHECK(config.accelerator.bram(faster::BramId::object_map).ports == 4);
-    CHECK(config.workload.target.object == "mug");
-    CHECK(config.workload.target.translation_m == std::array<double, 3>{0.1, -0.2, 1});
-    CHECK(config.workload.target.rotation_deg == std::array<double, 3>{0.5, 10, 3});
-    CHECK(config.workload.camera.width == 320);
-    CHECK(config.workload.camera.cx == -1);
-    CHECK_FALSE(config.workload.scene.table);
-    REQUIRE(config.workload.scene.objects.size() == 2);
-    CHECK(config.workload.scene.objects[0].object == "banana");
-    CHECK(config.workload.scene.objects[0].rotation_deg == std::array<double, 3>{0, 0, 0});
-    CHECK(config.workload.scene.objects[1].rotation_deg == std::array<double, 3>{7, 8, 9});
-    CHECK(config.workload.samples.seed == 9223372036854775807U);
+    CHECK(accelerator_of(config).cores == 3);
+    CHECK(accelerator_of(config).clock_mhz == 250.0);
+    CHECK(accelerator_of(config).edge_map.flush_last);
+    CHECK(accelerator_of(config).fifo(FifoId::area).depth == 16);
+    CHECK(accelerator_of(config).fifo(FifoId::area).kind == faster::FifoKind::memory);
+    CHECK(accelerator_of(config).fifo(FifoId::area_reciprocal).write_latency == 50);
+    CHECK(accelerator_of(config).setup("rasterizer") == 20);
+    CHECK(accelerator_of(config).loop(LoopId::scan).ii == 2);
+    CHECK(accelerator_of(config).loop(LoopId::scan).recurrence_ii == 3);
+    CHECK(accelerator_of(config).loop(LoopId::scan).depth == 9);
+    CHECK(accelerator_of(config).memory(BramId::object_map).ports == 4);
+    CHECK(workload_of(config).target.object == "mug");
+    CHECK(workload_of(config).target.translation_m == std::array<double, 3>{0.1, -0.2, 1});
+    CHECK(workload_of(config).target.rotation_deg == std::array<double, 3>{0.5, 10, 3});
+    CHECK(workload_of(config).camera.width == 320);
+    CHECK(workload_of(config).camera.cx == -1);
+    CHECK_FALSE(workload_of(config).scene.table);
+    REQUIRE(workload_of(config).scene.objects.size() == 2);
+    CHECK(workload_of(config).scene.objects[0].object == "banana");
+    CHECK(workload_of(config).scene.objects[0].rotation_deg == std::array<double, 3>{0, 0, 0});
+    CHECK(workload_of(config).scene.objects[1].rotation_deg == std::array<double, 3>{7, 8, 9});
+    CHECK(workload_of(config).samples.seed == 9223372036854775807U);
     CHECK(config.simulation.engine == faster::Engine::lockstep);
 }
 
@@ -176,12 +188,12 @@ TEST_CASE("An override wins over the file, and a later one over an earlier", "[c
                                        {"accelerator.window=64", "accelerator.window=32", "workload.object=bowl",
                                         "workload.pose.translation_m=[0, 0, 0.7]", "simulation.engine=lockstep",
                                         "workload.scene.objects=[{object: mug, translation_m: [0, 1, 2]}]"});
-    CHECK(config.config.accelerator.window == 32);
-    CHECK(config.config.accelerator.raster_cores == 2);
-    CHECK(config.config.workload.target.object == "bowl");
-    CHECK(config.config.workload.target.translation_m[2] == 0.7);
+    CHECK(accelerator_of(config.config).window == 32);
+    CHECK(accelerator_of(config.config).cores == 2);
+    CHECK(workload_of(config.config).target.object == "bowl");
+    CHECK(workload_of(config.config).target.translation_m[2] == 0.7);
     CHECK(config.config.simulation.engine == faster::Engine::lockstep);
-    CHECK(config.config.workload.scene.objects.at(0).translation_m[2] == 2);
+    CHECK(workload_of(config.config).scene.objects.at(0).translation_m[2] == 2);
 }
 
 TEST_CASE("The loader remembers where a key was set", "[config]") {
@@ -199,15 +211,15 @@ TEST_CASE("Paths of a file are relative to its folder, those of an override to t
           "workload:\n  object: ../meshes/box.obj\n  trace: traces/a\n"
           "  scene: {depth_image: /data/1.png, objects: [{object: cup.ply, translation_m: [0, 0, 1]}]}\n");
     RunConfig const from_file = faster::load_config("sub/test.yaml").config;
-    CHECK(from_file.workload.target.object == "meshes/box.obj");
-    CHECK(from_file.workload.trace == "sub/traces/a");
-    CHECK(from_file.workload.scene.depth_image == "/data/1.png");
-    CHECK(from_file.workload.scene.objects.at(0).object == "sub/cup.ply");
+    CHECK(workload_of(from_file).target.object == "meshes/box.obj");
+    CHECK(workload_of(from_file).trace == "sub/traces/a");
+    CHECK(workload_of(from_file).scene.depth_image == "/data/1.png");
+    CHECK(workload_of(from_file).scene.objects.at(0).object == "sub/cup.ply");
 
     RunConfig const overridden =
         faster::load_config("sub/test.yaml", {"workload.object=box.obj", "workload.trace="}).config;
-    CHECK(overridden.workload.target.object == "box.obj");
-    CHECK(overridden.workload.trace.empty());
+    CHECK(workload_of(overridden).target.object == "box.obj");
+    CHECK(workload_of(overridden).trace.empty());
 }
 
 TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
@@ -244,7 +256,7 @@ TEST_CASE("A partition needs a type, words for its banks, and no more banks than
           "--set accelerator.brams.edge_map.partition.type=cyclc: expected one of none, cyclic, block");
     RunConfig const config =
         loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n").config;
-    CHECK(config.accelerator.bram(faster::BramId::edge_map).partition.factor == 32);
+    CHECK(accelerator_of(config).memory(BramId::edge_map).partition.factor == 32);
 }
 
 TEST_CASE("A trace's window bounds the banks as well", "[config][errors]") {
@@ -470,18 +482,23 @@ TEST_CASE("A loop that gets too short for a default write latency asks to set th
 }
 
 TEST_CASE("Every FIFO that a loop writes is checked against that loop", "[config][errors]") {
-    RunConfig const defaults;
-    for (std::size_t index = 0; index < faster::fifo_count; ++index) {
-        faster::FifoId const id{index};
-        auto const loop = faster::loop_that_writes(id);
-        if (!loop) {
+    std::map<std::string, LoopId> const written_by{
+        {"vertex", LoopId::vertex},        {"command", LoopId::scan},     {"fragment_depth", LoopId::scan},
+        {"fragment_index", LoopId::scan},  {"edge_token", LoopId::scan},  {"edge_map", LoopId::output},
+        {"observed_depth", LoopId::read},  {"observed_edge", LoopId::read}};
+    faster::Machine const defaults = faster::machine_of(RunConfig{});
+    for (FifoId const id : faster::testing::fifo_ids) {
+        std::string const key = faster::fifo_key_name(id, "write_latency");
+        INFO(key);
+        auto const written = written_by.find(id);
+        bool const has_latency = written != written_by.end() || id == FifoId::area_reciprocal;
+        CHECK((faster::find_key(key) != nullptr) == has_latency);
+        if (written == written_by.end()) {
             continue;
         }
-        std::string const setting = faster::fifo_key_name(id, "write_latency") + '=';
-        auto const depth = defaults.accelerator.loop(*loop).depth;
-        INFO(setting);
-        CHECK(set_error(setting + std::to_string(depth - 1)) == "(no error)");
-        CHECK(set_error(setting + std::to_string(depth)) != "(no error)");
+        auto const depth = defaults.loops[index_of(written->second)].depth;
+        CHECK(set_error(key + '=' + std::to_string(depth - 1)) == "(no error)");
+        CHECK(set_error(key + '=' + std::to_string(depth)) != "(no error)");
     }
 }
 
@@ -517,7 +534,7 @@ TEST_CASE("A key of a part that the flow does not have is refused, unless it say
     std::vector<std::string> const settings{"accelerator.flow=fpga_grip",
                                             "accelerator.edge_extraction.neighbourhood=7"};
     RunConfig const config = loaded("", settings).config;
-    CHECK(config.accelerator.edge_extraction.neighbourhood == 7);
+    CHECK(accelerator_of(config).edge_extraction.neighbourhood == 7);
     CHECK(values_of(loaded(faster::to_yaml(config)).config) == values_of(config));
     CHECK(error_of([] { loaded("accelerator: {flow: fpga_grip, fifos: {edge_map: {depth: 4}}}"); }) ==
           "test.yaml:1: accelerator.fifos.edge_map.depth = 4, expected a key of the parts that accelerator.flow = "
@@ -548,17 +565,19 @@ TEST_CASE("A touched region goes with one buffer and with two, and each brings i
                 loaded("", {"accelerator.inlier_unit.sweep_region=touched", "accelerator.edge_map.buffers=" + maps,
                             "accelerator.inlier_unit.buffers=" + depths, "accelerator.fifos.region.depth=3"})
                     .config;
-            faster::Parts const parts(config.accelerator);
-            CHECK(has_part(parts, faster::FifoId::region));
-            CHECK(has_part(parts, faster::FifoId::map_full) == (maps == "2"));
-            CHECK(has_part(parts, faster::FifoId::depth_full) == (depths == "2"));
+            faster::Machine const machine = faster::machine_of(config);
+            CHECK(machine.fifos[index_of(FifoId::region)].is_present);
+            CHECK(machine.fifos[index_of(FifoId::map_full)].is_present == (maps == "2"));
+            CHECK(machine.fifos[index_of(FifoId::depth_full)].is_present == (depths == "2"));
             CHECK(values_of(loaded(faster::to_yaml(config)).config) == values_of(config));
         }
 }
 
 TEST_CASE("Each flow has timing keys of its own parts only", "[config]") {
     auto const has = [](faster::Flow flow, std::string const& name) {
-        auto const keys = faster::timing_keys({flow});
+        RunConfig config;
+        accelerator_of(config).flow = flow;
+        auto const keys = faster::timing_keys(config);
         return std::any_of(keys.begin(), keys.end(), [&](faster::Key const& key) { return key.name() == name; });
     };
     for (std::string const name :
@@ -598,44 +617,45 @@ TEST_CASE("Loops keep their keys when buffers move them to another process", "[c
     std::vector<std::string> const settings{"accelerator.edge_map.buffers=2", "accelerator.inlier_unit.buffers=2",
                                             "accelerator.loops.edge_map_builder.output.depth=5",
                                             "accelerator.loops.inlier_unit.sweep.ii=2"};
-    faster::AcceleratorConfig const config = loaded("", settings).config.accelerator;
-    CHECK(config.loop(faster::LoopId::buffered_output).depth == 5);
-    CHECK(config.loop(faster::LoopId::buffered_sweep).ii == 2);
-    CHECK(faster::loop_key_name(faster::LoopId::buffered_sweep, "ii") == "accelerator.loops.inlier_unit.sweep.ii");
-    faster::Parts const parts(config);
-    CHECK(faster::applies_to(parts, "accelerator.loops.inlier_unit.sweep.ii"));
-    CHECK_FALSE(faster::applies_to(parts, "accelerator.loops.inlier_unit.extract.ii"));
-    CHECK_FALSE(faster::has_part(parts, faster::LoopId::sweep));
-    CHECK(faster::has_part(parts, faster::LoopId::buffered_sweep));
+    RunConfig const config = loaded("", settings).config;
+    faster::Machine const machine = faster::machine_of(config);
+    faster::MachineLoop const& sweep = machine.loops[index_of(LoopId::buffered_sweep)];
+    CHECK(machine.loops[index_of(LoopId::buffered_output)].depth == 5);
+    CHECK(sweep.interval.target == 2);
+    CHECK(faster::loop_key_name(sweep.timed_by, "ii") == "accelerator.loops.inlier_unit.sweep.ii");
+    CHECK(faster::applies_to(config, "accelerator.loops.inlier_unit.sweep.ii"));
+    CHECK_FALSE(faster::applies_to(config, "accelerator.loops.inlier_unit.extract.ii"));
+    CHECK_FALSE(machine.loops[index_of(LoopId::sweep)].is_present);
+    CHECK(sweep.is_present);
 }
 
 TEST_CASE("Two buffers put other modules at the ends of FIFOs", "[config]") {
-    using faster::FifoId, faster::ModuleId;
-    faster::AcceleratorConfig config;
-    auto const writer = [&config](FifoId id) { return ends_of(faster::Parts(config), id).writer; };
-    auto const reader = [&config](FifoId id) { return ends_of(faster::Parts(config), id).reader; };
+    RunConfig config;
+    auto const machine = [&config] { return faster::machine_of(config); };
+    auto const writer = [&](FifoId id) { return faster::testing::module_ids[machine().fifos[index_of(id)].writer]; };
+    auto const reader = [&](FifoId id) { return faster::testing::module_ids[machine().fifos[index_of(id)].reader]; };
+    CHECK(machine().process_places() == 8);
     CHECK(writer(FifoId::edge_map) == ModuleId::edge_map_builder);
     CHECK(reader(FifoId::edge_map) == ModuleId::inlier_unit);
-    config.edge_map.buffers = 2;
+    accelerator_of(config).edge_map.buffers = 2;
     CHECK(writer(FifoId::edge_map) == ModuleId::edge_map_output);
     CHECK(reader(FifoId::edge_map) == ModuleId::inlier_unit);
-    config.inlier_unit.buffers = 2;
+    accelerator_of(config).inlier_unit.buffers = 2;
     for (FifoId const fifo : {FifoId::edge_map, FifoId::observed_depth, FifoId::observed_edge}) {
         CHECK(reader(fifo) == ModuleId::inlier_sweep);
     }
     CHECK(writer(FifoId::result) == ModuleId::inlier_sweep);
     CHECK(reader(FifoId::command) == ModuleId::inlier_unit);
-    CHECK(process_places(faster::Parts(config)) == faster::module_count);
-    CHECK(process_places(faster::Parts()) == 8);
+    CHECK(machine().process_places() == faster::testing::module_count);
 }
 
 TEST_CASE("A trace replaces what the file says", "[config][trace]") {
     LoadedConfig config = loaded("accelerator: {window: 100}\nworkload: {camera: {width: 100}}\n");
     faster::adopt_trace(config, 320, 240, 64, {3, 12, 20, 16, 8});
-    CHECK(config.config.accelerator.window == 64);
-    CHECK(config.config.accelerator.fraction_bits == faster::FractionBits{3, 12, 20, 16, 8});
-    CHECK(config.config.workload.camera.width == 320);
-    CHECK(config.config.workload.camera.height == 240);
+    CHECK(accelerator_of(config.config).window == 64);
+    CHECK(accelerator_of(config.config).fraction_bits == faster::FractionBits{3, 12, 20, 16, 8});
+    CHECK(workload_of(config.config).camera.width == 320);
+    CHECK(workload_of(config.config).camera.height == 240);
     CHECK(config.origins.of("accelerator.window").source == faster::KeySource::trace);
 }
 
@@ -660,7 +680,7 @@ TEST_CASE("The resolved configuration loads to the same values", "[config]") {
     RunConfig const config = loaded("", settings).config;
     RunConfig const again = loaded(faster::to_yaml(config)).config;
     CHECK(values_of(again) == values_of(config));
-    CHECK(again.workload.trace == "a \"folder\" # with \\");
+    CHECK(workload_of(again).trace == "a \"folder\" # with \\");
     CHECK(values_of(loaded(faster::to_yaml(RunConfig{})).config) == values_of(RunConfig{}));
 }
 

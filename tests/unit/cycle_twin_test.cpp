@@ -12,7 +12,7 @@ namespace {
 
 AcceleratorConfig one_core() {
     AcceleratorConfig config;
-    config.raster_cores = 1;
+    config.cores = 1;
     return config;
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("A memory FIFO is one deeper and one cycle slower", "[cycle_twin]") {
 
 TEST_CASE("Loop figures follow target, recurrence and ports", "[cycle_twin]") {
     AcceleratorConfig config = one_core();
-    config.bram(BramId::object_map).ports = 1;
+    config.memory(BramId::object_map).ports = 1;
     config.loop(LoopId::sweep).recurrence_ii = 4;
     config.loop(LoopId::sweep).ii = 2;
     config.loop(LoopId::fragment).recurrence_ii = 2;
@@ -271,13 +271,13 @@ TEST_CASE("Loop figures follow target, recurrence and ports", "[cycle_twin]") {
     CHECK(loop_of(result, LoopId::sweep).port_conflict_cycles == 0);
     CHECK(loop_of(result, LoopId::sweep).recurrence_cycles == 32);
     CHECK(loop_of(result, LoopId::fragment).limited_by.empty());
-    config.bram(BramId::edge_map).ports = 1;
+    config.memory(BramId::edge_map).ports = 1;
     CHECK(loop_of(run_twin(config, one_small_triangle()), LoopId::token).limited_by == "edge_map");
 }
 
 TEST_CASE("Cores take consecutive samples and share nothing", "[cycle_twin]") {
     AcceleratorConfig config = one_core();
-    config.raster_cores = 4;
+    config.cores = 4;
     TwinResult const result = run_twin(config, empty_stimulus(4, 5));  // 2, 2, 1 and none
     CHECK(result.total_cycles == 79 + 74);
     REQUIRE(result.fifos.size() == 4);
@@ -316,7 +316,7 @@ TEST_CASE("Every token of a random run is read, and deadlock-free configurations
         REQUIRE_FALSE(result.deadlock);
         for (auto const& core : result.fifos) {
             for (std::size_t i = 0; i < fifo_count; ++i) {
-                CAPTURE(fifo_names[i]);
+                CAPTURE(fifo_ids[i].name);
                 CHECK(core[i].writes == core[i].reads);
             }
         }

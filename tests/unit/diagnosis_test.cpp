@@ -3,26 +3,29 @@
 #include <catch2/catch.hpp>
 
 #include "kernel/report/diagnosis_text.hpp"
+#include "support/idle_run.hpp"
+#include "support/parts.hpp"
+#include "support/raster_machine.hpp"
 
 namespace faster {
 namespace {
 
-ProcessStatistics waiting(Cycles cycles) {
-    ProcessStatistics process;
-    process[CycleClass::empty_stall] = cycles;
-    return process;
-}
+using testing::FifoId;
+using testing::LoopId;
+using testing::ModuleId;
+
+/// The default design, with this many cores that have done nothing.
+RunStatistics idle_run(std::size_t cores) { return testing::idle_run(testing::raster_machine({}), cores); }
 
 /// Two cores; the second ends last, and its inlier unit waits least. 1000 cycles.
 RunStatistics example() {
-    RunStatistics run;
+    RunStatistics run = idle_run(2);
     run.total_cycles = 1000;
-    run.cores.resize(2);
     run.cores[0].end_cycle = 900;
     run.cores[1].end_cycle = 1000;
-    run.cores[1].processes.fill(waiting(900));
+    for (ProcessStatistics& process : run.cores[1].processes)
+        process[CycleClass::empty_stall] = 900;
     ProcessStatistics& inlier = run.cores[1].processes[index_of(ModuleId::inlier_unit)];
-    inlier = ProcessStatistics{};
     inlier[CycleClass::busy] = 250;
     inlier[CycleClass::port_conflict] = 400;
     inlier[CycleClass::empty_stall] = 300;
@@ -60,7 +63,7 @@ TEST_CASE("A run is bound by the module that waits least in the core that ends l
 }
 
 TEST_CASE("The diagnosis says why in sentences, the largest cause first, none below one percent", "[diagnosis]") {
-    std::vector<std::string> const sentences = report::diagnosis_sentences(AcceleratorConfig{}, example());
+    std::vector<std::string> const sentences = report::diagnosis_sentences(example());
     REQUIRE(sentences.size() == 6);
     CHECK(sentences[0] == "Bound by inlier_unit, which waits least: 30.5 % of the time of core 1, the last to end.");
     CHECK_THAT(sentences[1],
@@ -73,12 +76,11 @@ TEST_CASE("The diagnosis says why in sentences, the largest cause first, none be
 }
 
 TEST_CASE("A run without samples is bound by nothing", "[diagnosis]") {
-    CHECK(report::diagnosis_sentences(AcceleratorConfig{}, RunStatistics{}).empty());
+    CHECK(report::diagnosis_sentences(idle_run(0)).empty());
 }
 
 TEST_CASE("Tokens that are left in a FIFO are named", "[diagnosis]") {
-    RunStatistics run;
-    run.cores.resize(2);
+    RunStatistics run = idle_run(2);
     CHECK(leftover_tokens(run).empty());
     run.cores[1].fifos[index_of(FifoId::area)].writes = 3;
     run.cores[1].fifos[index_of(FifoId::area)].reads = 1;

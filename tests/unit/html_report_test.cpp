@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "faster/parts.hpp"
 #include "support/example_run.hpp"
+#include "support/idle_run.hpp"
+#include "support/raster_machine.hpp"
 #include "support/report_page.hpp"
 
 namespace faster::report {
@@ -20,7 +21,6 @@ namespace {
 
 std::string example_page() {
     return html_report({"example.yaml",
-                        AcceleratorConfig{},
                         example_run(),
                         example_keys(),
                         {example_timeline(1, 3, 450001)},
@@ -46,13 +46,13 @@ TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     CHECK(data["headline"]["raster_cores"] == 2);
     CHECK(data["bound_by"][0].get<std::string>().rfind("Bound by ", 0) == 0);
     CHECK(data["cycle_classes"].size() == cycle_class_count);
-    REQUIRE(data["modules"].size() == modules_of({}).size());
+    REQUIRE(data["modules"].size() == modules_of(run.machine).size());
     CHECK(data["modules"][2]["module"] == "rasterizer");
     CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);  // of both cores
-    CHECK(data["fifos"].size() == 2 * fifos_of(Flow::faster).size());
+    CHECK(data["fifos"].size() == 2 * fifos_of(run.machine).size());
     CHECK(data["fifos"][3]["fifo"] == "vertex");
     CHECK(data["fifos"][3]["writes"] == 4000);
-    CHECK(data["loops"].size() == 2 * loops_of({}).size());
+    CHECK(data["loops"].size() == 2 * loops_of(run.machine).size());
     CHECK(data["latency"]["min"] == 345000);
     CHECK(data["latency"]["max"] == 349000);
     CHECK(data["pictures"][0] == Json{{"title", "Sample 0"}, {"png", "bm90IHJlYWxseSBhIFBORw=="}});
@@ -64,7 +64,7 @@ TEST_CASE("The stalls in the page name FIFO, reason and partner, and add up to t
     Cycles sum = 0, expected = 0;
     for (Json const& row : data["stalls"])
         sum += row["cycles"].get<Cycles>();
-    for (std::size_t i = 0; i < module_count; ++i) {
+    for (std::size_t i = 0; i < run.machine.processes.size(); ++i) {
         ProcessStatistics const process = process_sum(run, i);
         expected +=
             process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::port_conflict];
@@ -102,9 +102,8 @@ TEST_CASE("The configuration in the page says what differs from the defaults", "
 }
 
 TEST_CASE("Hostile names do not leave their element", "[html]") {
-    std::string const page =
-        html_report({hostile_text, AcceleratorConfig{}, example_run(), example_keys(), {}, {{hostile_text, "png"}}});
-    std::string const harmless = html_report({"name", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    std::string const page = html_report({hostile_text, example_run(), example_keys(), {}, {{hostile_text, "png"}}});
+    std::string const harmless = html_report({"name", example_run(), {}, {}, {}});
     for (std::string const part : {"<script", "</script", "<img", "<!--", "<title"}) {
         CAPTURE(part);
         CHECK(count_of(part, page) == count_of(part, harmless));
@@ -113,18 +112,19 @@ TEST_CASE("Hostile names do not leave their element", "[html]") {
 }
 
 TEST_CASE("A title that looks like a place in the template stays a title", "[html]") {
-    std::string const page = html_report({"@data@ @title@", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    std::string const page = html_report({"@data@ @title@", example_run(), {}, {}, {}});
     CHECK(count_of("<h1>@data@ @title@</h1>", page) == 1);
     CHECK(json_element(page, "data")["format"] == "faster-report");
 }
 
 TEST_CASE("Bytes that are no UTF-8 do not break the page", "[html]") {
-    std::string const page = html_report({"\xff", AcceleratorConfig{}, example_run(), {}, {}, {{"\xff\xfe", "png"}}});
+    std::string const page = html_report({"\xff", example_run(), {}, {}, {{"\xff\xfe", "png"}}});
     CHECK(json_element(page, "data")["pictures"].size() == 1);
 }
 
 TEST_CASE("A run without samples, timelines and pictures has a page, too", "[html]") {
-    Json const data = json_element(html_report({"empty", AcceleratorConfig{}, RunStatistics{}, {}, {}, {}}), "data");
+    RunStatistics const empty = testing::idle_run(testing::raster_machine({}), 0);
+    Json const data = json_element(html_report({"empty", empty, {}, {}, {}}), "data");
     CHECK(data["headline"]["total_cycles"] == 0);
     CHECK(data["latency"].is_null());
     CHECK(data["critical_path"].is_null());
@@ -136,7 +136,7 @@ TEST_CASE("A run without samples, timelines and pictures has a page, too", "[htm
 }
 
 TEST_CASE("The page is complete in itself", "[html]") {
-    std::string const page = html_report({"name", AcceleratorConfig{}, example_run(), {}, {}, {}});
+    std::string const page = html_report({"name", example_run(), {}, {}, {}});
     CHECK(count_of("default-src 'none'", page) == 1);  // the browser would refuse to load anything
     for (std::string const load : {" src=", "<link", "@import", "url(", "fetch(", "XMLHttpRequest", "import("}) {
         CAPTURE(load);

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 using namespace faster;
 using namespace faster::workload;

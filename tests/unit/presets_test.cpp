@@ -1,11 +1,13 @@
-#include "faster/presets.hpp"
+#include "kernel/config/presets.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
 #include "support/temp_folder.hpp"
@@ -41,7 +43,7 @@ TEST_CASE("Every file of configs/architectures is a preset that the key names", 
         CAPTURE(name);
         RunConfig const by_name = loaded("accelerator: {architecture: " + name + "}").config;
         CHECK(values_of(by_name) == values_of(load_config(entry.path()).config));
-        CHECK(by_name.accelerator.architecture == name);
+        CHECK(accelerator_of(by_name).architecture == name);
         CHECK(values_of(load_preset(name).config) == values_of(by_name));
         ++files;
     }
@@ -49,7 +51,7 @@ TEST_CASE("Every file of configs/architectures is a preset that the key names", 
 }
 
 TEST_CASE("A preset says something about the accelerator, and nothing else", "[config][presets]") {
-    for (Preset const& preset : presets()) {
+    for (Preset const& preset : design().presets()) {
         CAPTURE(preset.name);
         LoadedConfig const config = load_preset(preset.name);
         CHECK(config.origins.all().size() > 1);
@@ -63,15 +65,15 @@ TEST_CASE("A preset lies below file and command line, whichever names it", "[con
     for (LoadedConfig const& config :
          {loaded(own), loaded(own, {"accelerator.architecture=clear_on_read_out"}),
           loaded("accelerator: {inlier_unit: {clearing: loop}}", {"accelerator.architecture=clear_on_read_out"})}) {
-        CHECK(config.config.accelerator.inlier_unit.clearing == MapClearing::loop);
-        CHECK(config.config.accelerator.edge_map.clearing == MapClearing::on_read_out);
+        CHECK(accelerator_of(config.config).inlier_unit.clearing == MapClearing::loop);
+        CHECK(accelerator_of(config.config).edge_map.clearing == MapClearing::on_read_out);
         KeyOrigin const origin = config.origins.of("accelerator.edge_map.clearing");
         CHECK(origin.source == KeySource::preset);
         CHECK(origin.place.rfind("configs/architectures/clear_on_read_out.yaml:", 0) == 0);
     }
     LoadedConfig const replaced = loaded(own, {"accelerator.architecture=bounded"});
-    CHECK(replaced.config.accelerator.edge_map.clearing == MapClearing::loop);
-    CHECK(replaced.config.accelerator.edge_map.algorithm == EdgeMapAlgorithm::bounded);
+    CHECK(accelerator_of(replaced.config).edge_map.clearing == MapClearing::loop);
+    CHECK(accelerator_of(replaced.config).edge_map.algorithm == EdgeMapAlgorithm::bounded);
 }
 
 TEST_CASE("An unknown architecture is refused, with the nearest name", "[config][presets]") {

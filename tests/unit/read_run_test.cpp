@@ -6,7 +6,7 @@
 #include "support/temp_folder.hpp"
 
 using Catch::Matchers::Contains;
-using faster::SampleCounters;
+using faster::Counters;
 using faster::runs::CycleClass;
 using faster::runs::read_run;
 using faster::runs::RunRecord;
@@ -87,7 +87,7 @@ TEST_CASE("A run's folder is read back into a record", "[runs]") {
     CHECK(run.configuration[1].value == "200.0");
     REQUIRE(run.fifos.size() == 1);
     CHECK(run.fifos[0].name() == "command");
-    CHECK(run.fifos[0].kind == "memory");
+    CHECK(run.fifos[0].kind_name == "memory");
     CHECK(run.fifos[0].max_occupancy == 5);
     REQUIRE(run.loops.size() == 2);
     CHECK(run.loops[0].name() == "rasterizer.scan");
@@ -95,7 +95,7 @@ TEST_CASE("A run's folder is read back into a record", "[runs]") {
     CHECK(run.loops[0].limited_by == "recurrence");
     REQUIRE(run.samples.size() == 2);
     CHECK(run.samples[0].latency_cycles() == 10);
-    CHECK(run.samples[0].counters == SampleCounters{11, 12, 13, 14, 15});
+    CHECK(run.samples[0].counters == Counters{11, 12, 13, 14, 15});
 }
 
 TEST_CASE("A module has the cycle classes its row has, whatever they are called", "[runs]") {

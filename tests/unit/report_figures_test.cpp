@@ -104,7 +104,7 @@ TEST_CASE("An occupancy profile has no part shorter than a cycle, and is empty w
 TEST_CASE("The cycles of an example add up like those of a run", "[html]") {
     RunStatistics const run = test::example_run();
     for (CoreStatistics const& core : run.cores)
-        for (std::size_t const i : modules_of(run.parts))
+        for (std::size_t const i : modules_of(run.machine))
             CHECK(core.processes[i].sum() == run.total_cycles);
 }
 

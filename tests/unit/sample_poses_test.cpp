@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "workload/object_pose.hpp"
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 using namespace faster;
 using namespace faster::workload;

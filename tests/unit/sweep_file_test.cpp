@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/keys.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
@@ -108,12 +109,12 @@ TEST_CASE("A point is its base, overlays, settings and keys, in this order", "[s
         "dimensions:\n  - {overlay: design, files: [a.yaml, b.yaml]}\n"
         "  - {key: accelerator.clock_mhz, values: [150]}\n");
     REQUIRE(sweep.points() == 2);
-    AcceleratorConfig const first = sweep.configuration(0).config.accelerator;
-    AcceleratorConfig const second = sweep.configuration(1).config.accelerator;
-    CHECK(first.raster_cores == 7);
+    AcceleratorConfig const first = accelerator_of(sweep.configuration(0).config);
+    AcceleratorConfig const second = accelerator_of(sweep.configuration(1).config);
+    CHECK(first.cores == 7);
     CHECK(first.window == 60);
     CHECK(second.window == 50);
-    CHECK(first.fifo(FifoId::vertex).depth == 5);
+    CHECK(first.fifo("vertex").depth == 5);
     CHECK(first.clock_mhz == 150);
     CHECK(sweep.values(0) == Values{"a.yaml", "150"});
 }

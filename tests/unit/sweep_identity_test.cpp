@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "faster/run_config.hpp"
+#include "faster/faster_config.hpp"
 #include "kernel/config/layered_config.hpp"
 #include "kernel/sweeps/point_identity.hpp"
 #include "support/input_error_text.hpp"
@@ -27,13 +27,13 @@ PointIdentity with(std::function<void(RunConfig&)> const& change) {
 
 TEST_CASE("Timing keys make another point of the same function", "[sweeps]") {
     PointIdentity const plain = identity_of({});
-    PointIdentity const deep = with([](RunConfig& config) { config.accelerator.fifos[2].depth = 7; });
+    PointIdentity const deep = with([](RunConfig& config) { config.machine().fifo("sample_observation").depth = 7; });
     CHECK(deep.point != plain.point);
     CHECK(deep.function == plain.function);
-    PointIdentity const cores = with([](RunConfig& config) { config.accelerator.raster_cores = 7; });
+    PointIdentity const cores = with([](RunConfig& config) { config.machine().cores = 7; });
     CHECK(cores.point != plain.point);
     CHECK(cores.function == plain.function);
-    PointIdentity const samples = with([](RunConfig& config) { config.workload.samples.count = 7; });
+    PointIdentity const samples = with([](RunConfig& config) { workload_of(config).samples.count = 7; });
     CHECK(samples.point != plain.point);
     CHECK(samples.function != plain.function);
 }
@@ -42,7 +42,7 @@ TEST_CASE("Partitions of a block RAM are part of the function where they decide 
     auto const identity = [](MapClearing clearing, std::string const& banks) {
         LoadedConfig loaded = layered_config({}, {"accelerator.brams.depth_buffer.partition.type=cyclic",
                                                   "accelerator.brams.depth_buffer.partition.factor=" + banks});
-        loaded.config.accelerator.inlier_unit.clearing = clearing;
+        accelerator_of(loaded.config).inlier_unit.clearing = clearing;
         return identity_of(loaded.config);
     };
     CHECK(identity(MapClearing::loop, "2").function == identity(MapClearing::loop, "4").function);
@@ -70,11 +70,11 @@ TEST_CASE("Files count by their content, not by their name", "[sweeps]") {
         CHECK(identity("c.obj").function != a.function);
         CHECK(input_error_text([&] { identity("none.obj"); }) != "(no error)");
     };
-    check([](RunConfig& config, std::string const& file) { config.workload.target.object = file; });
-    check([](RunConfig& config, std::string const& file) { config.workload.scene.depth_image = file; });
-    check([](RunConfig& config, std::string const& file) { config.workload.scene.objects = {{file, {}, {}}}; });
+    check([](RunConfig& config, std::string const& file) { workload_of(config).target.object = file; });
+    check([](RunConfig& config, std::string const& file) { workload_of(config).scene.depth_image = file; });
+    check([](RunConfig& config, std::string const& file) { workload_of(config).scene.objects = {{file, {}, {}}}; });
     auto const mesh = [&](std::string const& name) {
-        return with([&](RunConfig& config) { config.workload.target.object = (folder / name).string(); }).point;
+        return with([&](RunConfig& config) { workload_of(config).target.object = (folder / name).string(); }).point;
     };
     CHECK(mesh("a.obj") != mesh("a.ply"));  // the ending says how it is read
 }
@@ -88,7 +88,7 @@ TEST_CASE("A trace counts by the content of all of its files", "[sweeps]") {
     for (char const* const file : {"samples.csv", "triangles.csv", "depth.png", "edges.png"})
         folder.write(file, "1");
     auto const id = [&] {
-        return with([&](RunConfig& config) { config.workload.trace = folder.path().string(); }).point;
+        return with([&](RunConfig& config) { workload_of(config).trace = folder.path().string(); }).point;
     };
     std::string const before = id();
     CHECK(id() == before);

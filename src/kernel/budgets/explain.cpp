@@ -1,11 +1,8 @@
 #include "kernel/budgets/explain.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <string_view>
 
-#include "kernel/config/design.hpp"
+#include "kernel/budgets/figure_facts.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_value.hpp"
 
@@ -13,38 +10,32 @@ namespace faster::budgets {
 
 namespace {
 
-enum class Group { shape, work, waiting, result, none };
-
-constexpr std::array<std::string_view, 5> work_of_modules{"busy_cycles", "fill_drain_cycles", "setup_cycles",
-                                                          "port_conflict_cycles", "recurrence_cycles"};
-constexpr std::array<std::string_view, 3> waiting_of_fifos{"full_stall_cycles", "empty_stall_cycles", "max_occupancy"};
-
-template <class Words> bool is_one_of(std::string const& word, Words const& words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+/// Work does not depend on time, nor do results; what tells when something was done follows from all of them.
+std::vector<runs::Change>* list_for(Explanation& explanation, std::string const& figure) {
+    if (parts_of(figure).front() == "cores")
+        return nullptr;
+    switch (facts_of(figure).tells) {
+        case Tells::shape:
+            return &explanation.shapes;
+        case Tells::work:
+            return &explanation.work;
+        case Tells::waiting:
+        case Tells::peak:
+            return &explanation.waiting;
+        case Tells::result:
+            return &explanation.results;
+        case Tells::key:
+        case Tells::when:
+            break;
+    }
+    return nullptr;
 }
 
-Group group_of(std::vector<std::string> const& parts) {
-    std::string const& table = parts.front();
-    std::string const& figure = parts.back();
-    if (table == "samples" && parts.size() > 1)
-        return is_one_of(figure, design().counters()) ? Group::result : Group::none;
-    if (table == "cores" || table == "total_cycles")
-        return Group::none;
-    if (table == "modules")
-        return is_one_of(figure, work_of_modules) ? Group::work : Group::waiting;
-    if (table == "fifos" && is_one_of(figure, waiting_of_fifos))
-        return Group::waiting;
-    return is_largest_over_cores(figure) || parts.size() == 1 ? Group::shape : Group::work;
-}
-
-bool is_larger(runs::Change const& left, runs::Change const& right) {
-    return std::abs(left.difference()) > std::abs(right.difference());
-}
-
-runs::Change change_of(Figure const& before, std::vector<std::string> const& parts,
-                       std::optional<std::uint64_t> after) {
-    std::size_t const item_length = before.name.size() - parts.back().size();
-    return {before.name.substr(0, item_length == 0 ? 0 : item_length - 1), parts.back(), before.value, after};
+runs::Change change_of(Figure const& before, std::optional<std::uint64_t> after) {
+    std::size_t const point = before.name.rfind('.');
+    if (point == std::string::npos)
+        return {"", before.name, before.value, after};
+    return {before.name.substr(0, point), before.name.substr(point + 1), before.value, after};
 }
 
 std::optional<std::string> value_of(std::vector<Setting> const& settings, std::string const& key) {
@@ -84,19 +75,13 @@ Explanation explain(Baseline const& baseline, Measurement const& measurement) {
     explanation.settings = setting_changes(baseline.accelerator, measurement.accelerator);
     if (measurement.kind != Measurement::Kind::figures)
         return explanation;
-    std::array<std::vector<runs::Change>, 5> groups;
     for (Figure const& before : baseline.figures.all()) {
-        std::vector<std::string> const parts = parts_of(before.name);
-        runs::Change const change = change_of(before, parts, measurement.figures.find(before.name));
-        if (change.difference() != 0)
-            groups[static_cast<std::size_t>(group_of(parts))].push_back(change);
+        runs::Change const change = change_of(before, measurement.figures.find(before.name));
+        if (auto* const list = list_for(explanation, before.name); list != nullptr && change.difference() != 0)
+            list->push_back(change);
     }
-    for (auto& group : groups)
-        std::stable_sort(group.begin(), group.end(), is_larger);
-    explanation.shapes = groups[static_cast<std::size_t>(Group::shape)];
-    explanation.work = groups[static_cast<std::size_t>(Group::work)];
-    explanation.waiting = groups[static_cast<std::size_t>(Group::waiting)];
-    explanation.results = groups[static_cast<std::size_t>(Group::result)];
+    for (auto* const list : {&explanation.shapes, &explanation.work, &explanation.waiting, &explanation.results})
+        runs::sort_by_difference(*list);
     return explanation;
 }
 

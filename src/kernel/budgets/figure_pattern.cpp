@@ -6,6 +6,7 @@
 
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/budgets/run_figures.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/plain_text.hpp"
 
 namespace faster::budgets {
@@ -19,9 +20,11 @@ bool part_matches(std::string const& pattern, std::string const& part) {
 /// The names of a run with one core and one sample.
 std::vector<std::string> make_template_names() {
     RunStatistics run;
+    run.machine = machine_of(RunConfig());
     run.samples.resize(1);
-    run.cores.resize(1);
-    Figures const figures = run_figures(run, AcceleratorConfig{});
+    run.samples[0].counters.resize(design().counters().size());
+    run.cores.push_back(empty_core(run.machine));
+    Figures const figures = run_figures(run);
     std::vector<std::string> names;
     for (Figure const& figure : figures.all())
         names.push_back(figure.name);

@@ -31,11 +31,4 @@ class Figures {
 /// What a name's parts are: "fifos", "edge_token", "max_occupancy".
 std::vector<std::string> parts_of(std::string const& name);
 
-/// True for what is counted in clock cycles (of all cores together: lane-cycles), which a limit may give as a time too.
-bool is_in_cycles(std::string const& name);
-
-/// What the figure of all cores together is, for a figure of one core: capacities, occupancies, intervals and other
-/// shapes are the largest of any core, everything else is summed.
-bool is_largest_over_cores(std::string const& name);
-
 }  // namespace faster::budgets

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "kernel/budgets/figure_facts.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
+#include "kernel/budgets/figure_facts.hpp"
+
 namespace faster::budgets {
 
 namespace {

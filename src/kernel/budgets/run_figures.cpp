@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "faster/parts.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/figures/column_values.hpp"
+#include "kernel/figures/table_rows.hpp"
 
 namespace faster::budgets {
 
@@ -12,108 +14,86 @@ namespace {
 class Section {
   public:
     Section(Figures& figures, std::string prefix) : figures_(figures), prefix_(std::move(prefix)) {}
+
     void set(std::string const& name, std::uint64_t value) { figures_.set(prefix_ + name, value); }
+    void set(std::string const& list, std::vector<NamedCycles> const& all) {
+        for (NamedCycles const& one : all)
+            set(list + one.name, one.cycles);
+    }
+    template <class Row> void set(Column<Row> const& column, Row const& row) {
+        std::optional<std::uint64_t> const figure = figure_in(column, row);
+        if (column.is_in_budgets() && figure)
+            set(column.name, *figure);
+    }
 
   private:
     Figures& figures_;
     std::string prefix_;
 };
 
-void add_module(Figures& figures, std::string const& core, Parts const& parts, std::size_t i,
-                ProcessStatistics const& process) {
-    Section section(figures, core + "modules." + module_names[i] + ".");
+/// What the tables of a run say, of every core or of all together.
+struct Rows {
+    std::vector<ModuleRow> modules;
+    std::vector<FifoRow> fifos;
+    std::vector<MemoryRow> memories;
+    std::vector<LoopRow> loops;
+};
+
+void add_row(Figures& figures, std::string const& table, ModuleRow const& module) {
+    Section section(figures, table + module.module + ".");
     for (std::size_t c = 0; c < cycle_class_count; ++c)
-        section.set(std::string(cycle_class_names[c]) + "_cycles", process.cycles[c]);
-    for (std::size_t const f : fifos_of(parts)) {
-        FifoEnds const ends = ends_of(parts, FifoId{f});
-        if (index_of(ends.writer) == i || index_of(ends.reader) == i)
-            section.set(std::string("stalls.") + fifo_names[f], process.stalls[f]);
+        section.set(cycles_column(cycle_class_names[c]), module.cycles[c]);
+    section.set("stalls.", module.stalls);
+    section.set("port_conflicts.", module.port_conflicts);
+}
+
+template <class Row, std::size_t N>
+void add_rows(Figures& figures, std::string const& table, Columns<Row, N> columns, std::vector<Row> const& rows,
+              std::size_t core) {
+    for (Row const& row : rows) {
+        if (row.core != core)
+            continue;
+        Section section(figures, table + row.name() + ".");
+        for (Column<Row> const& column : columns)
+            section.set(column, row);
     }
-    for (std::size_t const b : brams_of(parts))
-        section.set(std::string("port_conflicts.") + bram_names[b], process.port_conflicts[b]);
 }
 
-void add_fifo(Figures& figures, std::string const& core, std::size_t i, FifoStatistics const& fifo) {
-    Section section(figures, core + "fifos." + fifo_names[i] + ".");
-    section.set("depth", fifo.depth);
-    section.set("capacity", fifo.capacity);
-    section.set("write_latency", fifo.write_latency);
-    section.set("writes", fifo.writes);
-    section.set("reads", fifo.reads);
-    section.set("full_stall_cycles", fifo.full_stall_cycles);
-    section.set("empty_stall_cycles", fifo.empty_stall_cycles);
-    section.set("max_occupancy", fifo.max_occupancy);
-}
-
-void add_bram(Figures& figures, std::string const& core, std::size_t i, AcceleratorConfig const& config,
-              CoreStatistics const& statistics) {
-    Section section(figures, core + "brams." + bram_names[i] + ".");
-    section.set("ports", config.brams[i].ports);
-    section.set("port_conflict_cycles", port_conflict_cycles(statistics, static_cast<BramId>(i)));
-}
-
-void add_loop(Figures& figures, std::string const& core, std::size_t i, LoopStatistics const& loop) {
-    Section section(figures, core + "loops." + name_of(loop_names[i].module) + "." + loop_names[i].name + ".");
-    section.set("ii_target", loop.ii_target);
-    section.set("ii_recurrence", loop.ii_recurrence);
-    section.set("ii", loop.ii);
-    section.set("depth", loop.depth);
-    section.set("entries", loop.entries);
-    section.set("iterations", loop.iterations);
-    section.set("port_conflict_cycles", loop.port_conflict_cycles);
-    section.set("recurrence_cycles", loop.recurrence_cycles);
-}
-
-void add_core(Figures& figures, std::string const& prefix, AcceleratorConfig const& config,
-              CoreStatistics const& core) {
-    Parts const parts(config);
-    for (std::size_t const i : modules_of(parts))
-        add_module(figures, prefix, parts, i, core.processes[i]);
-    for (std::size_t const i : fifos_of(parts))
-        add_fifo(figures, prefix, i, core.fifos[i]);
-    for (std::size_t const i : brams_of(parts))
-        add_bram(figures, prefix, i, config, core);
-    for (std::size_t const i : loops_of(parts))
-        add_loop(figures, prefix, i, core.loops[i]);
-}
-
-void add_to_all_cores(Figures& all, Figures const& core) {
-    for (Figure const& figure : core.all()) {
-        std::uint64_t const before = all.find(figure.name).value_or(0);
-        all.set(figure.name,
-                is_largest_over_cores(figure.name) ? std::max(before, figure.value) : before + figure.value);
-    }
+void add_core(Figures& figures, std::string const& prefix, Rows const& rows, std::size_t core) {
+    for (ModuleRow const& module : rows.modules)
+        if (module.core == core)
+            add_row(figures, prefix + "modules.", module);
+    add_rows(figures, prefix + "fifos.", fifo_columns, rows.fifos, core);
+    add_rows(figures, prefix + "brams.", memory_columns, rows.memories, core);
+    add_rows(figures, prefix + "loops.", loop_columns, rows.loops, core);
 }
 
 void add_sample(Figures& figures, SampleStatistics const& sample) {
     Section section(figures, "samples." + std::to_string(sample.sample) + ".");
-    section.set("core", sample.core);
-    section.set("start_cycle", sample.start_cycle);
-    section.set("end_cycle", sample.end_cycle);
-    section.set("latency_cycles", sample.latency_cycles());
-    section.set("valid_raster", sample.counters.valid_raster);
-    section.set("valid_depth", sample.counters.valid_depth);
-    section.set("inlier", sample.counters.inlier);
-    section.set("valid_edge", sample.counters.valid_edge);
-    section.set("edge_inlier", sample.counters.edge_inlier);
+    for (auto const& column : sample_columns)
+        section.set(column, sample);
+    for (std::size_t i = 0; i < sample.counters.size(); ++i)
+        section.set(design().counters()[i].name, sample.counters[i]);
 }
 
 }  // namespace
 
-Figures run_figures(RunStatistics const& run, AcceleratorConfig const& config) {
+Figures run_figures(RunStatistics const& run) {
     Figures figures;
     figures.set("total_cycles", run.total_cycles);
     figures.set("samples", run.samples.size());
     figures.set("raster_cores", run.cores.size());
-    for (CoreStatistics const& core : run.cores) {
-        Figures of_core;
-        add_core(of_core, "", config, core);
-        add_to_all_cores(figures, of_core);
-    }
+    std::vector<MemoryRow> memories = memory_rows(run);
+    auto const waits_for_none = [](MemoryRow const& memory) { return !memory.decides_intervals; };
+    memories.erase(std::remove_if(memories.begin(), memories.end(), waits_for_none), memories.end());
+    Rows const rows{module_rows(run), fifo_rows(run), memories, loop_rows(run)};
+    Rows const sums{module_sums(run), over_cores(fifo_columns, rows.fifos), over_cores(memory_columns, rows.memories),
+                    over_cores(loop_columns, rows.loops)};
+    add_core(figures, "", sums, 0);
     for (SampleStatistics const& sample : run.samples)
         add_sample(figures, sample);
     for (std::size_t core = 0; core < run.cores.size(); ++core)
-        add_core(figures, "cores." + std::to_string(core) + ".", config, run.cores[core]);
+        add_core(figures, "cores." + std::to_string(core) + ".", rows, core);
     return figures;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
 #include "kernel/budgets/figures.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
@@ -7,6 +6,6 @@ namespace faster::budgets {
 
 /// Every figure of a finished run: those of the run, of all cores together (see is_largest_over_cores), of each sample,
 /// and of each core under "cores.N.". Names and values are those of summary.json and samples.csv.
-Figures run_figures(RunStatistics const& run, AcceleratorConfig const& config);
+Figures run_figures(RunStatistics const& run);
 
 }  // namespace faster::budgets

@@ -34,7 +34,7 @@ std::string head(Budget const& budget, std::string const& date) {
     return text;
 }
 
-std::string limit_lines(Measurement const& measurement) {
+std::string limit_lines(Measurement const& measurement, GuardedFigures const& guarded) {
     auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
     std::string text = fmt::format(
         "\nlimits:\n"
@@ -42,33 +42,36 @@ std::string limit_lines(Measurement const& measurement) {
         "  total_cycles: {{max: {:.0f} us}}\n",
         total, std::ceil(total * slack / measurement.clock_mhz));
     if (measurement.figures.find("samples").value_or(0) > 0)
-        text +=
+        text += fmt::format(
             "  # No sample later than it is today, and none may score differently.\n"
-            "  samples.*.latency_cycles: {max: baseline}\n"
-            "  samples.*.inlier: {exact: baseline}\n";
-    text +=
+            "  samples.*.latency_cycles: {{max: baseline}}\n"
+            "  samples.*.{}: {{exact: baseline}}\n",
+            guarded.counter);
+    text += fmt::format(
         "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
-        "  loops.*.*.ii: {max: baseline}\n"
+        "  loops.*.*.ii: {{max: baseline}}\n"
         "  # Waiting may move a little. Figures without cores.N. are sums over all cores, occupancies the largest.\n"
-        "  modules.inlier_unit.empty_stall_cycles: {within: {of: baseline, percent: 5}}\n"
-        "  fifos.*.max_occupancy: {max: baseline}\n"
+        "  modules.{}.empty_stall_cycles: {{within: {{of: baseline, percent: 5}}}}\n"
+        "  fifos.*.max_occupancy: {{max: baseline}}\n"
         "  # To guard every cycle of every FIFO, loop and module instead:\n"
-        "  # fifos.*.*: {exact: baseline}\n"
-        "  # loops.*.*.*: {exact: baseline}\n"
-        "  # modules.*.*: {exact: baseline}\n\n";
+        "  # fifos.*.*: {{exact: baseline}}\n"
+        "  # loops.*.*.*: {{exact: baseline}}\n"
+        "  # modules.*.*: {{exact: baseline}}\n\n",
+        guarded.module);
     return text;
 }
 
 }  // namespace
 
-std::string starting_budget(Budget const& budget, Measurement const& measurement, std::string const& date) {
+std::string starting_budget(Budget const& budget, Measurement const& measurement, GuardedFigures const& guarded,
+                            std::string const& date) {
     // Figures of samples that limit_lines() compares with the baseline.
     std::vector<Limit> compared(2);
     compared[0].figure = "samples.*.latency_cycles";
-    compared[1].figure = "samples.*.inlier";
+    compared[1].figure = "samples.*." + guarded.counter;
     for (Limit& limit : compared)
         limit.max = Quantity{Quantity::Kind::baseline, 0, "baseline"};
-    return head(budget, date) + limit_lines(measurement) +
+    return head(budget, date) + limit_lines(measurement, guarded) +
            baseline_block(baseline_of(measurement, compared, date, "first run"));
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/compare/figure_changes.hpp"
+#include "kernel/figures/column_values.hpp"
 
 namespace faster::runs {
 
@@ -15,10 +16,25 @@ RunHead head_of(RunRecord const& run) {
     return {run.folder, run.samples.size(), run.raster_cores, run.total_cycles, run.milliseconds};
 }
 
+/// Every row a line of cells.
+template <class Row, std::size_t N>
+std::vector<std::vector<std::string>> cells_of(Columns<Row, N> columns, std::vector<Row> const& rows) {
+    std::vector<std::vector<std::string>> cells;
+    for (Row const& row : rows)
+        cells.push_back(csv_cells(columns, row));
+    return cells;
+}
+
+bool are_same_samples(SampleStatistics const& a, SampleStatistics const& b) {
+    return csv_cells(sample_columns, a) == csv_cells(sample_columns, b) && a.counters == b.counters;
+}
+
 bool are_identical(RunRecord const& a, RunRecord const& b) {
     return a.total_cycles == b.total_cycles && a.milliseconds == b.milliseconds && a.raster_cores == b.raster_cores &&
-           a.configuration == b.configuration && a.modules == b.modules && a.fifos == b.fifos && a.loops == b.loops &&
-           a.samples == b.samples;
+           a.configuration == b.configuration && a.modules == b.modules &&
+           cells_of(fifo_columns, a.fifos) == cells_of(fifo_columns, b.fifos) &&
+           cells_of(loop_columns, a.loops) == cells_of(loop_columns, b.loops) &&
+           std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(), are_same_samples);
 }
 
 std::vector<std::string> notes_on(RunRecord const& a, RunRecord const& b) {
@@ -65,11 +81,11 @@ std::vector<SettingChange> changed(std::vector<SettingChange> rows) {
 /// Every core is built alike, so core 0 speaks for all.
 Settings fifo_shapes_of(RunRecord const& run) {
     Settings settings;
-    for (FifoRecord const& fifo : run.fifos) {
+    for (FifoRow const& fifo : run.fifos) {
         if (fifo.core != 0)
             continue;
         settings.push_back({fifo.name() + ".depth", std::to_string(fifo.depth)});
-        settings.push_back({fifo.name() + ".kind", nlohmann::json(fifo.kind).dump()});
+        settings.push_back({fifo.name() + ".kind", nlohmann::json(fifo.kind_name).dump()});
     }
     return settings;
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/tokens.hpp"
 #include "kernel/base/cycles.hpp"
+#include "kernel/figures/sample_columns.hpp"
 
 namespace faster::runs {
 
@@ -28,6 +28,9 @@ struct Change {
     std::int64_t difference() const;
 };
 
+/// Largest absolute difference first.
+void sort_by_difference(std::vector<Change>& changes);
+
 /// B - A in per cent of A; nothing if A is 0.
 std::optional<double> percent_of(double a, double b);
 
@@ -41,8 +44,8 @@ struct ChangeList {
 /// A sample that did not score the same.
 struct SampleChange {
     std::uint64_t sample = 0;
-    SampleCounters a;
-    SampleCounters b;
+    Counters a;
+    Counters b;
 };
 
 /// A run's headline.

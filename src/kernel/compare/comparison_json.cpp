@@ -1,7 +1,7 @@
 #include "kernel/compare/comparison_json.hpp"
 
 #include "kernel/base/json.hpp"
-#include "kernel/compare/sample_counters.hpp"
+#include "kernel/config/design.hpp"
 
 namespace faster::runs {
 
@@ -34,10 +34,10 @@ Json settings(std::vector<SettingChange> const& changes) {
     return rows;
 }
 
-Json counters(SampleCounters const& counters) {
+Json counters(Counters const& counters) {
     Json object = Json::object();
-    for (NamedCounter const& counter : sample_counters)
-        object[counter.name] = counters.*counter.value;
+    for (std::size_t i = 0; i < counters.size(); ++i)
+        object[design().counters()[i].name] = counters[i];
     return object;
 }
 

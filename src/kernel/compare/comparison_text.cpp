@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/compare/sample_counters.hpp"
+#include "kernel/config/design.hpp"
 
 namespace faster::runs {
 
@@ -89,10 +89,10 @@ void headline(std::string& text, RunHead const& a, RunHead const& b) {
 
 std::string counter_changes(SampleChange const& change) {
     std::string text;
-    for (NamedCounter const& counter : sample_counters)
-        if (change.a.*counter.value != change.b.*counter.value)
-            text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", counter.name, change.a.*counter.value,
-                                change.b.*counter.value);
+    for (std::size_t i = 0; i < change.a.size(); ++i)
+        if (change.a[i] != change.b[i])
+            text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", design().counters()[i].name, change.a[i],
+                                change.b[i]);
     return text;
 }
 

@@ -24,7 +24,7 @@ RunRecord read_run(std::filesystem::path const& folder) {
     return run;
 }
 
-RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleRecord> samples) {
+RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleStatistics> samples) {
     Json const document = Json::parse(summary);
     RunRecord run = read_summary(JsonSection(name, "", document));
     run.folder = name;

@@ -11,6 +11,6 @@ namespace faster::runs {
 RunRecord read_run(std::filesystem::path const& folder);
 
 /// A run whose summary.json and samples are at hand. `name` stands for its folder.
-RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleRecord> samples);
+RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleStatistics> samples);
 
 }  // namespace faster::runs

@@ -7,8 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/figures/column_values.hpp"
 
 namespace faster::runs {
 
@@ -43,33 +44,22 @@ ModuleRecord read_module(JsonSection const& row, std::uint64_t core) {
     return {core, row.text("module"), read_classes(row)};
 }
 
-FifoRecord read_fifo(JsonSection const& row, std::uint64_t core) {
-    return {core,
-            row.text("fifo"),
-            row.text("kind"),
-            row.integer("depth"),
-            row.integer("write_latency"),
-            row.integer("writes"),
-            row.integer("reads"),
-            row.integer("full_stall_cycles"),
-            row.integer("empty_stall_cycles"),
-            row.integer("max_occupancy")};
+/// A row of the columns that the CSV files have too.
+template <class Row, std::size_t N> Row read_row(JsonSection const& section, Columns<Row, N> columns) {
+    Row row;
+    for (Column<Row> const& column : columns) {
+        if (!column.is_in_csv())
+            continue;
+        if (auto* const figure = place_of<std::uint64_t>(column, row))
+            *figure = section.integer(column.name);
+        if (auto* const text = place_of<std::string>(column, row))
+            *text = section.text(column.name);
+    }
+    return row;
 }
 
-LoopRecord read_loop(JsonSection const& row, std::uint64_t core) {
-    return {core,
-            row.text("module"),
-            row.text("loop"),
-            row.integer("ii_target"),
-            row.integer("ii_recurrence"),
-            row.integer("ii"),
-            row.integer("depth"),
-            row.integer("entries"),
-            row.integer("iterations"),
-            row.integer("port_conflict_cycles"),
-            row.integer("recurrence_cycles"),
-            row.text("limited_by")};
-}
+FifoRow read_fifo(JsonSection const& row, std::uint64_t) { return read_row(row, fifo_columns); }
+LoopRow read_loop(JsonSection const& row, std::uint64_t) { return read_row(row, loop_columns); }
 
 /// Rows of a table with one row per core and item. Each (core, name) stands once, so that a table is complete exactly
 /// if it has cores times names rows.
@@ -121,8 +111,8 @@ RunRecord read_summary(JsonSection const& summary) {
     run.raster_cores = summary.integer("raster_cores", 1, most_cores);
     run.configuration = read_configuration(summary.section("configuration"));
     run.modules = read_table<ModuleRecord>(summary, "modules", run.raster_cores, read_module);
-    run.fifos = read_table<FifoRecord>(summary, "fifos", run.raster_cores, read_fifo);
-    run.loops = read_table<LoopRecord>(summary, "loops", run.raster_cores, read_loop);
+    run.fifos = read_table<FifoRow>(summary, "fifos", run.raster_cores, read_fifo);
+    run.loops = read_table<LoopRow>(summary, "loops", run.raster_cores, read_loop);
     return run;
 }
 

@@ -8,10 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/base/files/csv_cells.hpp"
 #include "kernel/base/files/csv_integers.hpp"
-#include "kernel/base/input_error.hpp"
 #include "kernel/compare/json_section.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/figures/column_values.hpp"
 
 namespace faster::runs {
 
@@ -28,68 +30,60 @@ using Texts = std::vector<std::string>;
     throw InputError(fmt::format("{}: {} rows, expected {}", path.string(), rows, expected));
 }
 
-std::vector<io::CsvColumn> sample_columns(RunRecord const& run) {
-    auto const last_core = static_cast<std::int64_t>(run.raster_cores) - 1;
+/// What the cells of a column of samples may be. A sample takes a cycle at least, and lies within the run.
+io::CsvColumn limits_of(ColumnFacts const& column, RunRecord const& run) {
+    std::string const name = column.name;
+    std::int64_t const min = name == "latency_cycles" ? 1 : 0;
     auto const cycles = static_cast<std::int64_t>(run.total_cycles);
-    auto const most = static_cast<std::int64_t>(largest_figure);
-    return {{"sample", 0, most},          {"core", 0, last_core},        {"start_cycle", 0, cycles - 1},
-            {"end_cycle", 0, cycles - 1}, {"latency_cycles", 1, cycles}, {"valid_raster", 0, most},
-            {"valid_depth", 0, most},     {"inlier", 0, most},           {"valid_edge", 0, most},
-            {"edge_inlier", 0, most}};
+    if (name == "core")
+        return {name, min, static_cast<std::int64_t>(run.raster_cores) - 1};
+    if (column.is_in_cycles())
+        return {name, min, std::string_view(column.unit) == "cycle" ? cycles - 1 : cycles};
+    return {name, min, static_cast<std::int64_t>(largest_figure)};
 }
 
-std::vector<std::uint64_t> unsigned_values(std::int64_t const* values, std::size_t count) {
-    return {values, values + count};
+std::vector<io::CsvColumn> limits_of_samples(RunRecord const& run) {
+    std::vector<io::CsvColumn> limits;
+    for (ColumnFacts const& column : sample_columns)
+        limits.push_back(limits_of(column, run));
+    for (ColumnFacts const& counter : design().counters())
+        limits.push_back(limits_of(counter, run));
+    return limits;
 }
 
-/// Where the columns of a table of the summary are repeated: the first `keys` of them say which row it is.
-struct Repeated {
-    Texts columns;
-    std::size_t keys = 0;
-};
-
-Repeated const fifo_table{{"core", "fifo", "kind", "depth", "write_latency", "writes", "reads", "full_stall_cycles",
-                           "empty_stall_cycles", "max_occupancy"},
-                          2};
-
-Texts cells_of(FifoRecord const& f) {
-    return {std::to_string(f.core),
-            f.fifo,
-            f.kind,
-            std::to_string(f.depth),
-            std::to_string(f.write_latency),
-            std::to_string(f.writes),
-            std::to_string(f.reads),
-            std::to_string(f.full_stall_cycles),
-            std::to_string(f.empty_stall_cycles),
-            std::to_string(f.max_occupancy)};
+SampleStatistics sample_of(std::int64_t const* values) {
+    SampleStatistics sample;
+    for (auto const& column : sample_columns) {
+        if (auto* const place = place_of<std::uint64_t>(column, sample))
+            *place = static_cast<std::uint64_t>(*values);
+        ++values;
+    }
+    for (std::size_t i = design().counters().size(); i > 0; --i)
+        sample.counters.push_back(static_cast<std::uint64_t>(*values++));
+    return sample;
 }
 
-Repeated const loop_table{{"core", "module", "loop", "ii_target", "ii_recurrence", "ii", "depth", "entries",
-                           "iterations", "port_conflict_cycles", "recurrence_cycles", "limited_by"},
-                          3};
-
-Texts cells_of(LoopRecord const& l) {
-    return {std::to_string(l.core),
-            l.module,
-            l.loop,
-            std::to_string(l.ii_target),
-            std::to_string(l.ii_recurrence),
-            std::to_string(l.ii),
-            std::to_string(l.depth),
-            std::to_string(l.entries),
-            std::to_string(l.iterations),
-            std::to_string(l.port_conflict_cycles),
-            std::to_string(l.recurrence_cycles),
-            l.limited_by};
+/// The latency follows from other columns.
+void check_latency(fs::path const& path, std::size_t line, std::int64_t const* values, SampleStatistics const& sample) {
+    for (auto const& column : sample_columns) {
+        auto const follows = static_cast<std::int64_t>(*figure_in(column, sample));
+        if (*values != follows)
+            fail(path, line,
+                 fmt::format("column {} = {}, expected end_cycle + 1 - start_cycle = {}", column.name, *values,
+                             follows));
+        ++values;
+    }
 }
 
 /// Rows of the summary that are looked for, by their keys.
 class ExpectedRows {
   public:
-    template <class Record> ExpectedRows(Repeated const& table, std::vector<Record> const& records) : table_(table) {
-        for (Record const& record : records) {
-            Texts const cells = cells_of(record);
+    template <class Row, std::size_t N>
+    ExpectedRows(Columns<Row, N> columns, std::vector<Row> const& rows) : columns_(csv_header(columns)) {
+        for (Column<Row> const& column : columns)
+            keys_ += column.tells == Tells::key ? 1U : 0U;
+        for (Row const& row : rows) {
+            Texts const cells = csv_cells(columns, row);
             rows_[key_of(cells.data())] = cells;
         }
     }
@@ -98,7 +92,7 @@ class ExpectedRows {
     std::map<std::string, std::size_t> check(fs::path const& path) const {
         std::map<std::string, std::size_t> rows_of_core;
         std::set<std::string> seen;
-        io::read_csv_cells(path, table_.columns, [&](std::size_t line, std::string_view const* cells) {
+        io::read_csv_cells(path, columns_, [&](std::size_t line, std::string_view const* cells) {
             std::string const key = key_of(cells);
             check_row(path, line, cells, key);
             if (!seen.insert(key).second)
@@ -112,8 +106,8 @@ class ExpectedRows {
     /// "core 0, fifo command"
     template <class Text> std::string key_of(Text const* cells) const {
         std::string key;
-        for (std::size_t i = 0; i < table_.keys; ++i)
-            key += fmt::format("{}{} {}", i == 0 ? "" : ", ", table_.columns[i], cells[i]);
+        for (std::size_t i = 0; i < keys_; ++i)
+            key += fmt::format("{}{} {}", i == 0 ? "" : ", ", columns_[i], cells[i]);
         return key;
     }
 
@@ -122,33 +116,30 @@ class ExpectedRows {
         auto const row = rows_.find(key);
         if (row == rows_.end())
             fail(path, line, fmt::format("a row for {}, expected one that summary.json has as well", key));
-        for (std::size_t i = table_.keys; i < table_.columns.size(); ++i)
+        for (std::size_t i = keys_; i < columns_.size(); ++i)
             if (cells[i] != row->second[i])
                 fail(path, line,
-                     fmt::format("column {} = {}, expected {} as in summary.json", table_.columns[i],
+                     fmt::format("column {} = {}, expected {} as in summary.json", columns_[i],
                                  cells[i].empty() ? "nothing" : cells[i],
                                  row->second[i].empty() ? "nothing" : row->second[i]));
     }
 
-    Repeated const& table_;
+    Texts columns_;
+    std::size_t keys_ = 0;  ///< the first columns, which say which row it is
     std::map<std::string, Texts> rows_;
 };
 
 }  // namespace
 
-std::vector<SampleRecord> read_samples(fs::path const& path, RunRecord const& run, std::uint64_t samples) {
-    std::vector<SampleRecord> records;
-    std::vector<io::CsvColumn> const columns = sample_columns(run);
-    io::read_csv_integers(path, columns, [&](std::size_t line, std::int64_t const* values) {
-        auto const v = unsigned_values(values, columns.size());
-        SampleRecord const record{v[1], v[2], v[3], {v[5], v[6], v[7], v[8], v[9]}};
-        if (v[0] != records.size())
+std::vector<SampleStatistics> read_samples(fs::path const& path, RunRecord const& run, std::uint64_t samples) {
+    std::vector<SampleStatistics> records;
+    io::read_csv_integers(path, limits_of_samples(run), [&](std::size_t line, std::int64_t const* values) {
+        SampleStatistics const record = sample_of(values);
+        if (record.sample != records.size())
             fail(path, line,
-                 fmt::format("column sample = {}, expected {} (numbered from 0 without gaps)", v[0], records.size()));
-        if (v[4] != record.latency_cycles())
-            fail(path, line,
-                 fmt::format("column latency_cycles = {}, expected end_cycle + 1 - start_cycle = {}", v[4],
-                             values[3] + 1 - values[2]));
+                 fmt::format("column sample = {}, expected {} (numbered from 0 without gaps)", record.sample,
+                             records.size()));
+        check_latency(path, line, values, record);
         records.push_back(record);
     });
     if (records.size() != samples)
@@ -158,14 +149,14 @@ std::vector<SampleRecord> read_samples(fs::path const& path, RunRecord const& ru
 
 void check_fifos(fs::path const& path, RunRecord const& run) {
     std::size_t rows = 0;
-    for (auto const& core : ExpectedRows(fifo_table, run.fifos).check(path))
+    for (auto const& core : ExpectedRows(fifo_columns, run.fifos).check(path))
         rows += core.second;
     if (rows != run.fifos.size())
         fail_rows(path, rows, fmt::format("{}, the FIFOs of summary.json", run.fifos.size()));
 }
 
 void check_loops(fs::path const& path, RunRecord const& run) {
-    auto const rows_of_core = ExpectedRows(loop_table, run.loops).check(path);
+    auto const rows_of_core = ExpectedRows(loop_columns, run.loops).check(path);
     std::size_t rows = 0;
     std::size_t most = 1;
     for (auto const& core : rows_of_core) {

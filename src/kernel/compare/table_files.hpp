@@ -9,7 +9,8 @@ namespace faster::runs {
 
 /// The rows of a samples.csv, which must fit the run: numbered without gaps, as many as `samples`, on its cores, and
 /// within its cycles. Throws InputError.
-std::vector<SampleRecord> read_samples(std::filesystem::path const& path, RunRecord const& run, std::uint64_t samples);
+std::vector<SampleStatistics> read_samples(std::filesystem::path const& path, RunRecord const& run,
+                                           std::uint64_t samples);
 
 /// fifos.csv and loops.csv tell again what stands in the summary. If they tell something else (a file cut off, edited,
 /// or of another run), nobody can say which is right: InputError. Loops that loops.csv leaves out for every core are

@@ -10,9 +10,7 @@ IdleKeys Design::idle_keys(RunConfig const& /*config*/) const { return {}; }
 
 bool Design::decides_function(std::string const& /*key*/, RunConfig const& /*config*/) const { return false; }
 
-std::string Design::why_not_retimable(std::string const& /*key*/) const {
-    return "decides what is computed, not when";
-}
+std::string Design::why_not_retimable(std::string const& /*key*/) const { return "decides what is computed, not when"; }
 
 std::vector<Preset> const& Design::presets() const {
     static std::vector<Preset> const none;

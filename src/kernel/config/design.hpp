@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/config/idle_keys.hpp"
+#include "kernel/base/column.hpp"
 #include "kernel/config/key.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/presets.hpp"
@@ -37,8 +38,8 @@ class Design {
     virtual std::vector<Preset> const& presets() const;
     /// The files that make up what a folder means that a key names, in a fixed order. All that are in it, by path.
     virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
-    /// Names of the counters that a sample's result consists of.
-    virtual std::vector<std::string> counters() const = 0;
+    /// The counters that a sample's result consists of.
+    virtual std::vector<ColumnFacts> const& counters() const = 0;
 };
 
 /// The design of this program.

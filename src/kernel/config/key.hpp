@@ -49,10 +49,10 @@ struct ObjectWords {
 
 /// A field of the items of a KeyKind::items.
 struct ItemField {
-    KeyText text;                      ///< the name is the last part only
-    KeyKind kind = KeyKind::vector;    ///< object or vector
-    bool required = false;             ///< every item has to give it
-    ItemPart otherwise;                ///< its value where it is not given
+    KeyText text;                       ///< the name is the last part only
+    KeyKind kind = KeyKind::vector;     ///< object or vector
+    bool required = false;              ///< every item has to give it
+    ItemPart otherwise;                 ///< its value where it is not given
     ObjectWords words = ObjectWords{};  ///< KeyKind::object
 };
 

@@ -52,7 +52,9 @@ template <class Config> struct KeyMaker {
         key.text = std::move(text);
         key.kind = kind;
         key.read = [field](RunConfig const& config) { return value_of(field(part_of<Config>(config))); };
-        key.write = [field](RunConfig& config, KeyValue const& value) { assign(field(part_of<Config>(config)), value); };
+        key.write = [field](RunConfig& config, KeyValue const& value) {
+            assign(field(part_of<Config>(config)), value);
+        };
         return key;
     }
 

@@ -18,8 +18,7 @@ struct ItemValue {
 
 /// The value of one configuration key, in the types JSON has. Choices and paths are text; three numbers and a list of
 /// items are the only compound values.
-using KeyValue =
-    std::variant<bool, std::int64_t, double, std::string, std::array<double, 3>, std::vector<ItemValue>>;
+using KeyValue = std::variant<bool, std::int64_t, double, std::string, std::array<double, 3>, std::vector<ItemValue>>;
 
 /// The value as JSON on one line, which is YAML as well. Numbers have just the digits that bring back the same value,
 /// so two values are equal exactly if their texts are.

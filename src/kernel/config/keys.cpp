@@ -147,8 +147,8 @@ std::string unknown_key_problem(std::string_view name) {
 }
 
 std::string const& example_key() {
-    auto const found = std::find_if(all_keys().begin(), all_keys().end(),
-                                    [](Key const& key) { return key.kind == KeyKind::integer; });
+    auto const found =
+        std::find_if(all_keys().begin(), all_keys().end(), [](Key const& key) { return key.kind == KeyKind::integer; });
     return (found == all_keys().end() ? all_keys().front() : *found).name();
 }
 

@@ -29,7 +29,9 @@ Key part_key(KeyText text, KeyKind kind, Part part, Field field, Value otherwise
         auto const settings = part(config.machine());
         return value_of(value_or(field(settings), otherwise));
     };
-    key.write = [part, field](RunConfig& config, KeyValue const& value) { assign(field(part(config.machine())), value); };
+    key.write = [part, field](RunConfig& config, KeyValue const& value) {
+        assign(field(part(config.machine())), value);
+    };
     return of_time(std::move(key));
 }
 

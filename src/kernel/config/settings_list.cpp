@@ -18,8 +18,7 @@ Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
     Settings settings;
     settings.line = item.Mark().line + 1;
     if (!item.IsMap())
-        fail(path, settings.line,
-             fmt::format("{}, expected a map such as {{{}: 4}}", shown(item), example_key()));
+        fail(path, settings.line, fmt::format("{}, expected a map such as {{{}: 4}}", shown(item), example_key()));
     KeyFaults faults;
     for (MapEntry const& entry : read_entries(item, "", faults)) {
         if (!entry.value.IsScalar())

@@ -1,26 +1,46 @@
 #pragma once
 #include <array>
-#include <cstddef>
+#include <iterator>
+
+#include "kernel/base/column.hpp"
 
 namespace faster {
 
 /// What a process does in a cycle: always exactly one of these.
 enum class CycleClass : std::size_t {
-    busy,           ///< works: an operation, or an iteration at its target interval
-    fill_drain,     ///< a loop's pipeline fills or empties
-    setup,          ///< prepares what its next loop works on
-    empty_stall,    ///< an input FIFO is empty
-    full_stall,     ///< an output FIFO is full
-    port_conflict,  ///< a block RAM has too few ports for the target interval
-    recurrence,     ///< a loop-carried dependence forbids the target interval
-    idle_before,    ///< has had nothing to do yet: waits for its first token
-    idle_after,     ///< has nothing to do any more
+    busy,
+    fill_drain,
+    setup,
+    empty_stall,
+    full_stall,
+    port_conflict,
+    recurrence,
+    idle_before,
+    idle_after,
 };
-constexpr std::size_t cycle_class_count = 9;
-constexpr std::array<char const*, cycle_class_count> cycle_class_names{"busy",        "fill_drain",  "setup",
-                                                                       "empty_stall", "full_stall",  "port_conflict",
-                                                                       "recurrence",  "idle_before", "idle_after"};
 
+/// The classes by their names. Columns of modules have the same names with "_cycles" behind.
+inline constexpr ColumnFacts cycle_classes[]{
+    {"busy", "cycles", Tells::work, "works: an operation, or an iteration at its target interval"},
+    {"fill_drain", "cycles", Tells::work, "a loop's pipeline fills or empties: L - II for every entry"},
+    {"setup", "cycles", Tells::work, "prepares what its next loop goes over"},
+    {"empty_stall", "cycles", Tells::waiting, "an input FIFO is empty; `stalls` has them by FIFO"},
+    {"full_stall", "cycles", Tells::waiting, "an output FIFO is full; `stalls` has them by FIFO"},
+    {"port_conflict", "cycles", Tells::work,
+     "a block RAM has too few ports for the target interval; `port_conflicts` has them by block RAM"},
+    {"recurrence", "cycles", Tells::work, "a dependence between iterations forbids the target interval"},
+    {"idle_before", "cycles", Tells::waiting,
+     "waits for its first token, and has done nothing before. `fifos.csv` counts these cycles as an empty stall"},
+    {"idle_after", "cycles", Tells::waiting, "has nothing to do any more"},
+};
+constexpr std::size_t cycle_class_count = std::size(cycle_classes);
+
+constexpr std::array<char const*, cycle_class_count> cycle_class_names = [] {
+    std::array<char const*, cycle_class_count> names{};
+    for (std::size_t i = 0; i < cycle_class_count; ++i)
+        names[i] = cycle_classes[i].name;
+    return names;
+}();
 constexpr std::size_t index_of(CycleClass which) { return static_cast<std::size_t>(which); }
 inline char const* name_of(CycleClass which) { return cycle_class_names[index_of(which)]; }
 

@@ -32,22 +32,28 @@ std::vector<StuckProcess> RunStatistics::wait_cycle() const {
 }
 
 namespace {
+ProcessStatistics empty_process(Machine const& machine) {
+    ProcessStatistics process;
+    process.stalls.resize(machine.fifos.size());
+    process.port_conflicts.resize(machine.memories.size());
+    return process;
+}
+
 template <class Row> void add(Row& sum, Row const& cycles) {
     std::transform(sum.begin(), sum.end(), cycles.begin(), sum.begin(), std::plus<>());
 }
 }  // namespace
 
-Cycles port_conflict_cycles(CoreStatistics const& core, std::string const& memory) {
-    Cycles conflicts = 0;
-    for (LoopStatistics const& loop : core.loops)
-        conflicts += loop.limited_by == memory ? loop.port_conflict_cycles : 0;
-    return conflicts;
+CoreStatistics empty_core(Machine const& machine) {
+    CoreStatistics core;
+    core.fifos.resize(machine.fifos.size());
+    core.loops.resize(machine.loops.size());
+    core.processes.resize(machine.processes.size(), empty_process(machine));
+    return core;
 }
 
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
-    ProcessStatistics sum;
-    sum.stalls.resize(run.machine.fifos.size());
-    sum.port_conflicts.resize(run.machine.memories.size());
+    ProcessStatistics sum = empty_process(run.machine);
     for (CoreStatistics const& core : run.cores) {
         ProcessStatistics const& process = core.processes[module];
         add(sum.cycles, process.cycles);

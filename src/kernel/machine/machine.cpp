@@ -52,6 +52,8 @@ class Maker {
     Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
         machine_.cores = settings.cores;
         machine_.clock_mhz = settings.clock_mhz;
+        machine_.cores_are = core.cores_are;
+        machine_.remark = core.remark;
         for (ModuleDescription const& module : core.modules)
             add_process(module);
         for (std::string const& fifo : core.fifos)
@@ -128,8 +130,8 @@ class Maker {
         if (!description.reader.empty())
             memory.reader = machine_.process(description.reader);
         memory.words = description.rows * description.cols;
-        memory.shape.bits = description.bits;
-        memory.shape.words = description.bits > 0 ? memory.words : 0;
+        memory.shape.bits = memory.is_present ? description.bits : 0;
+        memory.shape.words = memory.shape.bits > 0 ? memory.words : 0;
         memory.shape.ports = settings.ports * partition.banks();
         memory.shape.partition = partition.banks();
         memory.shape.bank_words = partition.bank_words();
@@ -142,6 +144,7 @@ class Maker {
         loop.name = description.name;
         decide(loop, first_failing(core_.modules[module].conditions, description.conditions));
         loop.process = module;
+        loop.is_listed = description.is_listed;
         loop.timed_by = description.timed_by.empty() ? core_.modules[module].name + '.' + description.name
                                                      : description.timed_by;
         LoopSettings const settings = settings_.loop(loop.timed_by);
@@ -164,6 +167,7 @@ class Maker {
             return;
         MachineProcess& process = machine_.processes[module];
         process.setup_cycles = settings_.setup(process.name).value_or(setup->depth) + setup->extra;
+        process.setup_activity = setup->activity;
         if (!setup->one_per_token_of.empty())
             process.setup_counter = machine_.fifo(setup->one_per_token_of);
     }

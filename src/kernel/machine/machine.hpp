@@ -30,6 +30,7 @@ struct MachineProcess {
     bool is_present = true;
     std::string decided_by;  ///< key that takes it away, if it is not there
     Cycles setup_cycles = 0;
+    std::string setup_activity;                ///< "setting up triangles", for reports
     std::optional<std::size_t> setup_counter;  ///< FIFO with a write for every setup
     std::vector<MachineEnd> ends;              ///< of the FIFOs that are there, in the program order of a step
     std::vector<std::size_t> loops;            ///< numbers of those that are there, in order
@@ -62,6 +63,7 @@ struct MachineLoop {
     Cycles depth = 1;
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
     std::vector<std::size_t> reads;   ///< of a loop that writes as well
+    bool is_listed = true;            ///< in loops.csv
 
     /// Without its FIFOs.
     timing::LoopShape shape() const;
@@ -85,6 +87,8 @@ struct MachineMemory {
 struct Machine {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
+    std::string cores_are;  ///< what reports call cores, and say of the machine besides
+    std::string remark;
     std::vector<MachineProcess> processes;
     std::vector<MachineFifo> fifos;
     std::vector<MachineLoop> loops;
@@ -94,7 +98,7 @@ struct Machine {
     std::size_t begins = 0;  ///< process whose stamps begin samples
     std::size_t ends = 0;    ///< process whose stamps end them
 
-    double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / clock_mhz / 1e3; }
+    double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / (clock_mhz * 1e3); }
     /// Of the table of processes of a core: it ends with the last that is there.
     std::size_t process_places() const;
     /// "MODULE.LOOP".

@@ -59,6 +59,9 @@ struct LoopDescription {
     std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well
     std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
 
+    bool is_listed = true;            ///< in loops.csv; reports list it all the same
+
+    LoopDescription& unlisted() { return is_listed = false, *this; }
     LoopDescription& does(std::string text) { return task = std::move(text), *this; }
     LoopDescription& of_depth(Cycles stages, Cycles more = 0) { return depth = stages, extra_depth = more, *this; }
     LoopDescription& recurs_every(Cycles cycles) { return recurrence = cycles, *this; }
@@ -106,6 +109,7 @@ struct SetupDescription {
     Cycles depth = 1;              ///< default number of cycles
     Cycles extra = 0;              ///< cycles that other keys add
     std::string meaning;           ///< one sentence, for the documentation
+    std::string activity;          ///< "setting up triangles", for reports
     std::string before_loop;       ///< the loop before whose keys its key stands
     std::string one_per_token_of;  ///< FIFO with a write for every setup; empty: the process counts what it waits for
 };
@@ -161,6 +165,8 @@ struct CoreDescription {
     std::vector<std::string> fifos;
     std::string begins;  ///< module whose stamps begin samples
     std::string ends;    ///< module whose stamps end them
+    std::string cores_are = "cores";  ///< what reports call cores
+    std::string remark;               ///< what reports say of the machine besides, e.g. "window 200 x 200 px"
     Pace pace;           ///< about speed of simulation only, see timing::Lead
 };
 

@@ -21,8 +21,8 @@ inline std::string label(TokenField const& field) {
     return field.lane == TokenField::only_lane ? field.name : field.name + std::to_string(field.lane);
 }
 
-/// The fields of a token type: `layout`, and a token's values in that order, sign-extended. As it stands here, for plain
-/// numbers; a design specializes it for its own token types.
+/// The fields of a token type: `layout`, and a token's values in that order, sign-extended. As it stands here, for
+/// plain numbers; a design specializes it for its own token types.
 template <class Token> struct TokenFields {
     static_assert(std::is_integral_v<Token>, "specialize TokenFields for this token type");
 

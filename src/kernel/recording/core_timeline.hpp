@@ -16,7 +16,7 @@ struct CoreTimeline {
     };
     std::size_t core = 0;
     Machine const* machine = nullptr;
-    std::vector<TimelineSpan> spans;  ///< by begin
+    std::vector<TimelineSpan> spans;                     ///< by begin
     std::vector<std::vector<OccupancyPoint>> occupancy;  ///< by FIFO
     std::vector<Sample> samples;
 };

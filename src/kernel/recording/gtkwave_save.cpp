@@ -141,7 +141,8 @@ std::string stall_table(Machine const& machine) {
     std::string text = translation(no_stall, bits, "-");
     for (std::size_t const fifo : fifos_of(machine))
         for (bool const is_full : {false, true})
-            text += translation(stall_on(fifo, is_full), bits, machine.fifos[fifo].name + (is_full ? " full" : " empty"));
+            text +=
+                translation(stall_on(fifo, is_full), bits, machine.fifos[fifo].name + (is_full ? " full" : " empty"));
     return text;
 }
 

@@ -16,8 +16,8 @@ void MemoryPorts::add(std::size_t memory, bool writes, std::uint64_t address, st
     auto const col = static_cast<std::int64_t>(address % shape.cols);
     std::uint64_t const bank = buffer * shape.partition.banks() + shape.partition.bank_of(row, col);
     std::uint64_t const number = accesses_so_far(memory, bank);
-    accesses_.push_back({memory, bank * shape.ports + number % shape.ports, cycle_ + number / shape.ports, writes,
-                         address, buffer});
+    accesses_.push_back(
+        {memory, bank * shape.ports + number % shape.ports, cycle_ + number / shape.ports, writes, address, buffer});
 }
 
 std::uint64_t MemoryPorts::accesses_so_far(std::size_t memory, std::uint64_t bank) const {

@@ -19,8 +19,8 @@ struct PortAccess {
     std::size_t buffer = 0;  ///< which of several
 };
 
-/// Gives the accesses of one iteration the ports of the machine's memories: accesses to one bank take its ports in turn,
-/// a cycle later where there are not enough.
+/// Gives the accesses of one iteration the ports of the machine's memories: accesses to one bank take its ports in
+/// turn, a cycle later where there are not enough.
 class MemoryPorts {
   public:
     /// `machine` must outlive it.

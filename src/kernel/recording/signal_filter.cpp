@@ -43,15 +43,13 @@ void require_matches(std::vector<std::string> const& patterns, Machine const& ma
 SignalFilter::SignalFilter(std::vector<std::string> const& patterns, Machine const& machine) {
     require_matches(patterns, machine);
     auto const matches = [&patterns](std::string const& name) {
-        return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&name](std::string const& pattern) {
-                   return fits(pattern, name);
-               });
+        return patterns.empty() || std::any_of(patterns.begin(), patterns.end(),
+                                               [&name](std::string const& pattern) { return fits(pattern, name); });
     };
     for (MachineProcess const& process : machine.processes)
         processes_.push_back(process.is_present && matches(process.name));
     for (MachineFifo const& fifo : machine.fifos)
-        fifos_.push_back(fifo.is_present &&
-                         (matches(fifo.name) || processes_[fifo.writer] || processes_[fifo.reader]));
+        fifos_.push_back(fifo.is_present && (matches(fifo.name) || processes_[fifo.writer] || processes_[fifo.reader]));
     for (MachineMemory const& memory : machine.memories)
         memories_.push_back(memory.is_present &&
                             (matches(memory.name) || processes_[memory.owner] || processes_[memory.reader]));

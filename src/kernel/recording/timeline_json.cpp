@@ -67,11 +67,9 @@ class Writer {
         }
         bool const is_full = span.kind == TimelineSpan::Kind::full_stall;
         std::string const& fifo = timeline.machine->fifos[span.item].name;
-        add_slice(core, track, fifo + (is_full ? " full" : " empty"), "stall", span.begin, span.end,
-                  {{"fifo", fifo},
-                   {"begin_cycle", span.begin},
-                   {"end_cycle", span.end},
-                   {"stalled_cycles", span.count}});
+        add_slice(
+            core, track, fifo + (is_full ? " full" : " empty"), "stall", span.begin, span.end,
+            {{"fifo", fifo}, {"begin_cycle", span.begin}, {"end_cycle", span.end}, {"stalled_cycles", span.count}});
     }
 
     double clock_mhz_;

@@ -14,8 +14,8 @@ using Share = timing::PathSums::Share;
 /// The sums of one process as rows.
 class ProcessRows {
   public:
-    ProcessRows(Machine const& machine, timing::CoreTiming const& core, unsigned process,
-                timing::PathSums const& sums, std::vector<PathRow>& rows)
+    ProcessRows(Machine const& machine, timing::CoreTiming const& core, unsigned process, timing::PathSums const& sums,
+                std::vector<PathRow>& rows)
         : machine_(machine), core_(core), process_(core.processes()[process]), sums_(sums), rows_(rows) {
         base_.module = process;
     }

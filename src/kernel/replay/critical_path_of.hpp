@@ -7,8 +7,8 @@
 
 namespace faster::retiming {
 
-/// The critical path to the end of a run that ended, in numbers of the machine's parts. Its cores must have left trails.
-/// Nothing without samples.
+/// The critical path to the end of a run that ended, in numbers of the machine's parts. Its cores must have left
+/// trails. Nothing without samples.
 CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine);
 
 }  // namespace faster::retiming

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "faster/block_ram.hpp"
 #include "kernel/report/summary.hpp"
 
 namespace faster::report {
@@ -70,15 +69,15 @@ std::string line_of(Rows const& rows, Rows::const_iterator begin, Rows::const_it
 
 }  // namespace
 
-ArchitectureRow architecture_row(AcceleratorConfig const& config, RunStatistics const& run) {
+ArchitectureRow architecture_row(RunStatistics const& run) {
     ArchitectureRow row;
     row.deadlocked = run.deadlocked();
-    row.ramb36 = ramb36_of_core(config) * static_cast<double>(config.raster_cores);
+    row.ramb36 = ramb36_of_core(run.machine) * static_cast<double>(run.machine.cores);
     if (row.deadlocked)
         return row;
     row.total_cycles = run.total_cycles;
-    row.milliseconds = milliseconds(run.total_cycles, config);
-    for (std::size_t i = 0; i < module_count; ++i) {
+    row.milliseconds = run.machine.milliseconds(run.total_cycles);
+    for (std::size_t i = 0; i < run.machine.processes.size(); ++i) {
         ProcessStatistics const process = process_sum(run, i);
         row.empty_stall_cycles += process[CycleClass::empty_stall];
         row.full_stall_cycles += process[CycleClass::full_stall];

@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
 namespace faster::report {
@@ -27,7 +26,7 @@ struct ArchitectureRow {
 };
 
 /// The figures of a run; names are left to the caller.
-ArchitectureRow architecture_row(AcceleratorConfig const& config, RunStatistics const& run);
+ArchitectureRow architecture_row(RunStatistics const& run);
 
 /// For people, as Markdown: a row per architecture with the milliseconds of every workload, the time against the first
 /// architecture's (geometric mean over the workloads that both finish), port conflicts, block RAMs, and, where edge

@@ -9,13 +9,18 @@ namespace {
 
 constexpr std::size_t most_rows = 12;
 
-std::string item_of(PathRow const& row) { return row.fifo ? fifo_names[index_of(*row.fifo)] : row.bram; }
-std::string loop_of(PathRow const& row) { return row.loop ? loop_names[index_of(*row.loop)].name : ""; }
+std::string item_of(Machine const& machine, PathRow const& row) {
+    return row.fifo ? machine.fifos[*row.fifo].name : row.bram;
+}
+std::string loop_of(Machine const& machine, PathRow const& row) {
+    return row.loop ? machine.loops[*row.loop].name : std::string();
+}
 
 void add_line(std::string& text, RunStatistics const& run, PathRow const& row) {
-    std::string const item = item_of(row);
+    Machine const& machine = run.machine;
+    std::string const item = item_of(machine, row);
     std::string const cause = std::string(name_of(row.cause)) + (item.empty() ? "" : " " + item);
-    std::string const place = std::string(name_of(row.module)) + (row.loop ? "." + loop_of(row) : std::string());
+    std::string const place = machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
     fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, row.cycles,
                    100.0 * static_cast<double>(row.cycles) / static_cast<double>(run.total_cycles));
 }
@@ -44,10 +49,10 @@ std::string critical_path_text(RunStatistics const& run) {
 Json critical_path_json(RunStatistics const& run) {
     Json rows = Json::array();
     for (PathRow const& row : run.critical_path->rows)
-        rows.push_back({{"module", name_of(row.module)},
-                        {"loop", loop_of(row)},
+        rows.push_back({{"module", run.machine.processes[row.module].name},
+                        {"loop", loop_of(run.machine, row)},
                         {"cause", name_of(row.cause)},
-                        {"item", item_of(row)},
+                        {"item", item_of(run.machine, row)},
                         {"cycles", row.cycles},
                         {"crossings", row.crossings}});
     return {{"core", run.critical_path->core}, {"rows", rows}};

@@ -10,7 +10,4 @@ std::string samples_csv(RunStatistics const& run);
 std::string fifos_csv(RunStatistics const& run);
 std::string loops_csv(RunStatistics const& run);
 
-/// `shift_register` or `memory`.
-char const* kind_name(FifoKind kind);
-
 }  // namespace faster::report

@@ -1,14 +1,26 @@
 #pragma once
-#include <cstddef>
-
 #include "kernel/base/json.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "kernel/figures/column_values.hpp"
+#include "kernel/figures/module_row.hpp"
 
 namespace faster::report {
 
-/// Rows of the tables of a run as JSON objects; `i` is the number of the ModuleId, FifoId or LoopId.
-Json module_row(std::size_t core, std::size_t i, ProcessStatistics const& p);
-Json fifo_row(std::size_t core, std::size_t i, FifoStatistics const& f);
-Json loop_row(std::size_t core, std::size_t i, LoopStatistics const& l);
+/// A row of a table as a JSON object.
+template <class Row, std::size_t N> Json json_row(Columns<Row, N> columns, Row const& row) {
+    Json object;
+    for (Column<Row> const& column : columns)
+        if (column.is_in_json())
+            object[column.name] = with_value(column, row, [](auto const& value) { return Json(value); });
+    return object;
+}
+Json json_row(ModuleRow const& module);
+
+/// A table as a JSON array.
+template <class Row, std::size_t N> Json json_table(Columns<Row, N> columns, std::vector<Row> const& rows) {
+    Json array = Json::array();
+    for (Row const& row : rows)
+        array.push_back(json_row(columns, row));
+    return array;
+}
 
 }  // namespace faster::report

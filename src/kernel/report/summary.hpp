@@ -14,13 +14,9 @@ struct HostTime {
 };
 
 /// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
-std::string summary_json(std::vector<ResolvedKey> const& keys, AcceleratorConfig const& config,
-                         RunStatistics const& run, HostTime const& host);
+std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host);
 
 /// summary.json of a run that got stuck: who waits for whom, and the configuration. It has no results.
 std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run);
-
-/// Cycles at the configured clock [ms].
-double milliseconds(Cycles cycles, AcceleratorConfig const& config);
 
 }  // namespace faster::report

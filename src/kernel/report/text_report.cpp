@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "faster/block_ram.hpp"
-#include "faster/parts.hpp"
 #include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/csv.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/figures/column_values.hpp"
+#include "kernel/figures/table_rows.hpp"
 
 namespace faster::report {
 
@@ -33,10 +32,11 @@ std::string in_words(std::string name) {
 }
 std::size_t column_width(std::string_view name) { return std::max<std::size_t>(name.size(), 6); }
 
-void headline(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
-    line(text, "{} samples on {} raster cores, window {} x {} px, {:g} MHz", run.samples.size(), run.cores.size(),
-         config.window, config.window, config.clock_mhz);
-    line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, milliseconds(run.total_cycles, config));
+void headline(std::string& text, RunStatistics const& run) {
+    Machine const& machine = run.machine;
+    line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
+         machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
+    line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, machine.milliseconds(run.total_cycles));
 }
 
 void module_table(std::string& text, RunStatistics const& run) {
@@ -46,80 +46,48 @@ void module_table(std::string& text, RunStatistics const& run) {
     for (char const* name : cycle_class_names)
         header += fmt::format(" {:>{}}", in_words(name), column_width(name));
     line(text, "{}", header);
-    for (std::size_t const i : modules_of(run.parts)) {
+    for (std::size_t const i : modules_of(run.machine)) {
         ProcessStatistics const p = process_sum(run, i);
-        std::string row = fmt::format("  {:<19}", module_names[i]);
+        std::string row = fmt::format("  {:<19}", run.machine.processes[i].name);
         for (std::size_t c = 0; c < cycle_class_count; ++c)
             row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
         line(text, "{}", row);
     }
 }
 
-/// Sums one figure of a FIFO or loop over all cores.
-template <class Figure> std::uint64_t over_cores(RunStatistics const& run, Figure figure) {
-    std::uint64_t sum = 0;
-    for (CoreStatistics const& core : run.cores)
-        sum += figure(core);
-    return sum;
-}
-
 void loop_table(std::string& text, RunStatistics const& run) {
     line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
     line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", "loop", "II target", "II achieved",
          "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
-    for (std::size_t const i : loops_of(run.parts)) {
-        LoopStatistics const& l = run.cores.front().loops[i];
-        auto const entries = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].entries; });
-        auto const iterations = over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].iterations; });
-        auto const conflicts =
-            over_cores(run, [i](CoreStatistics const& c) { return c.loops[i].port_conflict_cycles; });
-        std::string const trips =
-            entries == 0 ? "-" : fmt::format("{:.1f}", static_cast<double>(iterations) / static_cast<double>(entries));
-        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}",
-             fmt::format("{}.{}", name_of(loop_names[i].module), loop_names[i].name), l.ii_target, l.ii,
-             l.limited_by.empty() ? "-" : l.limited_by, l.depth, entries, iterations, trips, conflicts);
-    }
+    for (LoopRow const& l : over_cores(loop_columns, loop_rows(run)))
+        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
+             l.limited_by.empty() ? "-" : l.limited_by, l.depth, l.entries, l.iterations,
+             l.entries == 0 ? "-"
+                            : fmt::format("{:.1f}", static_cast<double>(l.iterations) / static_cast<double>(l.entries)),
+             l.port_conflict_cycles);
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {
     line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
     line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
          "full stall", "empty stall");
-    for (std::size_t const i : fifos_of(run.parts)) {
-        FifoStatistics const& f = run.cores.front().fifos[i];
-        std::uint64_t occupancy = 0;
-        for (CoreStatistics const& core : run.cores)
-            occupancy = std::max(occupancy, core.fifos[i].max_occupancy);
-        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", fifo_names[i], kind_name(f.kind), f.depth,
-             occupancy, over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].writes; }),
-             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].full_stall_cycles; }),
-             over_cores(run, [i](CoreStatistics const& c) { return c.fifos[i].empty_stall_cycles; }));
-    }
+    for (FifoRow const& f : over_cores(fifo_columns, fifo_rows(run)))
+        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", f.fifo, f.kind_name, f.depth, f.max_occupancy,
+             f.writes, f.full_stall_cycles, f.empty_stall_cycles);
 }
 
-void bram_line(std::string& text, std::string_view name, MemoryShape const& memory, std::size_t cores,
-               std::uint64_t port_conflicts) {
-    line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", name, memory.words, memory.bits,
-         memory.partition, memory.buffers, memory.ports, ramb36_count(memory) * static_cast<double>(cores),
-         port_conflicts);
-}
-
-void bram_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
-    std::size_t const cores = run.cores.size();
+void bram_table(std::string& text, RunStatistics const& run) {
+    auto const cores = static_cast<double>(run.cores.size());
     line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
-         ramb36_of_core(config) * static_cast<double>(cores), ramb36_of_device);
+         ramb36_of_core(run.machine) * cores, ramb36_of_device);
     line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
          "ports", "RAMB36", "port conflict");
-    for (std::size_t const i : brams_of(run.parts)) {
-        auto const id = static_cast<BramId>(i);
-        bram_line(text, name_of(id), memory_shape(id, config), cores,
-                  over_cores(run, [id](CoreStatistics const& core) { return port_conflict_cycles(core, id); }));
-    }
-    if (MemoryShape const memory = line_buffer_shape(config); memory.words > 0)
-        bram_line(text, "line_buffers", memory, cores, 0);
+    for (MemoryRow const& m : over_cores(memory_columns, memory_rows(run)))
+        line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, m.words, m.bits, m.partition,
+             m.buffers, m.ports, m.ramb36() * cores, m.port_conflict_cycles);
 }
 
-void latency_table(std::string& text, AcceleratorConfig const& config, RunStatistics const& run) {
+void latency_table(std::string& text, RunStatistics const& run) {
     std::vector<Cycles> const latencies = sorted_latencies(run);
     if (latencies.empty())
         return;
@@ -127,7 +95,7 @@ void latency_table(std::string& text, AcceleratorConfig const& config, RunStatis
     line(text, "\nSample latency, queueing included [cycles]");
     line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}", "min", "10 %", "median", "90 %", "max");
     line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
-         milliseconds(at(0.5), config));
+         run.machine.milliseconds(at(0.5)));
 }
 
 void host_speed(std::string& text, RunStatistics const& run, HostTime const& host) {
@@ -144,19 +112,19 @@ std::string describe(StuckProcess const& p) {
 
 }  // namespace
 
-std::string text_report(AcceleratorConfig const& config, RunStatistics const& run, HostTime const& host) {
+std::string text_report(RunStatistics const& run, HostTime const& host) {
     std::string text;
-    headline(text, config, run);
+    headline(text, run);
     text += '\n';
-    for (std::string const& sentence : diagnosis_sentences(config, run))
+    for (std::string const& sentence : diagnosis_sentences(run))
         line(text, "  {}", sentence);
     text += critical_path_text(run);
     text += sensitivities_text(run);
     module_table(text, run);
     loop_table(text, run);
     fifo_table(text, run);
-    bram_table(text, config, run);
-    latency_table(text, config, run);
+    bram_table(text, run);
+    latency_table(text, run);
     host_speed(text, run, host);
     return text;
 }

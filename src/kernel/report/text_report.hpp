@@ -7,7 +7,7 @@ namespace faster::report {
 
 /// The report of a run for people: headline, where the cycles went, loops, FIFOs, sample latencies, host speed.
 /// Figures of several cores are sums over all of them.
-std::string text_report(AcceleratorConfig const& config, RunStatistics const& run, HostTime const& host);
+std::string text_report(RunStatistics const& run, HostTime const& host);
 
 /// Who waits for whom when nothing can move: the circle first, then everybody else who is stuck.
 std::string deadlock_report(RunStatistics const& run);

@@ -7,15 +7,15 @@
 
 namespace faster::report {
 
-WhatifTable::WhatifTable(AcceleratorConfig const& recorded, std::vector<SampleStatistics> const& samples) {
+WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples) {
     recorded_.settings = "as recorded";
     recorded_.clock_mhz = recorded.clock_mhz;
     for (SampleStatistics const& sample : samples)
         recorded_.total_cycles = std::max(recorded_.total_cycles, sample.end_cycle + 1);
 }
 
-void WhatifTable::add_row(std::string settings, AcceleratorConfig const& config) {
-    rows_.push_back({std::move(settings), config.clock_mhz, false, 0});
+void WhatifTable::add_row(std::string settings, Machine const& machine) {
+    rows_.push_back({std::move(settings), machine.clock_mhz, false, 0});
 }
 
 void WhatifTable::set_result(std::size_t row, RunStatistics const& run) {

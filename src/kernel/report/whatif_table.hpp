@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
 namespace faster::report {
@@ -12,10 +11,10 @@ namespace faster::report {
 class WhatifTable {
   public:
     /// The recorded run: what the rows are compared with.
-    WhatifTable(AcceleratorConfig const& recorded, std::vector<SampleStatistics> const& samples);
+    WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples);
 
     /// `settings` says what the configuration changes.
-    void add_row(std::string settings, AcceleratorConfig const& config);
+    void add_row(std::string settings, Machine const& machine);
     void set_result(std::size_t row, RunStatistics const& run);
 
     /// For people; and as docs/formats.md has it ("The table of whatif --matrix").

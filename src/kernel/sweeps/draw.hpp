@@ -4,7 +4,7 @@
 
 #include "kernel/config/key_value.hpp"
 #include "kernel/sweeps/sweep.hpp"
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 namespace faster::sweeps {
 

@@ -52,8 +52,8 @@ char const* name_of(Status status) {
     return "";
 }
 
-PointResult result_of(AcceleratorConfig const& config, RunStatistics const& run) {
-    report::ArchitectureRow const row = report::architecture_row(config, run);
+PointResult result_of(RunStatistics const& run) {
+    report::ArchitectureRow const row = report::architecture_row(run);
     PointResult result;
     result.ramb36 = row.ramb36;
     if (run.deadlocked()) {

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "faster/accelerator_config.hpp"
 #include "kernel/base/cycles.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
@@ -31,7 +30,7 @@ struct PointResult {
 
 char const* name_of(PointResult::Status status);
 
-PointResult result_of(AcceleratorConfig const& config, RunStatistics const& run);
+PointResult result_of(RunStatistics const& run);
 PointResult failed(std::string const& message);
 
 nlohmann::ordered_json to_json(PointResult const& result);

@@ -7,7 +7,7 @@
 #include "common/stimulus.hpp"
 #include "reference/quality/sample_judge.hpp"
 #include "reference/scorer.hpp"
-#include "workload/random.hpp"
+#include "kernel/base/random.hpp"
 
 namespace faster::quality {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/config/enum_names.hpp"
+#include "faster/enum_names.hpp"
 
 namespace faster::quality {
 

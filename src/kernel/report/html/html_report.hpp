@@ -17,7 +17,6 @@ struct ReportPicture {
 /// What the HTML report of a finished run is made from. Referred to, not kept.
 struct HtmlReportInput {
     std::string title;  ///< of the page, e.g. the name of the configuration
-    AcceleratorConfig const& config;
     RunStatistics const& run;
     std::vector<ResolvedKey> const& keys;
     std::vector<SampleTimeline> const& timelines;  ///< none: no timeline, no occupancies

@@ -2,17 +2,17 @@
 
 #include <cmath>
 
-#include "faster/parts.hpp"
 #include "kernel/config/plain_value.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
-#include "kernel/report/html/html_text.hpp"
-#include "kernel/report/html/latency_histogram.hpp"
-#include "kernel/report/html/timeline_view.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/report/summary.hpp"
+#include "kernel/report/html/html_text.hpp"
+#include "kernel/report/html/latency_histogram.hpp"
+#include "kernel/report/html/timeline_view.hpp"
+#include "kernel/figures/table_rows.hpp"
 
 namespace faster::report {
 
@@ -20,32 +20,36 @@ namespace {
 
 Json headline(HtmlReportInput const& input) {
     return {
-        {"total_cycles", input.run.total_cycles}, {"milliseconds", milliseconds(input.run.total_cycles, input.config)},
-        {"samples", input.run.samples.size()},    {"raster_cores", input.run.cores.size()},
-        {"window", input.config.window},          {"clock_mhz", input.config.clock_mhz}};
+        {"total_cycles", input.run.total_cycles},
+        {"milliseconds", input.run.machine.milliseconds(input.run.total_cycles)},
+        {"samples", input.run.samples.size()},
+        {"cores", input.run.cores.size()},
+        {"cores_are", input.run.machine.cores_are},
+        {"remark", input.run.machine.remark},
+        {"clock_mhz", input.run.machine.clock_mhz}};
 }
 
 Json modules(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.parts))
-        rows.push_back({{"module", module_names[i]}, {"cycles", process_sum(run, i).cycles}});
+    for (std::size_t const i : modules_of(run.machine))
+        rows.push_back({{"module", run.machine.processes[i].name}, {"cycles", process_sum(run, i).cycles}});
     return rows;
 }
 
-Json stall_row(Parts const& parts, std::size_t module, std::size_t fifo, Cycles cycles) {
-    FifoEnds const ends = ends_of(parts, FifoId{fifo});
-    bool const reads = index_of(ends.reader) == module;
-    return {{"module", module_names[module]},
+Json stall_row(Machine const& machine, std::size_t module, std::size_t fifo, Cycles cycles) {
+    MachineFifo const& of = machine.fifos[fifo];
+    bool const reads = of.reader == module;
+    return {{"module", machine.processes[module].name},
             {"kind", name_of(reads ? CycleClass::empty_stall : CycleClass::full_stall)},
-            {"item", fifo_names[fifo]},
-            {"waits_for", name_of(reads ? ends.writer : ends.reader)},
+            {"item", of.name},
+            {"waits_for", machine.processes[reads ? of.writer : of.reader].name},
             {"cycles", cycles}};
 }
 
-Json conflict_row(std::size_t module, std::size_t bram, Cycles cycles) {
-    return {{"module", module_names[module]},
+Json conflict_row(Machine const& machine, std::size_t module, std::size_t bram, Cycles cycles) {
+    return {{"module", machine.processes[module].name},
             {"kind", name_of(CycleClass::port_conflict)},
-            {"item", bram_names[bram]},
+            {"item", machine.memories[bram].name},
             {"waits_for", ""},
             {"cycles", cycles}};
 }
@@ -53,31 +57,15 @@ Json conflict_row(std::size_t module, std::size_t bram, Cycles cycles) {
 /// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
 Json stalls(RunStatistics const& run) {
     Json rows = Json::array();
-    for (std::size_t const i : modules_of(run.parts)) {
+    for (std::size_t const i : modules_of(run.machine)) {
         ProcessStatistics const process = process_sum(run, i);
-        for (std::size_t f = 0; f < fifo_count; ++f)
+        for (std::size_t f = 0; f < process.stalls.size(); ++f)
             if (process.stalls[f] > 0)
-                rows.push_back(stall_row(run.parts, i, f, process.stalls[f]));
-        for (std::size_t b = 0; b < bram_count; ++b)
+                rows.push_back(stall_row(run.machine, i, f, process.stalls[f]));
+        for (std::size_t b = 0; b < process.port_conflicts.size(); ++b)
             if (process.port_conflicts[b] > 0)
-                rows.push_back(conflict_row(i, b, process.port_conflicts[b]));
+                rows.push_back(conflict_row(run.machine, i, b, process.port_conflicts[b]));
     }
-    return rows;
-}
-
-Json fifos(RunStatistics const& run) {
-    Json rows = Json::array();
-    for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : fifos_of(run.parts))
-            rows.push_back(fifo_row(core, i, run.cores[core].fifos[i]));
-    return rows;
-}
-
-Json loops(RunStatistics const& run) {
-    Json rows = Json::array();
-    for (std::size_t core = 0; core < run.cores.size(); ++core)
-        for (std::size_t const i : loops_of(run.parts))
-            rows.push_back(loop_row(core, i, run.cores[core].loops[i]));
     return rows;
 }
 
@@ -107,25 +95,25 @@ char const* kind_name(TimelineSpan::Kind kind) {
     return "";
 }
 
-char const* item_name(TimelineSpan const& span) {
-    return span.kind == TimelineSpan::Kind::loop ? loop_names[span.item].name : fifo_names[span.item];
+std::string const& item_name(Machine const& machine, TimelineSpan const& span) {
+    return span.kind == TimelineSpan::Kind::loop ? machine.loops[span.item].name : machine.fifos[span.item].name;
 }
 
 /// Short rows, because there are thousands: module, kind, item, begin, end, cycles, iterations of a loop, spans.
-Json spans(SampleTimeline const& timeline) {
+Json spans(Machine const& machine, SampleTimeline const& timeline) {
     constexpr Cycles distinguishable = 2000;  // positions along a wide screen
     Json rows = Json::array();
     for (MergedSpan const& span : merged_spans(timeline.spans, (timeline.end - timeline.begin) / distinguishable))
-        rows.push_back({module_names[span.extent.module], kind_name(span.extent.kind), item_name(span.extent),
+        rows.push_back({machine.processes[span.extent.module].name, kind_name(span.extent.kind), item_name(machine, span.extent),
                         span.extent.begin, span.extent.end, span.cycles,
                         span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0, span.spans});
     return rows;
 }
 
-Json occupancy(SampleTimeline const& timeline) {
+Json occupancy(Machine const& machine, SampleTimeline const& timeline) {
     constexpr std::size_t parts = 120;
     Json fifo_profiles = Json::object();
-    for (std::size_t f = 0; f < fifo_count; ++f) {
+    for (std::size_t f = 0; f < timeline.occupancy.size(); ++f) {
         Json means = Json::array(), maxima = Json::array();
         for (OccupancyPart const& part :
              occupancy_profile(timeline.occupancy[f], timeline.begin, timeline.end, parts)) {
@@ -133,20 +121,20 @@ Json occupancy(SampleTimeline const& timeline) {
             maxima.push_back(part.max);
         }
         if (!means.empty())
-            fifo_profiles[fifo_names[f]] = {{"mean", means}, {"max", maxima}};
+            fifo_profiles[machine.fifos[f].name] = {{"mean", means}, {"max", maxima}};
     }
     return fifo_profiles;
 }
 
-Json timelines(std::vector<SampleTimeline> const& samples) {
+Json timelines(Machine const& machine, std::vector<SampleTimeline> const& samples) {
     Json rows = Json::array();
     for (SampleTimeline const& timeline : samples)
         rows.push_back({{"core", timeline.core},
                         {"sample", timeline.sample},
                         {"begin", timeline.begin},
                         {"end", timeline.end},
-                        {"spans", spans(timeline)},
-                        {"occupancy", occupancy(timeline)}});
+                        {"spans", spans(machine, timeline)},
+                        {"occupancy", occupancy(machine, timeline)}});
     return rows;
 }
 
@@ -172,17 +160,17 @@ std::string report_data(HtmlReportInput const& input) {
     data["format"] = "faster-report";
     data["version"] = 1;
     data["headline"] = headline(input);
-    data["bound_by"] = diagnosis_sentences(input.config, input.run);
+    data["bound_by"] = diagnosis_sentences(input.run);
     data["cycle_classes"] = cycle_class_names;
     data["modules"] = modules(input.run);
     data["stalls"] = stalls(input.run);
     data["path_causes"] = path_cause_names;
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
     data["sensitivities"] = sensitivities_json(input.run);
-    data["fifos"] = fifos(input.run);
-    data["loops"] = loops(input.run);
+    data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));
+    data["loops"] = json_table(loop_columns, loop_rows(input.run));
     data["latency"] = latency(input.run);
-    data["timelines"] = timelines(input.timelines);
+    data["timelines"] = timelines(input.run.machine, input.timelines);
     data["pictures"] = pictures(input.pictures);
     data["configuration"] = configuration(input.keys);
     // File names may hold any bytes.

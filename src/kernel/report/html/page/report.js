@@ -1,15 +1,15 @@
 // Fills the sections of the page, from top to bottom.
 
-const lane_cycles = data.headline.total_cycles * data.headline.raster_cores;
+const lane_cycles = data.headline.total_cycles * data.headline.cores;
 
 function show_headline() {
   const h = data.headline;
-  by_id("machine").textContent = `${count_of(h.raster_cores, "raster core")}, window ${h.window} x ${h.window} px, ${h.clock_mhz} MHz`;
+  by_id("machine").textContent = [`${h.cores} ${h.cores_are}`, h.remark, `${h.clock_mhz} MHz`].filter((part) => part).join(", ");
   fill_figures(by_id("headline"), [
     ["cycles", whole(h.total_cycles)],
     ["ms", decimal(h.milliseconds, 3)],
     ["samples", whole(h.samples)],
-    ["raster cores", whole(h.raster_cores)],
+    [h.cores_are, whole(h.cores)],
     ["samples per second", h.milliseconds > 0 ? whole((h.samples / h.milliseconds) * 1000) : "-"],
     ["median latency [ms]", data.latency ? decimal(milliseconds(data.latency.median), 3) : "-"],
   ]);
@@ -228,7 +228,7 @@ class FifoTable {
   }
 
   note(timeline) {
-    const sum = data.headline.raster_cores > 1 ? ", summed up over cores; depth and occupancy in tokens, the largest of any core" : "; depth and occupancy in tokens";
+    const sum = data.headline.cores > 1 ? ", summed up over cores; depth and occupancy in tokens, the largest of any core" : "; depth and occupancy in tokens";
     const spark = timeline && this.sparks.size > 0
       ? ` The curves are the tokens during sample ${timeline.sample} on core ${timeline.core}: mean (filled) and largest, up to the FIFO's capacity.` : "";
     by_id("fifo-note").textContent = `Stalls in cycles of the waiting module${sum}.${spark}`;

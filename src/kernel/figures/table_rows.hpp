@@ -1,0 +1,17 @@
+#pragma once
+#include "kernel/figures/memory_columns.hpp"
+#include "kernel/figures/module_row.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster {
+
+/// Rows of the tables of a run, core by core, in the order of the output files.
+std::vector<ModuleRow> module_rows(RunStatistics const& run);
+std::vector<FifoRow> fifo_rows(RunStatistics const& run);
+std::vector<LoopRow> loop_rows(RunStatistics const& run);
+std::vector<MemoryRow> memory_rows(RunStatistics const& run);
+
+/// Modules of all cores together.
+std::vector<ModuleRow> module_sums(RunStatistics const& run);
+
+}  // namespace faster

@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+
+#include "common/tokens.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::testing {
+
+/// Of a sample's result, in the order of its row in samples.csv (SPEC section 4).
+constexpr std::array<char const*, 5> counter_names{"valid_raster", "valid_depth", "inlier", "valid_edge",
+                                                   "edge_inlier"};
+
+inline Counters counters_of(SampleCounters const& counters) {
+    return {counters.valid_raster, counters.valid_depth, counters.inlier, counters.valid_edge, counters.edge_inlier};
+}
+
+/// Throws std::out_of_range if it has no result, as of a run that got stuck.
+inline SampleCounters counters_of(SampleStatistics const& sample) {
+    SampleCounters counters;
+    counters.valid_raster = sample.counters.at(0);
+    counters.valid_depth = sample.counters.at(1);
+    counters.inlier = sample.counters.at(2);
+    counters.valid_edge = sample.counters.at(3);
+    counters.edge_inlier = sample.counters.at(4);
+    return counters;
+}
+
+}  // namespace faster::testing

@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "faster/accelerator_config.hpp"
+#include "support/parts.hpp"
+
+namespace faster::testing {
+
+// What a configuration asks of its parts, as plain values: what its settings say, or else the default of SPEC section 3,
+// which the tests state themselves.
+
+struct FifoConfig {
+    std::uint64_t depth = 2;  ///< tokens; HLS default
+    FifoKind kind = FifoKind::automatic;
+    Cycles write_latency = 0;  ///< stage of the writing loop in which a token leaves; 0 where not written in a loop
+};
+
+struct LoopConfig {
+    Cycles ii = 1;
+    Cycles recurrence_ii = 1;
+    Cycles depth = 1;  ///< pipeline stages
+};
+
+struct BramConfig {
+    std::uint64_t ports = 2;  ///< accesses per cycle and bank
+    PartitionConfig partition;
+};
+
+inline Cycles default_write_latency(FifoId fifo) {
+    constexpr std::array<Cycles, fifo_count> stages{0, 0, 0, 40, 0, 36, 7, 7, 7, 7, 2, 4, 4, 0, 0, 0, 0, 0, 0, 0};
+    return stages[index_of(fifo)];
+}
+
+inline Cycles default_depth(LoopId loop) {
+    constexpr std::array<Cycles, loop_count> stages{41, 8, 2, 4, 3, 5, 2, 10, 8, 12, 3, 8, 12};
+    return stages[index_of(loop)];
+}
+
+inline FifoConfig fifo_of(AcceleratorConfig const& config, FifoId id) {
+    FifoSettings const asked = config.fifo(id);
+    FifoConfig fifo;
+    fifo.depth = asked.depth.value_or(fifo.depth);
+    fifo.kind = asked.kind.value_or(fifo.kind);
+    fifo.write_latency = asked.write_latency.value_or(default_write_latency(id));
+    return fifo;
+}
+
+inline LoopConfig loop_of(AcceleratorConfig const& config, LoopId id) {
+    LoopSettings const asked = config.loop(id);
+    LoopConfig loop;
+    loop.ii = asked.ii.value_or(loop.ii);
+    loop.recurrence_ii = asked.recurrence_ii.value_or(loop.recurrence_ii);
+    loop.depth = asked.depth.value_or(default_depth(id));
+    return loop;
+}
+
+inline BramConfig bram_of(AcceleratorConfig const& config, BramId id) {
+    auto const asked = config.memories.find(id);
+    return asked == config.memories.end() ? BramConfig{} : BramConfig{asked->second.ports, asked->second.partition};
+}
+
+/// Cycles of the rasterizer's triangle setup, without those that spans take besides.
+inline Cycles setup_depth_of(AcceleratorConfig const& config) { return config.setup("rasterizer").value_or(12); }
+
+}  // namespace faster::testing

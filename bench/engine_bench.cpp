@@ -14,10 +14,12 @@
 #include <systemc>
 #include <unistd.h>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/recording/vcd_trace.hpp"
+#include "modules/faster_simulation.hpp"
+#include "modules/raster_core_description.hpp"
 #include "reference/scorer.hpp"
-#include "tb/simulation/simulate.hpp"
 #include "workload/build_stimulus.hpp"
 
 namespace {
@@ -90,22 +92,23 @@ Measurement calibration() {
 
 RunConfig main_job(int window = 200) {
     RunConfig config = load_config(FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml").config;
-    config.accelerator.window = window;
+    accelerator_of(config).window = window;
     return config;
 }
 
 Stimulus stimulus_of(RunConfig const& config) {
-    return workload::build_stimulus(config.workload, config.accelerator.window, config.accelerator.fraction_bits);
+    AcceleratorConfig const& accelerator = accelerator_of(config);
+    return workload::build_stimulus(workload_of(config), accelerator.window, accelerator.fraction_bits);
 }
 
 Measurement engine(Engine engine, std::uint64_t samples, int window = 200,
                    std::function<SimulationOptions(RunConfig const&)> const& options = {}) {
     RunConfig config = main_job(window);
-    config.workload.samples.count = samples;
+    workload_of(config).samples.count = samples;
     Stimulus const stimulus = stimulus_of(config);
     RunStatistics run;
     SimulationOptions const with = options ? options(config) : SimulationOptions{};
-    double const seconds = seconds_of([&] { run = simulate(config.accelerator, stimulus, engine, with); });
+    double const seconds = seconds_of([&] { run = simulate(accelerator_of(config), stimulus, engine, with); });
     return {seconds, static_cast<double>(run.total_cycles * run.cores.size())};
 }
 
@@ -117,7 +120,9 @@ Measurement with_vcd(Engine kind, std::uint64_t samples, std::optional<std::size
         Recording vcd;
         if (sample)
             vcd.window.samples = recording::RecordingWindow::Samples{*sample, *sample};
-        vcd.done = [&, machine = config.accelerator](std::vector<recording::RecordedCore> const& cores) {
+        AcceleratorConfig const& accelerator = accelerator_of(config);
+        Machine const machine = make_machine(describe_raster_core(accelerator), accelerator);
+        vcd.done = [&file, machine](std::vector<recording::RecordedCore> const& cores) {
             recording::write_vcd(file, machine, cores, recording::SignalFilter{});
         };
         SimulationOptions options;

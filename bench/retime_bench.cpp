@@ -4,20 +4,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fmt/format.h>
 #include <random>
 #include <string>
+#include <systemc>
 #include <vector>
 
+#include "faster/faster_config.hpp"
 #include "kernel/base/keep_memory.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/retime.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
 
 namespace {
 
 using namespace faster;
+using testing::FifoId;
+using testing::LoopId;
+
+// The configuration's keys come with the modules, and those with libsystemc and its main().
+[[maybe_unused]] bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
 
 double processor_seconds() {
     timespec now{};
@@ -37,25 +47,25 @@ AcceleratorConfig drawn_from(std::uint64_t seed, Spread spread, AcceleratorConfi
         testing::RandomConfigOptions options;
         options.fifo_depth = {1, 24};
         AcceleratorConfig const drawn = testing::random_config(seed, options);
-        config.setup_depth = drawn.setup_depth;
-        config.brams = drawn.brams;
+        config.setups = drawn.setups;
+        config.memories = drawn.memories;
         config.loops = drawn.loops;
         config.fifos = drawn.fifos;
         return config;
     }
     std::mt19937 random(static_cast<unsigned>(seed));
     auto const between = [&random](unsigned low, unsigned high) { return low + random() % (high - low + 1); };
-    for (FifoConfig& fifo : config.fifos)
+    for (FifoId const id : testing::fifo_ids)
         if (spread == Spread::deep)
-            fifo.depth = std::uint64_t{1} << between(0, 14);
+            config.fifo(id).depth = std::uint64_t{1} << between(0, 14);
         else if (between(0, 2) == 0 || spread == Spread::wide)
-            fifo.depth = between(1, spread == Spread::wide ? 16 : 4);
-    for (LoopConfig& loop : config.loops)
+            config.fifo(id).depth = between(1, spread == Spread::wide ? 16 : 4);
+    for (LoopId const id : testing::keyed_loop_ids)
         if (between(0, 3) == 0)
-            loop.ii = between(1, 3);
-    config.setup_depth = between(8, 16);
+            config.loop(id).ii = between(1, 3);
+    config.setup("rasterizer") = between(8, 16);
     for (FifoId const id : {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index})
-        config.fifo(id).depth = std::max<std::uint64_t>(config.fifo(id).depth, 2);
+        config.fifo(id).depth = std::max<std::uint64_t>(fifo_of(config, id).depth, 2);
     return config;
 }
 
@@ -67,7 +77,7 @@ struct Measured {
 
 template <class Run> Measured measure(Run const& run, AcceleratorConfig const& config) {
     double const start = processor_seconds();
-    RunStatistics const retimed = retiming::retime(run, config);
+    RunStatistics const retimed = retiming::retime(run, testing::raster_machine(config));
     return {0, 1e3 * (processor_seconds() - start), retimed.deadlocked()};
 }
 
@@ -84,7 +94,7 @@ void print_distribution(char const* name, std::vector<Measured>& all) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int sc_main(int argc, char** argv) {
     if (argc < 2) {
         fmt::print(stderr, "usage: faster_retime_bench EVENTS [CONFIGURATIONS] [SEED] [near|wide|deep|wild]\n");
         return 2;
@@ -95,11 +105,11 @@ int main(int argc, char** argv) {
     std::string const only = argc > 4 ? argv[4] : "";
     double start = processor_seconds();
     events::EventFile const file = events::read_event_file(argv[1]);
-    AcceleratorConfig const& recorded = file.loaded.config.accelerator;
+    AcceleratorConfig const& recorded = accelerator_of(file.loaded.config);
     fmt::print("read in {:.1f} ms\n", 1e3 * (processor_seconds() - start));
     fmt::print("as recorded, from the file: {:.2f} ms\n", measure(file.run, recorded).milliseconds);
     start = processor_seconds();
-    retiming::ScriptedRun const scripted(file.run, Parts(recorded));
+    retiming::ScriptedRun const scripted(file.run, testing::raster_machine(recorded).lead);
     fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n",
                1e3 * (processor_seconds() - start), scripted.book().size());
     fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);

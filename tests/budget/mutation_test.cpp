@@ -7,15 +7,22 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "faster/parts.hpp"
+#include "faster/adopt_trace.hpp"
+#include "faster/faster_config.hpp"
 #include "kernel/config/key_names.hpp"
 #include "kernel/config/load_config.hpp"
 #include "support/command.hpp"
+#include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/temp_folder.hpp"
 #include "workload/files/trace.hpp"
 
 using namespace faster;
+using testing::bram_count;
+using testing::BramId;
+using testing::FifoId;
+using testing::LoopId;
 using testing::run_forked;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -32,6 +39,10 @@ char const* const page_name = "/docs/budget-mutations.md";
 /// The modules that the block RAMs belong to.
 constexpr std::array<char const*, bram_count> bram_owners{"edge_map_builder", "edge_map_builder", "inlier_unit"};
 
+/// The last FIFO and the last loop that the design of the budgets has.
+constexpr FifoId last_fifo = FifoId::result;
+constexpr LoopId last_loop = LoopId::sweep;
+
 struct Mutation {
     std::string key;
     std::string value;
@@ -41,45 +52,46 @@ struct Mutation {
 
 std::string text_of(Cycles value) { return std::to_string(value); }
 
-void add_fifo_mutations(std::vector<Mutation>& all, AcceleratorConfig const& defaults) {
-    for (std::size_t const i : fifos_of(Flow::faster)) {
-        auto const id = static_cast<FifoId>(i);
-        std::vector<std::string> const items{std::string("fifos.") + fifo_names[i] + "."};
+void add_fifo_mutations(std::vector<Mutation>& all) {
+    for (FifoId const id : testing::fifo_ids) {
+        if (last_fifo < id)
+            break;
+        std::vector<std::string> const items{std::string("fifos.") + id.name + "."};
         for (char const* const depth : {"1", "3"})
-            all.push_back({fifo_key_name(id, "depth"), depth, items, fifo_names[i]});
-        all.push_back({fifo_key_name(id, "kind"), "memory", items, fifo_names[i]});  // another read latency
-        if (has_write_latency(id))
-            all.push_back({fifo_key_name(id, "write_latency"), text_of(defaults.fifos[i].write_latency - 1), items,
-                           fifo_names[i]});
+            all.push_back({fifo_key_name(id, "depth"), depth, items, id.name});
+        all.push_back({fifo_key_name(id, "kind"), "memory", items, id.name});  // another read latency
+        if (Cycles const latency = testing::default_write_latency(id); latency > 0)
+            all.push_back({fifo_key_name(id, "write_latency"), text_of(latency - 1), items, id.name});
     }
 }
 
-void add_loop_mutations(std::vector<Mutation>& all, AcceleratorConfig const& defaults) {
-    for (std::size_t const i : loops_of({})) {
-        auto const id = static_cast<LoopId>(i);
-        std::string const module = name_of(loop_names[i].module);
-        std::vector<std::string> const items{"loops." + module + "." + loop_names[i].name + ".",
-                                             "modules." + module + "."};
+void add_loop_mutations(std::vector<Mutation>& all) {
+    for (LoopId const id : testing::loop_ids) {
+        if (last_loop < id)
+            break;
+        std::string const module = id.module;
+        std::vector<std::string> const items{"loops." + module + "." + id.name + ".", "modules." + module + "."};
         all.push_back({loop_key_name(id, "ii"), "2", items, ""});
         all.push_back({loop_key_name(id, "recurrence_ii"), "2", items, ""});
-        all.push_back({loop_key_name(id, "depth"), text_of(defaults.loops[i].depth + 1), items, ""});
+        all.push_back({loop_key_name(id, "depth"), text_of(testing::default_depth(id) + 1), items, ""});
     }
-    all.push_back(
-        {"accelerator.loops.rasterizer.setup.depth", text_of(defaults.setup_depth + 1), {"modules.rasterizer."}, ""});
+    all.push_back({"accelerator.loops.rasterizer.setup.depth",
+                   text_of(testing::setup_depth_of({}) + 1),
+                   {"modules.rasterizer."},
+                   ""});
 }
 
 std::vector<Mutation> all_mutations() {
-    AcceleratorConfig const defaults;
     std::vector<Mutation> all;
-    add_fifo_mutations(all, defaults);
-    add_loop_mutations(all, defaults);
-    for (std::size_t i = 0; i < bram_count; ++i)
+    add_fifo_mutations(all);
+    add_loop_mutations(all);
+    for (BramId const id : testing::bram_ids)
         for (char const* const ports : {"1", "3"})
-            all.push_back(
-                {bram_key_name(static_cast<BramId>(i), "ports"),
-                 ports,
-                 {std::string("brams.") + bram_names[i] + ".", std::string("modules.") + bram_owners[i] + "."},
-                 ""});
+            all.push_back({bram_key_name(id, "ports"),
+                           ports,
+                           {std::string("brams.") + id.name + ".",
+                            std::string("modules.") + bram_owners[index_of(id)] + "."},
+                           ""});
     return all;
 }
 
@@ -88,7 +100,7 @@ std::vector<Mutation> all_mutations() {
 std::vector<std::uint64_t> guarded_figures(RunStatistics const& run) {
     std::vector<std::uint64_t> figures{run.total_cycles};
     for (SampleStatistics const& sample : run.samples)
-        figures.insert(figures.end(), {sample.start_cycle, sample.end_cycle, sample.counters.inlier});
+        figures.insert(figures.end(), {sample.start_cycle, sample.end_cycle, testing::counters_of(sample).inlier});
     for (CoreStatistics const& core : run.cores) {
         for (FifoStatistics const& fifo : core.fifos)
             figures.insert(figures.end(), {fifo.full_stall_cycles, fifo.empty_stall_cycles, fifo.max_occupancy});
@@ -107,7 +119,7 @@ std::vector<std::uint64_t> simulated(std::string const& trace, std::vector<std::
     LoadedConfig loaded = load_config(source + "/configs/faster_zcu102.yaml", overrides);
     Stimulus const stimulus = io::read_trace(source + "/traces/" + trace);
     adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
-    RunStatistics const run = run_forked(loaded.config.accelerator, stimulus, Engine::decoupled).statistics;
+    RunStatistics const run = run_forked(accelerator_of(loaded.config), stimulus, Engine::decoupled).statistics;
     return run.deadlocked() ? std::vector<std::uint64_t>{} : guarded_figures(run);
 }
 

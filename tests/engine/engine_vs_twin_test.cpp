@@ -4,6 +4,7 @@
 #include <random>
 
 #include "support/engine_agreement.hpp"
+#include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
 
 namespace faster::testing {

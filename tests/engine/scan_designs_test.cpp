@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/forked_simulation.hpp"
+#include "support/parts.hpp"
 #include "support/small_stimulus.hpp"
 
 namespace faster::testing {

@@ -4,6 +4,7 @@
 #include "faster/faster_config.hpp"
 #include "kernel/config/keys.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
 
 namespace faster::testing {

@@ -25,6 +25,7 @@ struct Case {
     Stimulus stimulus;
     AcceleratorConfig config;
     events::EventFile file;
+    Machine machine;
 
     Case(Stimulus of, AcceleratorConfig on) : stimulus(std::move(of)), config(std::move(on)) {
         test::TempFolder const folder;
@@ -33,13 +34,13 @@ struct Case {
         REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
         config = accelerator_of(file.loaded.config);
+        machine = testing::raster_machine(config);
     }
 
-    Machine machine() const { return testing::raster_machine(config); }
     /// With these options, on the configuration that was recorded.
     Sizing size(SizingOptions const& options) const { return size_fifos(file.run, file.loaded.config, options); }
     Cycles cycles(Choice const& choice) const {
-        RunStatistics const run = retiming::retime(file.run, with_choice(machine(), choice));
+        RunStatistics const run = retiming::retime(file.run, with_choice(machine, choice));
         return run.deadlocked() ? Cut::deadlock : run.total_cycles;
     }
 };
@@ -188,7 +189,7 @@ TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]"
     std::size_t tried = 0;
     for (std::uint64_t seed = 60; seed < 70; ++seed) {
         Case const one = random_case(seed);
-        CoreTimes times(one.file.run, one.machine());
+        CoreTimes times(one.file.run, one.machine);
         Random random(seed);
         for (int i = 0; i < 20; ++i) {
             Cut const cut = times.explain(0, random_choice(random));
@@ -217,7 +218,7 @@ TEST_CASE("Unlimited FIFOs beside others take as long as those with room for eve
     std::size_t deadlocks = 0;
     for (std::uint64_t seed = 70; seed < 80; ++seed) {
         Case const one = random_case(seed);
-        CoreTimes times(one.file.run, one.machine());
+        CoreTimes times(one.file.run, one.machine);
         Random random(seed);
         for (int i = 0; i < 30; ++i) {
             CAPTURE(seed, i);
@@ -300,7 +301,7 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
         Sizing const sizing = one.size(within(percent));
         check_certificate(one, sizing);
         AcceleratorConfig config = one.config;
-        MachineSettings const sized = with_choice(one.config, one.machine(), sizing.answer.choice);
+        MachineSettings const sized = with_choice(one.config, one.machine, sizing.answer.choice);
         for (FifoId const id : fifo_ids)
             config.fifo(id).depth = sized.fifo(id).depth;  // not the kind: auto is decided by the depth
         RunStatistics const run = testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;

@@ -32,7 +32,7 @@ void check_engines(AcceleratorConfig const& config, Stimulus const& stimulus) {
 
 TEST_CASE("Engines agree on meshes under the default machine", "[engines_on_meshes]") {
     AcceleratorConfig config;
-    config.raster_cores = 2;
+    config.cores = 2;
     for (char const* object : {"cracker_box", "banana", "mug"}) {
         CAPTURE(object);
         check_engines(config, scene_of(object, 5));
@@ -46,7 +46,7 @@ TEST_CASE("Engines agree on meshes with every edge map algorithm", "[engines_on_
           EdgeMapAlgorithm::dual_map_4_1_2, EdgeMapAlgorithm::inner_border}) {
         CAPTURE(static_cast<int>(algorithm));
         AcceleratorConfig config;
-        config.raster_cores = 2;
+        config.cores = 2;
         config.edge_map.algorithm = algorithm;
         check_engines(config, scene);
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/scorer.hpp"
+#include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "workload/files/mesh_file.hpp"
@@ -110,11 +111,12 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
         CAPTURE(sample);
         SampleCounters const counters = scorer.run(sample);
         CHECK(run.statistics.samples[sample].sample == sample);
-        CHECK(run.statistics.samples[sample].counters.valid_raster == counters.valid_raster);
-        CHECK(run.statistics.samples[sample].counters.valid_depth == counters.valid_depth);
-        CHECK(run.statistics.samples[sample].counters.inlier == counters.inlier);
-        CHECK(run.statistics.samples[sample].counters.valid_edge == counters.valid_edge);
-        CHECK(run.statistics.samples[sample].counters.edge_inlier == counters.edge_inlier);
+        SampleCounters const found = counters_of(run.statistics.samples[sample]);
+        CHECK(found.valid_raster == counters.valid_raster);
+        CHECK(found.valid_depth == counters.valid_depth);
+        CHECK(found.inlier == counters.inlier);
+        CHECK(found.valid_edge == counters.valid_edge);
+        CHECK(found.edge_inlier == counters.edge_inlier);
         CHECK(first_difference(run.maps[sample].edge_map, scorer.maps().edge_map) == "");
         CHECK(first_difference(run.maps[sample].object_map, scorer.maps().object_map) == "");
         CHECK(first_difference(run.maps[sample].depth_buffer, scorer.maps().depth_buffer) == "");
@@ -153,7 +155,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
 
 AcceleratorConfig machine_of_seed(std::uint64_t seed) {
     AcceleratorConfig config;
-    config.raster_cores = 1 + seed % 3;
+    config.cores = 1 + seed % 3;
     config.edge_map.flush_last = seed % 2 == 1;
     return config;
 }

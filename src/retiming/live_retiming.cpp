@@ -64,7 +64,7 @@ struct LiveRetiming::Core {
 LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, AcceleratorConfig const& config,
                            std::vector<CoreShare> const& shares)
     : config_(config), lead_(blueprint, Parts(config)), cutter_(blueprint, rasterizer_and_followers(Parts(config))) {
-    auto const automaton = std::make_shared<timing::Automaton>(timing::Automaton::use_by(shares.size()));
+    auto const automaton = std::make_shared<timing::Automaton>();
     for (CoreShare const& share : shares) {
         std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, config);
         timing->let_follow(rasterizer_and_followers(Parts(config)), automaton);

@@ -16,7 +16,7 @@ constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
 
 /// A loop that reads and writes carries setups along, which no state tells.
 bool is_known(LoopShape const& loop) {
-    return loop.reads.empty() && ProcessTiming::iterations_that_count(loop) <= ProcessFlags::most_begun;
+    return loop.reads.empty() && iterations_that_count(loop) <= ProcessFlags::most_begun;
 }
 
 bool is_regular(LoopShape const& loop) {
@@ -40,7 +40,7 @@ bool can_follow(Group const& group) {
 }
 }  // namespace
 
-Automaton::Automaton(Use use) : use_(use) {}
+Automaton::Automaton() = default;
 Automaton::~Automaton() = default;
 
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
@@ -167,18 +167,10 @@ void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> co
 Automaton::Slot const* Automaton::work_out(Print const& print) {
     once_ = Slot();
     once_.print = print;
-    bench_->forget_told();
     task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
     if (!work_out(once_))
         return nullptr;
-    leave_out_told();
     return once_.number < first_loose ? table_.add(once_) : &once_;
-}
-
-/// The only core there is takes what has been worked out.
-void Automaton::leave_out_told() {
-    if (use_ == Use::by_one_core)
-        bench_->leave_out_told();
 }
 
 /// Performs the task on the bench. False if the driver cannot finish it.

@@ -31,10 +31,7 @@ class Automaton {
         bool later = false;  ///< stopped where some process has not said yet what it does
     };
 
-    enum class Use { by_one_core, by_many };
-    static Use use_by(std::size_t cores) { return cores == 1 ? Use::by_one_core : Use::by_many; }
-
-    explicit Automaton(Use use = Use::by_many);
+    Automaton();
     ~Automaton();
 
     /// Whether a core can be followed at all. The first core asked about gives the shape.
@@ -105,7 +102,6 @@ class Automaton {
     void note(Session& session, Number number, Cycles begin) const;
     static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
     Slot const* work_out(Print const& print);
-    void leave_out_told();
     bool perform(StateView from);
     Number number_of_state();
     bool work_out(Slot& slot);
@@ -156,7 +152,6 @@ class Automaton {
     Phrase phrase_;
     TransitionBench::Task task_;
     Session* session_ = nullptr;  ///< at hand
-    Use use_;
     bool decided_ = false;
     bool usable_ = false;
     bool driver_is_regular_ = false;
@@ -173,7 +168,7 @@ class Automaton {
     std::vector<Number> sequence_;
     CutTrial cut_trial_;
     Slot once_;  ///< the last that was not worth remembering
-    StateWords words_;
+    StatePage page_;
     std::uint64_t phrases_ = 0;
     std::uint64_t worked_out_ = 0;
     std::uint64_t worked_out_before_ = 0;  ///< the trial at hand

@@ -179,11 +179,11 @@ bool Automaton::begin(Group const& group, Script const* script) {
     // The logs stay where they are: the state of a follower at rest has none. Where a script goes on, what is left of
     // them belongs to the state.
     std::uint32_t const logs = script == nullptr ? 0 : group.readers();
-    if (!real.save(words_, logs))
+    if (!real.save(page_, logs))
         return false;
     real.clear_logs(logs);
     session_->begin = session_->time = group.driver().local_time();
-    bench_->go_to(words_);
+    bench_->go_to(page_.words());
     std::vector<TransitionBench::Waiting> const waitings = bench_->park(worked_on_.figures);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         TransitionBench::Waiting const& waiting = waitings[m - 1];

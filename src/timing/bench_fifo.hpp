@@ -14,6 +14,9 @@ namespace faster::timing {
 class BenchLine {
   public:
     using Cycle = std::int32_t;
+    using Time = std::int64_t;
+    using Reader = Cycle const*;
+    using Writer = Cycle*;
     static constexpr Cycle over = -(Cycle{1} << 30);
     /// So many behind end() may be looked at, and are nothing.
     static constexpr std::uint64_t slack = 8;
@@ -27,17 +30,19 @@ class BenchLine {
     BenchLine& operator=(BenchLine const&) = delete;
     ~BenchLine() = default;
 
-    void load(std::uint64_t count_over, StateWord const* cycles, std::uint64_t count) {
+    /// Takes up a state's times, behind some that are over.
+    void load_end(std::uint64_t count_over, Time /*when*/, std::uint64_t count, Time /*base*/,
+                  StateWord const* cycles) {
         Cycle* const begin = cycles_.data() + before_;
         place(begin, begin);
-        if (count > 0) {
-            reserve(count);
-            std::copy(cycles, cycles + count, end_);
-            end_ += count;
-        }
+        if (count > 0)
+            append(cycles, count);
         front_ -= count_over;
         first_ = front_;
         first_end_ = end_;
+    }
+    void load_front(std::uint64_t count_over, Time when, std::uint64_t count, Time base, StateWord const* cycles) {
+        load_end(count_over, when, count, base, cycles);
     }
     /// From here on, consumed() and appended() count.
     void start() {
@@ -48,16 +53,21 @@ class BenchLine {
     }
 
     std::uint64_t known() const { return static_cast<std::uint64_t>(end_ - front_); }
-    /// From the front on; of known() ones.
-    Cycle const* cycles() const { return front_; }
+    Cycle operator[](std::uint64_t i) const { return front_[i]; }
     void consume(std::uint64_t count) { front_ += count; }
-    /// Makes sure that so many can be appended.
-    void reserve(std::uint64_t count) {
-        if (limit_ - end_ < static_cast<std::ptrdiff_t>(count))
-            grow(count);
+    void append(Time cycle) {
+        reserve(1);
+        *end_++ = static_cast<Cycle>(cycle);
     }
-    Cycle* end() { return end_; }
-    void append(std::uint64_t count) { end_ += count; }
+
+    /// Many at once: what is to be consumed, and what is to be appended; the line itself changes with consume() and
+    /// done().
+    Reader reader() const { return front_; }
+    Writer writer(std::uint64_t count) {
+        reserve(count);
+        return end_;
+    }
+    void done(std::uint64_t count) { end_ += count; }
 
     std::uint64_t consumed() const { return static_cast<std::uint64_t>(front_ - first_); }
     std::uint64_t appended() const { return static_cast<std::uint64_t>(end_ - first_end_); }
@@ -74,8 +84,28 @@ class BenchLine {
         return static_cast<std::uint64_t>(last - front_);
     }
 
+    /// Puts `count` down, relative to a base. By eights, so that a compiler makes few instructions of it: there is room
+    /// behind both.
+    void copy(std::uint64_t first, std::uint64_t count, Time base, StateWord* to) const {
+        auto const origin = static_cast<Cycle>(base);
+        Cycle const* const from = front_ + first;
+        for (std::uint64_t i = 0; i < count; i += slack)
+            for (std::uint64_t k = 0; k < slack; ++k)
+                to[i + k] = from[i + k] - origin;
+    }
+
   private:
     static constexpr std::uint64_t room_to_start = 64;
+
+    /// Makes sure that so many can be appended.
+    void reserve(std::uint64_t count) {
+        if (limit_ - end_ < static_cast<std::ptrdiff_t>(count))
+            grow(count);
+    }
+    void append(StateWord const* cycles, std::uint64_t count) {
+        reserve(count);
+        end_ = std::copy(cycles, cycles + count, end_);
+    }
 
     void place(Cycle* front, Cycle* end) {
         front_ = first_ = front;
@@ -107,67 +137,28 @@ class BenchLine {
 };
 
 /// A FIFO on the bench: whatever happens to it in one transition, from a state on.
-struct BenchFifo {
-    explicit BenchFifo(FifoShape const& shape)
-        : capacity(shape.capacity),
-          room(shape.capacity + shape.issue_latency),
-          read_latency(static_cast<BenchLine::Cycle>(shape.read_latency)),
-          later_than_write(static_cast<BenchLine::Cycle>(shape.issue_latency + shape.read_latency)),
-          readable(room),
-          free(room) {}
+struct BenchFifo : FifoRules<BenchLine> {
+    explicit BenchFifo(FifoShape const& shape) : FifoRules(shape, room_of(shape)) {}
 
-    /// Returns the words behind its own.
-    StateWord const* load(StateWord const* words) {
-        FifoCounts const counts = FifoCounts::of(words);
-        words += FifoCounts::words;
-        std::uint64_t const tokens = counts.tokens - counts.tokens_over;
-        readable.load(counts.tokens_over, words, tokens);
-        std::uint64_t const writes = room - counts.tokens - counts.room_over;
-        free.load(counts.room_over, words + tokens, writes);
-        return words + tokens + writes;
-    }
     void start() {
         readable.start();
         free.start();
     }
 
     /// The largest occupancy that shows in what happened since start(), of pairs of a write and a read, one of which
-    /// happened since; or `known`, if that is larger.
-    std::uint64_t largest_occupancy(std::uint64_t known = 0) const {
-        if (known >= capacity)
-            return known;
-        std::uint64_t const largest =
-            free.consumed() > 0 ? largest_behind_writes(std::max<std::uint64_t>(known, 1)) : known;
-        return readable.consumed() > 0 ? largest_before_reads(largest) : largest;
-    }
-
-    std::uint64_t capacity;
-    std::uint64_t room;
-    BenchLine::Cycle read_latency;
-    BenchLine::Cycle later_than_write;
-    BenchLine readable;  ///< from when on tokens can be read
-    BenchLine free;      ///< from when on there is room for a write
+    /// happened since.
+    std::uint64_t largest_occupancy() const { return largest_before_reads(largest_behind_writes()); }
 
   private:
     /// Of reads before start().
-    std::uint64_t largest_behind_writes(std::uint64_t largest) const {
+    std::uint64_t largest_behind_writes() const {
         std::uint64_t const writes = free.consumed(), known = free.all_count() - free.appended();
-        if (known == 0)
-            return largest;
         BenchLine::Cycle const* const freed = free.all();
         BenchLine::Cycle const* const written = readable.fresh();  // each readable read_latency later
-        BenchLine::Cycle const earlier = read_latency - 1;
-        // Neither does a later write find one of those reads behind it: times never fall.
-        BenchLine::Cycle const last = freed[known - 1] + earlier;
-        for (std::uint64_t w = 0; w < writes && written[w] < last; ++w) {
-            BenchLine::Cycle const until = written[w] - earlier;
-            // The oldest of the m tokens before this one was read a cycle before freed[w + room - m].
-            std::uint64_t m = std::max(largest, w + room + 1 - known);
-            for (; m < capacity && freed[w + room - m] > until; largest = m)
-                ++m;
-            if (largest == capacity)
-                break;
-        }
+        std::uint64_t largest = writes > 0 ? 1 : 0;
+        // A write behind the last of those reads finds none of them behind it, nor does a later one: times never fall.
+        for (std::uint64_t w = 0; w < std::min(writes, known) && written[w] - read_latency + 1 < freed[known - 1]; ++w)
+            largest = raised_by_write(largest, written[w], known - w, [&](std::uint64_t i) { return freed[w + i]; });
         return largest;
     }
     /// Of writes before them, whenever they were.
@@ -175,15 +166,9 @@ struct BenchFifo {
         std::uint64_t const reads = readable.consumed(), known = readable.all_count();
         BenchLine::Cycle const* const readable_from = readable.all();
         BenchLine::Cycle const* const read = free.fresh();  // each a cycle later
-        std::uint64_t token = largest;                      // the first that is not written before a read
-        for (std::uint64_t r = 0; r < reads && token < known && largest < capacity; ++r, ++token) {
-            BenchLine::Cycle const until = read[r] - 1 + read_latency;
-            for (; readable_from[token] < until; largest = token - r) {
-                ++token;
-                if (token - r == capacity || token == known)
-                    return token - r;
-            }
-        }
+        for (std::uint64_t r = 0; r < reads && r + largest < known && largest < capacity; ++r)
+            largest =
+                raised_by_read(largest, read[r] - 1, known - r, [&](std::uint64_t i) { return readable_from[r + i]; });
         return largest;
     }
 };

@@ -9,10 +9,10 @@ namespace faster::timing {
 
 FifoTiming& CoreTiming::add_fifo(FifoShape shape) { return fifos_.emplace_back(std::move(shape)); }
 
-ProcessTiming& CoreTiming::add_process(std::string name) {
+ProcessTiming& CoreTiming::add_process(std::string name, std::shared_ptr<ProcessShape> shape) {
     if (processes_.size() == most_processes)
         throw std::logic_error(name + ": a core has at most 31 processes");
-    return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()));
+    return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()), std::move(shape));
 }
 
 std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
@@ -43,14 +43,11 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     for (FifoTiming const& fifo : fifos_)
         copy->add_fifo(fifo.shape());
     for (ProcessTiming const& process : processes_) {
-        ProcessTiming& same = copy->add_process(process.name());
+        ProcessTiming& same = copy->add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
             FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
             process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
         }
-        for (LoopShape const& loop : process.loops())
-            same.add_loop(loop);
-        same.set_setup_cycles(process.setup_cycles());
     }
     return copy;
 }

@@ -30,7 +30,9 @@ class CoreTiming {
     static constexpr std::size_t most_processes = 31;  ///< a bit each
 
     FifoTiming& add_fifo(FifoShape shape);
-    ProcessTiming& add_process(std::string name);
+    /// The shape may be that of another process of the same ports.
+    ProcessTiming& add_process(std::string name,
+                               std::shared_ptr<ProcessShape> shape = std::make_shared<ProcessShape>());
 
     /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later
     /// whose answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the

@@ -1,38 +1,25 @@
 #include "timing/relative_state.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
 
 namespace faster::timing {
 
-/// No further access of the process is before this cycle: its local time, less what it will go back when it leaves a
-/// loop whose last tokens are out before the last initiation interval is over.
-Cycles RelativeState::not_before(unsigned member) const {
-    ProcessTiming const& p = process(member);
-    std::int64_t const drain = p.in_loop_ ? p.plans_[p.current_loop_].drain : 0;
-    return p.time_ + static_cast<Cycles>(std::min<std::int64_t>(drain, 0));
-}
-
 std::uint8_t RelativeState::next_ports(unsigned member) const {
     ProcessTiming const& p = process(member);
-    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log_.front().ports();
+    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log().front().ports();
 }
 
 void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
     ProcessTiming& p = process(member);
-    if (p.writes(port)) {
-        p.fifo(port).full_stall_cycles_ += cycles;
-        p.full_stall_cycles_ += cycles;
-    } else {
-        p.fifo(port).empty_stall_cycles_ += cycles;
-        p.empty_stall_cycles_ += cycles;
-    }
+    p.fifo(port).add_stall(p.writes(port), cycles);
+    (p.writes(port) ? p.figures_.full_stall_cycles : p.figures_.empty_stall_cycles) += cycles;
 }
 
 void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since) {
     ProcessTiming& p = process(member);
     if (port != no_port) {
-        charge(member, port, since - p.time_);  // in two's complement: what was charged ahead is taken back
+        charge(member, port, since - p.state_.time);  // in two's complement: what was charged ahead is taken back
         // What the step has found already was there when the waiting began; the state only knows that it is there now.
         std::uint32_t const before = (1U << port) - 1U;
         for (std::uint32_t mask = next_ports(member) & before; mask != 0; mask &= mask - 1)
@@ -40,52 +27,46 @@ void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycle
         p.charged_until_ = since;
         p.arrival_ = arrival;
     }
-    p.time_ = since;
+    p.state_.time = since;
 }
 
 void RelativeState::make_legal(unsigned member, unsigned port, Cycles from) {
-    ProcessTiming const& p = process(member);
-    FifoTiming& fifo = p.fifo(port);
-    Cycles& earliest = p.writes(port) ? fifo.free_from_[(fifo.writes_ - fifo.room_) & fifo.index_mask_]
-                                      : fifo.readable_from_[fifo.reads_ & fifo.index_mask_];
+    Cycles& earliest = (*process(member).ports_[port].end.consumes)[0];
     earliest = std::min(earliest, from);
 }
 
-/// Where words are put down, with times since a base.
-class RelativeState::Pen {
-  public:
-    Pen(StateWords& words, Cycles base) : words_(words), base_(base) { words_.clear(); }
-
-    void put(StateWord word) { words_.push_back(word); }
-    void put_time(Cycles cycle) {
-        auto const distance = static_cast<std::int64_t>(cycle - base_);
-        is_near_ = is_near_ && std::abs(distance) <= furthest_apart;
-        put(static_cast<StateWord>(distance));
-    }
-    /// What puts so many words down.
-    template <class Put> void put(std::size_t words, Put const& put) {
-        words_.resize(words_.size() + words);
-        put(words_.data() + words_.size() - words);
-    }
-    bool is_near() const { return is_near_; }
-
-  private:
-    StateWords& words_;
-    Cycles base_;
-    bool is_near_ = true;
-};
-
-bool RelativeState::save(StateWords& words, std::uint32_t with_logs) const {
+bool RelativeState::save(StatePage& page, std::uint32_t with_logs) const {
     ProcessTiming const& driver = process(0);
-    if (driver.in_loop_ && !driver.plans_[driver.current_loop_].aligned &&
-        (driver.pipeline_.open || driver.pipeline_.gap_left > 0))
+    PipelinePosition const& pipeline = driver.state_.pipeline;
+    if (driver.in_loop() && !driver.plan_->aligned && (pipeline.open || pipeline.gap_left > 0))
         return false;
-    Pen pen(words, driver.time_);
-    for (unsigned m = 0; m < group_->members().size(); ++m)
-        save_process(m, m > 0 && ((with_logs >> m) & 1U) != 0, pen);
+    page.start(static_cast<std::int64_t>(driver.local_time()), most_words());
+    for (unsigned m = 0; m < group_->members().size(); ++m) {
+        ProcessFlags flags;
+        flags.next_ports = outlooks_[m].next_ports;
+        flags.frozen = outlooks_[m].frozen;
+        save_process(process(m).rules(), flags, m > 0 && ((with_logs >> m) & 1U) != 0, page);
+    }
+    for (Group::Inner const& inner : group_->fifos()) {
+        auto const reads_from = static_cast<std::int64_t>(process(inner.reader).not_before());
+        auto const writes_from = static_cast<std::int64_t>(process(inner.writer).not_before());
+        // Where a frozen writer finds room is told elsewhere.
+        save_fifo(inner.fifo->rules_, reads_from,
+                  outlooks_[inner.writer].frozen ? std::numeric_limits<std::int64_t>::max() : writes_from, page);
+    }
+    return page.reach() <= furthest_apart;
+}
+
+std::size_t RelativeState::most_words() const {
+    std::size_t words = 0;
+    for (Group::Member const& member : group_->members()) {
+        words += 1 + ProcessFlags::words + words_of_operation * member.process->log().pending();
+        for (LoopPlan const& plan : member.process->shape()->plans)
+            words += plan.longest_lag;
+    }
     for (Group::Inner const& inner : group_->fifos())
-        save_fifo(inner, pen);
-    return pen.is_near();
+        words += FifoCounts::words + inner.fifo->rules_.room;
+    return words;
 }
 
 void RelativeState::clear_logs(std::uint32_t members) {
@@ -94,107 +75,16 @@ void RelativeState::clear_logs(std::uint32_t members) {
             process(m).log_.clear();
 }
 
-void RelativeState::save_process(unsigned member, bool with_log, Pen& pen) const {
-    ProcessTiming const& p = process(member);
-    Outlook const& outlook = outlooks_[member];
-    ProcessFlags flags;
-    flags.loop = p.in_loop_ ? p.current_loop_ + 1 : 0;
-    flags.begun = p.in_loop_ ? std::min(p.iterations_, p.plans_[p.current_loop_].counting) : 0;
-    flags.next_ports = outlook.next_ports;
-    flags.frozen = outlook.frozen;
-    flags.left = with_log ? p.log_.pending() : 0;
-    if (outlook.frozen)
-        pen.put(0);
-    else
-        pen.put_time(p.time_);
-    pen.put(ProcessFlags::words, [&flags](StateWord* to) { flags.put(to); });
-    if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
-        ProcessTiming::LoopPlan const& plan = p.plans_[p.current_loop_];
-        std::uint64_t const iteration = p.pipeline_.iteration;
-        for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
-            pen.put(iteration < lag ? 0 : plan.delay_line[(iteration - lag) % plan.delay_line.size()]);
-    }
-    for (std::size_t i = 0; i < flags.left; ++i)
-        pen.put(words_of_operation, [&](StateWord* to) { put_code(p.log_.begin()[i].code(), to); });
-}
-
-/// Of its times only those that are not over, when neither end does anything before its floor: a time before that
-/// decides nothing, it could as well be that time. Times never fall. Where a frozen writer finds room is told
-/// elsewhere.
-void RelativeState::save_fifo(Group::Inner const& inner, Pen& pen) const {
-    FifoTiming const& fifo = *inner.fifo;
-    bool const frozen = outlooks_[inner.writer].frozen;
-    std::uint64_t const room = fifo.known_writes();
-    FifoCounts counts;
-    counts.tokens = counts.tokens_over = fifo.known_reads();
-    while (counts.tokens_over > 0 && fifo.earliest_read(counts.tokens_over - 1) > not_before(inner.reader))
-        --counts.tokens_over;
-    counts.room_over = room;
-    while (!frozen && counts.room_over > 0 && fifo.earliest_write(counts.room_over - 1) > not_before(inner.writer))
-        --counts.room_over;
-    pen.put(FifoCounts::words, [&counts](StateWord* to) { counts.put(to); });
-    for (std::uint64_t i = counts.tokens_over; i < counts.tokens; ++i)
-        pen.put_time(fifo.earliest_read(i));
-    for (std::uint64_t i = counts.room_over; i < room; ++i)
-        pen.put_time(fifo.earliest_write(i));
-}
-
 void RelativeState::restore(StateView state, Cycles driver_time) {
     StateWord const* next = state.words;
-    for (unsigned m = 0; m < group_->members().size(); ++m)
-        next = restore_process(m, driver_time, next);
-    for (Group::Inner const& inner : group_->fifos())
-        next = restore_fifo(inner, driver_time, next);
-}
-
-StateWord const* RelativeState::restore_process(unsigned member, Cycles base, StateWord const* words) {
-    ProcessTiming& p = process(member);
-    p.time_ = base + static_cast<Cycles>(std::int64_t{*words++});
-    ProcessFlags const flags = ProcessFlags::of(words);
-    words += ProcessFlags::words;
-    p.in_loop_ = flags.loop != 0;
-    if (p.in_loop_)
-        p.current_loop_ = flags.loop - 1;
-    p.iterations_ = flags.begun;
-    outlooks_[member] = {flags.next_ports, flags.frozen};
-    p.front_ports_ = 0;
-    p.run_.active = false;
-    if (p.in_loop_ && !p.plans_[p.current_loop_].aligned) {
-        ProcessTiming::LoopPlan& plan = p.plans_[p.current_loop_];
-        p.pipeline_ = ProcessTiming::PipelinePosition{};
-        ++p.pipeline_run_;
-        p.pipeline_.iteration = plan.longest_lag;
-        p.pipeline_.drain_left = plan.longest_lag;
-        for (std::uint64_t lag = 1; lag <= plan.longest_lag; ++lag)
-            plan.delay_line[(plan.longest_lag - lag) % plan.delay_line.size()] = static_cast<std::uint8_t>(*words++);
+    for (unsigned m = 0; m < group_->members().size(); ++m) {
+        ProcessFlags flags;
+        next = load_process(process(m).rules(), driver_time, next, flags);
+        outlooks_[m] = {flags.next_ports, flags.frozen};
     }
-    for (std::size_t i = flags.left; i > 0; --i)
-        p.log_.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
-    return words + words_of_operation * flags.left;
-}
-
-StateWord const* RelativeState::restore_fifo(Group::Inner const& inner, Cycles base, StateWord const* words) {
-    FifoTiming& fifo = *inner.fifo;
-    FifoCounts const counts = FifoCounts::of(words);
-    words += FifoCounts::words;
-    fifo.writes_ = fifo.reads_ + counts.tokens;
-    std::uint64_t const room = fifo.known_writes();
-    std::uint64_t const first_room = fifo.writes_ - fifo.room_;
-    auto const readable_from = [&fifo](std::uint64_t i) -> Cycles& {
-        return fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_];
-    };
-    auto const free_from = [&fifo, first_room](std::uint64_t i) -> Cycles& {
-        return fifo.free_from_[(first_room + i) & fifo.index_mask_];
-    };
-    for (std::uint64_t i = 0; i < counts.tokens_over; ++i)
-        readable_from(i) = not_before(inner.reader);
-    for (std::uint64_t i = 0; i < counts.room_over; ++i)
-        free_from(i) = not_before(inner.writer);
-    for (std::uint64_t i = counts.tokens_over; i < counts.tokens; ++i)
-        readable_from(i) = base + static_cast<Cycles>(std::int64_t{*words++});
-    for (std::uint64_t i = counts.room_over; i < room; ++i)
-        free_from(i) = base + static_cast<Cycles>(std::int64_t{*words++});
-    return words;
+    for (Group::Inner const& inner : group_->fifos())
+        next = load_fifo(inner.fifo->rules_, driver_time, process(inner.reader).not_before(),
+                         process(inner.writer).not_before(), next);
 }
 
 std::vector<Cycles> RelativeState::room_times(unsigned number) const {
@@ -207,7 +97,7 @@ std::vector<Cycles> RelativeState::room_times(unsigned number) const {
 
 void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle) {
     FifoTiming& fifo = *group_->fifos()[number].fifo;
-    fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = cycle;
+    fifo.rules_.free[i] = cycle;
 }
 
 std::uint32_t RelativeState::blocks_of(ProcessTiming const& process) {
@@ -232,9 +122,9 @@ void RelativeState::enter(FigureTotals const& figures) {
         auto const [tokens, full_stalls, empty_stalls] = next->sums;
         inner.fifo->passed_ += tokens;
         inner.fifo->full_stall_cycles_ += full_stalls;
-        process(inner.writer).full_stall_cycles_ += full_stalls;
+        process(inner.writer).figures_.full_stall_cycles += full_stalls;
         inner.fifo->empty_stall_cycles_ += empty_stalls;
-        process(inner.reader).empty_stall_cycles_ += empty_stalls;
+        process(inner.reader).figures_.empty_stall_cycles += empty_stalls;
         inner.fifo->max_occupancy_ = std::max(inner.fifo->max_occupancy_, next->largest);
         ++next;
     }
@@ -242,12 +132,12 @@ void RelativeState::enter(FigureTotals const& figures) {
 
 /// Returns what is behind its loops' figures.
 FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, FigureTotals::const_iterator figures) {
-    for (unsigned i = 0; i < process.loops_.size(); ++i) {
-        LoopCounters& loop = process.loop_counters_[i];
+    for (unsigned i = 0; i < process.loops().size(); ++i) {
+        LoopCounters& loop = process.figures_.loops[i];
         loop.entries += figures->sums[0];
         loop.iterations += figures->sums[1];
         ++figures;
-        if (blocks_of(process.loops_[i]) == 1)
+        if (blocks_of(process.loops()[i]) == 1)
             continue;
         loop.recurrence_beyond_end += figures->sums[0];
         loop.port_conflict_beyond_end += figures->sums[1];

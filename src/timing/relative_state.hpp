@@ -26,7 +26,7 @@ class RelativeState {
 
     /// False if the driver is in the middle of an iteration, or times are too far apart. With what the logs of the
     /// followers of a mask hold.
-    bool save(StateWords& words, std::uint32_t with_logs) const;
+    bool save(StatePage& page, std::uint32_t with_logs) const;
     void clear_logs(std::uint32_t members);
     /// Puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
@@ -39,10 +39,10 @@ class RelativeState {
     /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
     void enter(FigureTotals const& figures);
 
-    bool is_in_loop(unsigned member) const { return process(member).in_loop_; }
-    std::uint64_t entries(unsigned member) const { return process(member).loops_entered_; }
-    std::uint64_t iterations(unsigned member) const { return process(member).iterations_; }
-    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).iterations_ = iterations; }
+    bool is_in_loop(unsigned member) const { return process(member).in_loop(); }
+    std::uint64_t entries(unsigned member) const { return process(member).figures_.loops_entered; }
+    std::uint64_t iterations(unsigned member) const { return process(member).iterations(); }
+    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).state_.iterations = iterations; }
     /// Moves a follower back to when its waiting for a port began.
     void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
@@ -51,16 +51,11 @@ class RelativeState {
 
   private:
     ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
-    Cycles not_before(unsigned member) const;
     std::uint8_t next_ports(unsigned member) const;
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
     static FigureTotals::const_iterator enter(ProcessTiming& process, FigureTotals::const_iterator figures);
-    class Pen;
-    void save_process(unsigned member, bool with_log, Pen& pen) const;
-    void save_fifo(Group::Inner const& inner, Pen& pen) const;
-    StateWord const* restore_process(unsigned member, Cycles base, StateWord const* words);
-    StateWord const* restore_fifo(Group::Inner const& inner, Cycles base, StateWord const* words);
+    std::size_t most_words() const;
 
     Group const* group_;
     std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};

@@ -198,7 +198,6 @@ bool Automaton::find_out(Walk& walk) {
         return false;
     session_ = walk.session;
     count_up(walk);
-    bench_->forget_told();
     Number const from = session_->state;
     Slot slot;
     if (!put_together(walk, slot) && !(take_up(walk, *script.next) && work_out(slot)))
@@ -206,7 +205,6 @@ bool Automaton::find_out(Walk& walk) {
     if (slot.number < first_loose)
         numbered_.add(from, *script.next, {slot.next, slot.number});
     session_->history[static_cast<std::size_t>(script.next++ - walk.begin)] = slot.number;
-    leave_out_told();
     apply(slot);
     walk.counted = script.next;
     return true;

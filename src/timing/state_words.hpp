@@ -1,7 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "timing/fifo_rules.hpp"
+#include "timing/operation.hpp"
 
 namespace faster::timing {
 
@@ -85,6 +89,113 @@ inline StateWord* put_code(std::uint64_t code, StateWord* to) {
 }
 inline std::uint64_t code_of(StateWord const* from) {
     return static_cast<std::uint32_t>(from[0]) | (std::uint64_t{static_cast<std::uint32_t>(from[1])} << 32U);
+}
+
+/// Where the words of a state are put down, with times since a base, and how far from it the earliest and the latest
+/// of them are.
+class StatePage {
+  public:
+    /// There must be room for so many behind what is put down.
+    static constexpr std::size_t slack = 8;
+
+    /// Begins anew, with room for so many words.
+    void start(std::int64_t base, std::size_t most_words) {
+        if (words_.size() < most_words + slack)
+            words_.resize(2 * (most_words + slack));
+        next_ = words_.data();
+        base_ = base;
+        earliest_ = latest_ = 0;
+    }
+    std::int64_t base() const { return base_; }
+    void put(StateWord word) { *next_++ = word; }
+    void put_time(std::int64_t time) {
+        look_at(time - base_);
+        put(static_cast<StateWord>(time - base_));
+    }
+    /// Of what never falls.
+    template <class Line> void put_times(Line const& line, std::uint64_t first, std::uint64_t end) {
+        if (first == end)
+            return;
+        look_at(static_cast<std::int64_t>(line[first]) - base_);
+        look_at(static_cast<std::int64_t>(line[end - 1]) - base_);
+        line.copy(first, end - first, base_, next_);
+        next_ += end - first;
+    }
+    template <class Flags> void put_flags(Flags const& flags) { next_ = flags.put(next_); }
+    void put_operation(std::uint64_t code) { next_ = put_code(code, next_); }
+
+    StateView words() const { return {words_.data(), static_cast<std::size_t>(next_ - words_.data())}; }
+    /// The largest distance of a time from the base.
+    std::int64_t reach() const { return std::max(-earliest_, latest_); }
+
+  private:
+    void look_at(std::int64_t distance) {
+        earliest_ = std::min(earliest_, distance);
+        latest_ = std::max(latest_, distance);
+    }
+
+    StateWords words_;
+    StateWord* next_ = nullptr;
+    std::int64_t base_ = 0;
+    std::int64_t earliest_ = 0, latest_ = 0;
+};
+
+/// What the words of a process say besides where it stands: `flags` has what the process itself does not know.
+template <class Process> void save_process(Process const& process, ProcessFlags flags, bool with_log, StatePage& page) {
+    auto const& state = process.state();
+    bool const has_delay_line = state.in_loop && !process.plan().aligned;
+    flags.loop = state.in_loop ? state.loop + 1 : 0;
+    flags.begun = state.in_loop ? std::min(state.iterations, process.plan().counting) : 0;
+    flags.left = with_log ? process.log().pending() : 0;
+    flags.frozen ? page.put(0) : page.put_time(static_cast<std::int64_t>(state.time));
+    page.put_flags(flags);
+    for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
+        page.put(state.pipeline.iteration < lag ? 0 : state.delayed(lag));
+    for (std::size_t i = 0; i < flags.left; ++i)
+        page.put_operation(process.log().begin()[i].code());
+}
+
+/// Puts the operations that are left in front of the log of the process. Returns the words behind its own.
+template <class Process>
+StateWord const* load_process(Process& process, typename Process::Time base, StateWord const* words,
+                              ProcessFlags& flags) {
+    auto const time = base + static_cast<typename Process::Time>(std::int64_t{*words++});
+    flags = ProcessFlags::of(words);
+    words += ProcessFlags::words;
+    process.restore(time, flags.loop, flags.begun);
+    bool const has_delay_line = flags.loop != 0 && !process.plan().aligned;
+    for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
+        process.restore_delayed(lag, static_cast<std::uint8_t>(*words++));
+    for (std::size_t i = flags.left; i > 0; --i)
+        process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
+    return words + words_of_operation * flags.left;
+}
+
+/// Of its times only those that are not over, when neither end does anything before `reads_from` and `writes_from`: a
+/// time before that decides nothing, it could as well be that time.
+template <class Line>
+void save_fifo(FifoRules<Line> const& fifo, std::int64_t reads_from, std::int64_t writes_from, StatePage& page) {
+    FifoCounts counts;
+    counts.tokens = fifo.readable.known();
+    counts.tokens_over = fifo.readable.count_until(reads_from);
+    counts.room_over = fifo.free.count_until(writes_from);
+    page.put_flags(counts);
+    page.put_times(fifo.readable, counts.tokens_over, counts.tokens);
+    page.put_times(fifo.free, counts.room_over, fifo.free.known());
+}
+
+/// Returns the words behind those of the FIFO. Times that are over become `reads_from` and `writes_from`, where a line
+/// tells them.
+template <class Line>
+StateWord const* load_fifo(FifoRules<Line>& fifo, typename Line::Time base, typename Line::Time reads_from,
+                           typename Line::Time writes_from, StateWord const* words) {
+    FifoCounts const counts = FifoCounts::of(words);
+    words += FifoCounts::words;
+    std::uint64_t const tokens = counts.tokens - counts.tokens_over;
+    std::uint64_t const writes = fifo.room - counts.tokens - counts.room_over;
+    fifo.readable.load_end(counts.tokens_over, reads_from, tokens, base, words);
+    fifo.free.load_front(counts.room_over, writes_from, writes, base, words + tokens);
+    return words + tokens + writes;
 }
 
 }  // namespace faster::timing

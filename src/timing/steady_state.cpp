@@ -15,7 +15,7 @@ bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
 }  // namespace
 
 std::uint32_t SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    if (given_up_[process.index()] == run_of(process) || !leads(process) || !find_group(processes))
+    if (given_up_[process.index()] == process.run_ || !leads(process) || !find_group(processes))
         return 0;
     take(now_);
     if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
@@ -29,10 +29,10 @@ std::uint32_t SteadyState::observe(ProcessTiming& process, std::deque<ProcessTim
 
 /// Who leads does so until its run is over, or others go on much more often.
 bool SteadyState::leads(ProcessTiming& process) {
-    bool const led = leader_ != nullptr && leader_->is_running(1) && run_of(*leader_) == leader_run_;
+    bool const led = leader_ != nullptr && leader_->is_running(1) && leader_->run_ == leader_run_;
     if (!led || (leader_ != &process && ++others_ > most_others)) {
         leader_ = &process;
-        leader_run_ = run_of(process);
+        leader_run_ = process.run_;
         looks_ = 0;
     }
     if (leader_ == &process)
@@ -42,23 +42,23 @@ bool SteadyState::leads(ProcessTiming& process) {
 
 void SteadyState::give_up() {
     for (ProcessTiming const* member : group_)
-        given_up_[member->index()] = run_of(*member);
+        given_up_[member->index()] = member->run_;
     leader_ = nullptr;
-}
-
-/// A number that no two runs of a process have.
-std::uint64_t SteadyState::run_of(ProcessTiming const& process) {
-    return process.run_.active ? 2 * process.run_.number : 2 * process.pipeline_run_ + 1;
 }
 
 /// A mask: of the iterations at hand, and of those that an unaligned loop still has on their way.
 std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
     std::uint32_t ports = process.log_.front().ports();
-    if (!process.run_.active)
-        for (std::uint8_t const begun : process.plans_[process.current_loop_].delay_line)
-            ports |= begun;
+    for (std::uint64_t lag = first_lag(process), lags = lags_of(process); lag <= lags; ++lag)
+        ports |= process.state_.delayed(lag);
     return ports;
 }
+
+/// Iterations whose ports are in the delay line, before the next one to begin; and the place of the latest.
+std::uint64_t SteadyState::lags_of(ProcessTiming const& process) {
+    return process.plan().aligned ? 0 : std::min(process.state_.pipeline.iteration, process.plan().longest_lag);
+}
+std::uint64_t SteadyState::first_lag(ProcessTiming const& process) { return process.state_.pipeline.open ? 0 : 1; }
 
 bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
     for (std::uint32_t ports = ports_of(process); ports != 0; ports &= ports - 1)
@@ -90,7 +90,7 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
     for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
         auto const number = static_cast<unsigned>(__builtin_ctz(ports));
-        ProcessTiming::Port const& port = member.ports_[number];
+        ProcessPort const& port = member.ports_[number];
         End end{&member, number, port.fifo, port.writes, 0};
         end.free = free_accesses(end);
         ends_.push_back(end);
@@ -113,15 +113,15 @@ std::uint64_t SteadyState::free_accesses(End const& end) {
     if (end.writes && end.fifo->is_unlimited())
         return end.known();
     ProcessTiming const& process = *end.process;
-    ProcessTiming::Port& port = end.process->ports_[end.port];
+    ProcessPort& port = end.process->ports_[end.port];
     std::uint64_t const next = end.accesses();
-    if (port.free_in_run != run_of(process) || port.free_until < next) {
-        port.free_in_run = run_of(process);
+    if (port.free_in_run != process.run_ || port.free_until < next) {
+        port.free_in_run = process.run_;
         port.free_until = next;
     }
     std::uint64_t free = port.free_until - next;
-    Cycles const interval = process.plans_[process.current_loop_].ii;
-    while (free < end.known() && end.earliest(free) <= process.time_ + free * interval)
+    Cycles const interval = process.plan().ii;
+    while (free < end.known() && end.earliest(free) <= process.state_.time + free * interval)
         ++free;
     port.free_until = next + free;
     return free;
@@ -134,40 +134,38 @@ bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
 
 /// Where an unaligned loop stands in its iteration, and what it has yet to write.
 void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative) {
-    ProcessTiming::LoopPlan const& plan = process.plans_[process.current_loop_];
-    ProcessTiming::PipelinePosition const& at = process.pipeline_;
+    PipelinePosition const& at = process.state_.pipeline;
     Operation const& operation = process.log_.front();
-    std::uint64_t const begun = at.iteration + (at.open ? 1 : 0);
-    std::uint64_t const lags = std::min<std::uint64_t>(begun, plan.delay_line.size());
+    std::uint64_t const lags = lags_of(process);
     for (std::uint64_t const word :
          {std::uint64_t{operation.ports()}, std::uint64_t{operation.gap()}, std::uint64_t{at.open},
-          std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, std::uint64_t{process.front_ports_}, lags})
+          std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, lags})
         relative.push_back(static_cast<std::int64_t>(word));
-    for (std::uint64_t lag = 1; lag <= lags; ++lag)
-        relative.push_back(plan.delay_line[(begun - lag) % plan.delay_line.size()]);
+    for (std::uint64_t lag = first_lag(process); lag <= lags; ++lag)
+        relative.push_back(process.state_.delayed(lag));
 }
 
 void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
-    std::vector<std::uint8_t>& line = process.plans_[process.current_loop_].delay_line;
+    std::vector<std::uint8_t>& line = process.state_.delay_line;
     std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
-    process.pipeline_.iteration += iterations;
+    process.state_.pipeline.iteration += iterations;
 }
 
 void SteadyState::take(Snapshot& snapshot) const {
-    Cycles const origin = leader_->time_;
+    Cycles const origin = leader_->state_.time;
     auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
     snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
     snapshot.relative.clear();
     snapshot.growing.assign(1, origin);
     for (ProcessTiming const* process : group_) {
         snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
-        snapshot.relative.push_back(static_cast<std::int64_t>(run_of(*process)));
-        snapshot.relative.push_back(since(process->time_));
-        if (!process->run_.active)
+        snapshot.relative.push_back(static_cast<std::int64_t>(process->run_));
+        snapshot.relative.push_back(since(process->state_.time));
+        if (!process->plan().aligned)
             take_pipeline(*process, snapshot.relative);
-        snapshot.growing.push_back(process->empty_stall_cycles_);
-        snapshot.growing.push_back(process->full_stall_cycles_);
-        snapshot.growing.push_back(process->iterations_);
+        snapshot.growing.push_back(process->figures_.empty_stall_cycles);
+        snapshot.growing.push_back(process->figures_.full_stall_cycles);
+        snapshot.growing.push_back(process->state_.iterations);
     }
     for (FifoTiming const* fifo : fifos_)
         snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy_));
@@ -177,7 +175,7 @@ void SteadyState::take(Snapshot& snapshot) const {
         snapshot.relative.push_back(static_cast<std::int64_t>(end.open() ? end.stalls() : end.known()));
         // A time before the local time of who waits for it decides nothing: it could as well be that time.
         for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
-            snapshot.relative.push_back(since(std::max(end.process->time_, end.earliest(i))));
+            snapshot.relative.push_back(since(std::max(end.process->state_.time, end.earliest(i))));
         snapshot.growing.push_back(end.accesses());
         snapshot.growing.push_back(end.stalls());
     }
@@ -211,14 +209,14 @@ std::uint32_t SteadyState::jump(Snapshot const& now) {
     Cycles const cycles = growth(at++);
     leave_trail(periods, cycles / periods);
     for (ProcessTiming* process : group_) {
-        process->time_ += cycles;
-        process->empty_stall_cycles_ += growth(at++);
-        process->full_stall_cycles_ += growth(at++);
+        process->state_.time += cycles;
+        process->figures_.empty_stall_cycles += growth(at++);
+        process->figures_.full_stall_cycles += growth(at++);
         std::uint64_t const iterations = growth(at++);
-        process->iterations_ += iterations;
-        if (!process->run_.active)
+        process->state_.iterations += iterations;
+        if (!process->plan().aligned)
             shift_pipeline(*process, iterations);
-        process->loop_counters_[process->current_loop_].iterations += iterations;
+        process->figures_.loops[process->state_.loop].iterations += iterations;
         Operation& operation = process->log_.front();
         operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
     }
@@ -239,10 +237,9 @@ std::uint32_t SteadyState::behind_open_ends() const {
 }
 
 void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles) {
-    (end.writes ? end.fifo->full_stall_cycles_ : end.fifo->empty_stall_cycles_) += stalls;
+    end.fifo->add_stall(end.writes, stalls);
     if (std::find(fifos_.begin(), fifos_.end(), end.fifo) == fifos_.end())
-        end.writes ? repeat<true>(*end.fifo, accesses, periods, cycles)
-                   : repeat<false>(*end.fifo, accesses, periods, cycles);
+        repeat(end, accesses, periods, cycles);
     else if (end.writes)
         shift(*end.fifo, accesses, cycles);
 }
@@ -261,28 +258,21 @@ bool SteadyState::trail_remembers(Snapshot const& snapshot) const {
 
 /// As if `tokens` more had gone through in `cycles`, and nothing else had changed.
 void SteadyState::shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles) {
-    std::vector<Cycles> readable;
-    std::vector<Cycles> writable;
-    for (std::uint64_t i = 0; i < fifo.known_reads(); ++i)
-        readable.push_back(fifo.earliest_read(i) + cycles);
-    for (std::uint64_t i = 0; i < fifo.known_writes(); ++i)
-        writable.push_back(fifo.earliest_write(i) + cycles);
-    fifo.writes_ += tokens;
-    fifo.reads_ += tokens;
-    for (std::uint64_t i = 0; i < readable.size(); ++i)
-        fifo.readable_from_[(fifo.reads_ + i) & fifo.index_mask_] = readable[i];
-    for (std::uint64_t i = 0; i < writable.size(); ++i)
-        fifo.free_from_[(fifo.writes_ + i - fifo.room_) & fifo.index_mask_] = writable[i];
+    fifo.rules_.readable.shift(tokens, cycles);
+    fifo.rules_.free.shift(tokens, cycles);
 }
 
 /// What happened in the last period happens again in each.
-template <bool Writes>
-void SteadyState::repeat(FifoTiming& fifo, std::uint64_t accesses, std::uint64_t periods, Cycles cycles) {
-    FifoTiming::Run<Writes> run(fifo);
+void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles) {
+    if (accesses == 0)
+        return;
+    FifoTiming::End const fifo_end = end.fifo->end(end.writes);
+    CycleRing::Writer const line = fifo_end.appends->writer(accesses);
     for (std::uint64_t i = 0; i < accesses; ++i)
-        run.repeat(i, accesses / periods, cycles / periods);
-    if (accesses > 0)
-        fifo.done(run, accesses);
+        line[i] = line[i - accesses / periods] + cycles / periods;
+    fifo_end.consumes->consume(accesses);
+    fifo_end.appends->done(accesses);
+    end.fifo->note(end.writes, accesses);
 }
 
 }  // namespace faster::timing

@@ -41,8 +41,8 @@ class SteadyState {
 
         std::uint64_t known() const { return writes ? fifo->known_writes() : fifo->known_reads(); }
         Cycles earliest(std::uint64_t i) const { return writes ? fifo->earliest_write(i) : fifo->earliest_read(i); }
-        std::uint64_t accesses() const { return writes ? fifo->writes_ : fifo->reads_; }
-        Cycles stalls() const { return writes ? fifo->full_stall_cycles_ : fifo->empty_stall_cycles_; }
+        std::uint64_t accesses() const { return fifo->end(writes).consumes->consumed(); }
+        Cycles stalls() const { return writes ? fifo->full_stall_cycles() : fifo->empty_stall_cycles(); }
     };
 
     bool leads(ProcessTiming& process);
@@ -51,7 +51,8 @@ class SteadyState {
     bool add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes);
     static std::uint64_t free_accesses(End const& end);
     bool is_between_closed_ends(FifoTiming const& fifo) const;
-    static std::uint64_t run_of(ProcessTiming const& process);
+    static std::uint64_t lags_of(ProcessTiming const& process);
+    static std::uint64_t first_lag(ProcessTiming const& process);
     static std::uint32_t ports_of(ProcessTiming const& process);
     static bool accesses(ProcessTiming const& process, FifoTiming const& fifo);
     static void take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative);
@@ -64,8 +65,7 @@ class SteadyState {
     std::uint32_t behind_open_ends() const;
     void go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles);
     static void shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles);
-    template <bool Writes>
-    static void repeat(FifoTiming& fifo, std::uint64_t accesses, std::uint64_t periods, Cycles cycles);
+    static void repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles);
 
     std::vector<ProcessTiming*> group_;  // the leader first
     std::vector<End> ends_;

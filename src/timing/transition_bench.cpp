@@ -13,16 +13,14 @@ namespace faster::timing {
 TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails)
     : shape_(core.blank_copy()), trail_(leaves_trails ? std::make_unique<Trail>(Trail::any_length) : nullptr) {
     Group const group(*shape_, lead);
-    most_words_ = BenchLine::slack;
     for (Group::Inner const& inner : group.fifos())
-        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader, 0, 0});
+        fifos_.push_back({BenchFifo(inner.fifo->shape()), inner.writer, inner.reader});
     for (Fifo const& fifo : fifos_)
-        most_words_ += FifoCounts::words + fifo.fifo.room;
+        words_of_fifos_ += FifoCounts::words + fifo.fifo.room;
     for (std::uint32_t number = 0; number < RelativeState(group).blocks(); ++number)
         figures_.push_back(FigureBlock::none(static_cast<std::uint16_t>(number)));
     for (Group::Member const& member : group.members()) {
-        members_.push_back({BenchProcess(*member.process, figures_.data() + of_loops_, trail_.get()), 0, 0});
-        most_words_ += members_.back().process.most_words();
+        members_.push_back({BenchProcess(*member.process, figures_.data() + of_loops_, trail_.get())});
         of_loops_ += RelativeState::blocks_of(*member.process);
     }
     supplier_ = group.supplier();
@@ -39,14 +37,13 @@ void TransitionBench::connect(Group const& group) {
             unsigned const f = group.fifo_at(m, number);
             Fifo& fifo = fifos_[f];
             bool const writes = group.members()[m].process->writes(number);
-            BenchProcess::Port port;
-            port.consumes = writes ? &fifo.fifo.free : &fifo.fifo.readable;
-            port.appends = writes ? &fifo.fifo.readable : &fifo.fifo.free;
-            port.later = writes ? fifo.fifo.later_than_write : 1;
+            BenchPort port;
+            port.end = writes ? fifo.fifo.writer() : fifo.fifo.reader();
+            port.number = number;
             port.other = group.other_end(m, number);
             port.fifo = 1U << f;
             port.stalls = &figures_[of_loops_ + f].sums[writes ? 1 : 2];
-            members_[m].process.connect(number, port);
+            members_[m].process.connect(port);
         });
 }
 
@@ -59,7 +56,7 @@ void TransitionBench::go_to(StateView state) {
     for (Member& member : members_)
         words = member.process.load(words);
     for (Fifo& fifo : fifos_)
-        words = fifo.fifo.load(words);
+        words = load_fifo(fifo.fifo, 0, BenchLine::over, BenchLine::over, words);
     accessed_ = 0;
 }
 
@@ -68,6 +65,7 @@ void TransitionBench::start() {
         member.process.start();
         member.time_before = member.process.time();
         member.port_before = member.process.parked_at();
+        member.has_accessed = false;
     }
     for_each_bit(accessed_, [this](unsigned f) { fifos_[f].fifo.start(); });
     accessed_ = 0;
@@ -86,6 +84,7 @@ void TransitionBench::settle() {
         BenchProcess& process = members_[m].process;
         std::uint32_t const accessed = process.advance();
         accessed_ |= accessed;
+        members_[m].has_accessed = members_[m].has_accessed || accessed != 0;
         for_each_bit(accessed & awaited, [&](unsigned f) { runnable |= 1U << fifos_[f].other_end(m); });
         awaited &= ~accessed;
         awaited |= process.finished() ? 0 : process.blocked_at();
@@ -129,7 +128,7 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     process.set_parked_at(port);
     for_each_bit(process.next_ports() & ((1U << port) - 1U), [&](unsigned before) {
         std::int64_t const arrival = process.time();
-        process.wait(before, *process.port(before).consumes->cycles());
+        process.wait(before, process.port(before).end.earliest());
         if (process.time() > arrival && trail_ != nullptr)
             process.leave_trail(before);
     });
@@ -224,12 +223,13 @@ void TransitionBench::describe_stands(std::uint32_t actives, Transition& transit
         bool const active = ((actives >> m) & 1U) != 0;
         if (!active && (members_[m].process.is_frozen() || goes_on_waiting(m)))
             continue;
+        bool const arrived = active && !members_[m].still_waits();
         Waiting const waiting = park_follower(m);
         bool const waits_anew = waiting.waits && waiting.port != members_[m].port_before;
         if (active || waits_anew || waiting.since != members_[m].time_before)
             transition.stands.push_back(
                 {static_cast<std::int32_t>(waiting.since - base_), static_cast<std::int32_t>(waiting.arrival - base_),
-                 static_cast<std::int16_t>(waiting.port), static_cast<std::uint8_t>(m), active});
+                 static_cast<std::int16_t>(waiting.port), static_cast<std::uint8_t>(m), arrived});
     }
 }
 
@@ -245,8 +245,7 @@ void TransitionBench::describe_rooms(Transition& transition) {
         std::uint64_t const fresh = froze ? free.known() : std::min(free.known(), free.appended());
         Transition::Room room{f, froze, {}};
         for (std::uint64_t i = free.known() - fresh; i < free.known(); ++i)
-            room.from.push_back((froze ? std::max<std::int64_t>(free.cycles()[i], writer.time()) : free.cycles()[i]) -
-                                base_);
+            room.from.push_back((froze ? std::max<std::int64_t>(free[i], writer.time()) : free[i]) - base_);
         if (froze || fresh > 0)
             transition.rooms.push_back(std::move(room));
     }
@@ -266,80 +265,28 @@ void TransitionBench::take_figures(FigureBlocks& figures) {
         touched |= member.process.waited();
     }
     for_each_bit(touched, [&](unsigned f) {
-        Fifo& fifo = fifos_[f];
+        Fifo const& fifo = fifos_[f];
         FigureBlock& block = figures_[of_loops_ + f];
         block.sums[0] = static_cast<std::uint32_t>(fifo.fifo.readable.consumed());
-        std::uint64_t const largest = fifo.fifo.largest_occupancy(fifo.left_out);
-        if (largest > fifo.left_out) {
-            block.largest = static_cast<std::uint16_t>(largest);
-            fifo.told = std::max(fifo.told, largest);
-            told_ |= 1U << f;
-        }
+        block.largest = static_cast<std::uint16_t>(fifo.fifo.largest_occupancy());
         take(block);
     });
     figures.resize(static_cast<std::size_t>(next - figures.data()));
 }
 
-void TransitionBench::forget_told() {
-    for_each_bit(told_, [this](unsigned f) { fifos_[f].told = 0; });
-    told_ = 0;
-}
-
-void TransitionBench::leave_out_told() {
-    for_each_bit(told_, [this](unsigned f) { fifos_[f].left_out = std::max(fifos_[f].left_out, fifos_[f].told); });
-    forget_told();
-}
-
 void TransitionBench::save() {
-    std::size_t most = most_words_;
+    std::size_t most = words_of_fifos_;
     for (Member const& member : members_)
-        most += words_of_operation * member.process.left();
-    if (page_.size() < most)
-        page_.resize(2 * most);
-    StateWord* words = page_.data();
-    Floors readers{}, writers{};
-    lowest_ = highest_ = 0;
-    for (unsigned m = 0; m < members_.size(); ++m) {
-        BenchProcess const& process = members_[m].process;
-        StateWord const* const time = words;
-        words = process.save(words, base_);
-        look_at(*time, *time);
-        readers[m] = process.not_before();
-        writers[m] = process.is_frozen() ? std::numeric_limits<std::int64_t>::max() : readers[m];
+        most += member.process.most_words();
+    page_.start(base_, most);
+    for (Member const& member : members_)
+        member.process.save(page_);
+    for (Fifo const& fifo : fifos_) {
+        BenchProcess const& writer = members_[fifo.writer].process;
+        // Where a frozen writer finds room, rooms tell.
+        save_fifo(fifo.fifo, members_[fifo.reader].process.not_before(),
+                  writer.is_frozen() ? std::numeric_limits<std::int64_t>::max() : writer.not_before(), page_);
     }
-    for (Fifo const& fifo : fifos_)
-        words = save_fifo(fifo, readers[fifo.reader], writers[fifo.writer], words);
-    size_ = static_cast<std::size_t>(words - page_.data());
-}
-
-/// Of its times only those that are not over when its ends go on, see RelativeState. Where a frozen writer finds room,
-/// rooms tell.
-inline StateWord* TransitionBench::save_fifo(Fifo const& fifo, std::int64_t reads_until, std::int64_t writes_until,
-                                             StateWord* words) {
-    BenchLine const& readable = fifo.fifo.readable;
-    BenchLine const& free = fifo.fifo.free;
-    FifoCounts counts;
-    counts.tokens = readable.known();
-    counts.tokens_over = readable.count_until(reads_until);
-    counts.room_over = free.count_until(writes_until);
-    words = counts.put(words);
-    words = save_line(readable, counts.tokens_over, words);
-    return save_line(free, counts.room_over, words);
-}
-
-/// Of a line's times those behind the ones that are over.
-inline StateWord* TransitionBench::save_line(BenchLine const& line, std::uint64_t over, StateWord* words) {
-    std::uint64_t const count = line.known() - over;
-    if (count == 0)
-        return words;
-    auto const base = static_cast<BenchLine::Cycle>(base_);
-    BenchLine::Cycle const* const cycles = line.cycles() + over;
-    // By eights, so that a compiler makes few instructions of it: there is room behind both.
-    for (std::uint64_t i = 0; i < count; i += BenchLine::slack)
-        for (std::uint64_t k = 0; k < BenchLine::slack; ++k)
-            words[i + k] = cycles[i + k] - base;
-    look_at(words[0], words[count - 1]);  // they never fall
-    return words + count;
 }
 
 }  // namespace faster::timing

@@ -40,9 +40,6 @@ class TransitionBench {
     /// those of Transition.
     std::vector<Waiting> park(FigureBlocks& figures);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
-    /// From now on, figures tell of occupancies only above those told of since forget_told().
-    void leave_out_told();
-    void forget_told();
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
     /// more.
@@ -56,8 +53,8 @@ class TransitionBench {
     bool work_out(Task const& task, Transition& transition);
 
     /// The state that the last call led to, and the largest distance in time in it.
-    StateView state() const { return {page_.data(), size_}; }
-    std::int64_t reach() const { return std::max(-std::int64_t{lowest_}, std::int64_t{highest_}); }
+    StateView state() const { return page_.words(); }
+    std::int64_t reach() const { return page_.reach(); }
 
   private:
     void connect(Group const& group);
@@ -73,17 +70,11 @@ class TransitionBench {
     void describe_stands(std::uint32_t actives, Transition& transition);
     void describe_rooms(Transition& transition);
     void take_figures(FigureBlocks& figures);
-    void look_at(StateWord earliest, StateWord latest) {
-        lowest_ = std::min(lowest_, earliest);
-        highest_ = std::max(highest_, latest);
-    }
 
     struct Fifo {
         BenchFifo fifo;
         unsigned writer = 0;
         unsigned reader = 0;
-        std::uint64_t told = 0;      ///< the largest occupancy that figures told of since forget_told()
-        std::uint64_t left_out = 0;  ///< an occupancy, up to which they do not
 
         unsigned other_end(unsigned member) const { return member == writer ? reader : writer; }
     };
@@ -92,28 +83,26 @@ class TransitionBench {
         // Where it stood before a transition.
         std::int64_t time_before = 0;
         unsigned port_before = BenchProcess::no_port;
+        bool has_accessed = false;  ///< in the transition
+
+        /// It waits for the same as before, and has been charged for that.
+        bool still_waits() const {
+            return port_before != BenchProcess::no_port && !has_accessed && process.time() == time_before;
+        }
     };
-
-    using Floors = std::array<std::int64_t, Transition::most_members>;  ///< by member
-
-    StateWord* save_fifo(Fifo const& fifo, std::int64_t reads_until, std::int64_t writes_until, StateWord* words);
-    StateWord* save_line(BenchLine const& line, std::uint64_t over, StateWord* words);
 
     std::unique_ptr<CoreTiming> shape_;
     std::unique_ptr<Trail> trail_;
     std::vector<Fifo> fifos_;
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
-    std::size_t most_words_ = 0;        ///< of a state, but for operations
+    std::size_t words_of_fifos_ = 0;    ///< of a state, at most
     std::uint32_t of_loops_ = 0;        ///< blocks of figures; behind them, those of FIFOs
     std::vector<FigureBlock> figures_;  ///< by number: zero between transitions
     StateWord const* at_ = nullptr;     ///< the state where it is, if that is known
     std::int64_t base_ = 0;             ///< the driver's time there
     std::uint32_t accessed_ = 0;        ///< FIFOs in the last transition, a bit each
-    std::uint32_t told_ = 0;            ///< FIFOs of whose occupancies figures told since forget_told(), a bit each
-    StateWords page_;
-    std::size_t size_ = 0;                ///< words on it
-    StateWord lowest_ = 0, highest_ = 0;  ///< times on it
+    StatePage page_;
 };
 
 }  // namespace faster::timing

@@ -6,7 +6,7 @@
 
 #include "retiming/lead_core.hpp"
 #include "retiming/operation_check.hpp"
-#include "timing/phrase_book.hpp"
+#include "timing/lookup/phrase_book.hpp"
 
 namespace faster::retiming {
 

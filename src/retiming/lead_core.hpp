@@ -3,7 +3,7 @@
 
 #include "config/parts.hpp"
 #include "timing/core_timing.hpp"
-#include "timing/group.hpp"
+#include "timing/lookup/group.hpp"
 
 namespace faster::retiming {
 

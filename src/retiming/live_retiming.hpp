@@ -11,7 +11,7 @@
 #include "retiming/replay.hpp"
 #include "retiming/script_source.hpp"
 #include "stats/run_statistics.hpp"
-#include "timing/phrase_cutter.hpp"
+#include "timing/lookup/phrase_cutter.hpp"
 
 namespace faster::retiming {
 

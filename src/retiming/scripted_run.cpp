@@ -6,7 +6,7 @@
 #include "common/on_threads.hpp"
 #include "modules/core_shapes.hpp"
 #include "retiming/tape_reader.hpp"
-#include "timing/phrase_cutter.hpp"
+#include "timing/lookup/phrase_cutter.hpp"
 
 namespace faster::retiming {
 

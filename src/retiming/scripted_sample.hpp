@@ -4,7 +4,7 @@
 
 #include "common/uninitialized.hpp"
 #include "retiming/sample_operations.hpp"
-#include "timing/phrase_book.hpp"
+#include "timing/lookup/phrase_book.hpp"
 
 namespace faster::retiming {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "timing/automaton.hpp"
+#include "timing/lookup/automaton.hpp"
+#include "timing/lookup/steady_state.hpp"
 #include "timing/process_timing.hpp"
-#include "timing/steady_state.hpp"
 
 namespace faster::timing {
 

@@ -1,4 +1,4 @@
-#include "timing/automaton.hpp"
+#include "timing/lookup/automaton.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

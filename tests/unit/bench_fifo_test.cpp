@@ -1,4 +1,4 @@
-#include "timing/bench_fifo.hpp"
+#include "timing/lookup/bench_fifo.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

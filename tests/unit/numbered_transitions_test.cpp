@@ -1,4 +1,4 @@
-#include "timing/numbered_transitions.hpp"
+#include "timing/lookup/numbered_transitions.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -1,4 +1,4 @@
-#include "timing/phrase_cutter.hpp"
+#include "timing/lookup/phrase_cutter.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -7,8 +7,8 @@
 
 #include "support/spelled_out.hpp"
 #include "timing/core_timing.hpp"
-#include "timing/cut_trial.hpp"
-#include "timing/transition_store.hpp"
+#include "timing/lookup/cut_trial.hpp"
+#include "timing/lookup/transition_store.hpp"
 
 namespace faster::timing {
 namespace {

@@ -1,4 +1,4 @@
-#include "timing/state_table.hpp"
+#include "timing/lookup/state_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

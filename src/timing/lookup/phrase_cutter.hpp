@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "timing/group.hpp"
-#include "timing/phrase_book.hpp"
+#include "timing/lookup/group.hpp"
+#include "timing/lookup/phrase_book.hpp"
 
 namespace faster::timing {
 

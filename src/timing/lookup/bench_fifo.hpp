@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "timing/fifo_timing.hpp"
-#include "timing/state_words.hpp"
+#include "timing/lookup/state_words.hpp"
 
 namespace faster::timing {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "timing/print.hpp"
+#include "timing/lookup/print.hpp"
 
 namespace faster::timing {
 

@@ -1,4 +1,4 @@
-#include "timing/relative_state.hpp"
+#include "timing/lookup/relative_state.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "common/uninitialized.hpp"
-#include "timing/cut_trial.hpp"
-#include "timing/numbered_transitions.hpp"
-#include "timing/phrase.hpp"
-#include "timing/phrase_book.hpp"
-#include "timing/relative_state.hpp"
-#include "timing/state_table.hpp"
-#include "timing/transition.hpp"
-#include "timing/transition_bench.hpp"
-#include "timing/transition_store.hpp"
-#include "timing/transition_table.hpp"
+#include "timing/lookup/cut_trial.hpp"
+#include "timing/lookup/numbered_transitions.hpp"
+#include "timing/lookup/phrase.hpp"
+#include "timing/lookup/phrase_book.hpp"
+#include "timing/lookup/relative_state.hpp"
+#include "timing/lookup/state_table.hpp"
+#include "timing/lookup/transition.hpp"
+#include "timing/lookup/transition_bench.hpp"
+#include "timing/lookup/transition_store.hpp"
+#include "timing/lookup/transition_table.hpp"
 
 namespace faster::timing {
 

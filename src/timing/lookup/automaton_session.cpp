@@ -1,5 +1,5 @@
 #include "common/each_bit.hpp"
-#include "timing/automaton.hpp"
+#include "timing/lookup/automaton.hpp"
 
 // Sessions of an automaton: where they begin, where they end, and what they leave in the counters of a core.
 

@@ -1,4 +1,4 @@
-#include "timing/transition_bench.hpp"
+#include "timing/lookup/transition_bench.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 
 #include "common/each_bit.hpp"
 #include "timing/core_timing.hpp"
-#include "timing/relative_state.hpp"
+#include "timing/lookup/relative_state.hpp"
 
 namespace faster::timing {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "timing/bench_process.hpp"
-#include "timing/phrase.hpp"
-#include "timing/transition.hpp"
+#include "timing/lookup/bench_process.hpp"
+#include "timing/lookup/phrase.hpp"
+#include "timing/lookup/transition.hpp"
 
 namespace faster::timing {
 

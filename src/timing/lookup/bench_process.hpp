@@ -2,11 +2,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "timing/bench_fifo.hpp"
-#include "timing/group.hpp"
+#include "timing/lookup/bench_fifo.hpp"
+#include "timing/lookup/group.hpp"
+#include "timing/lookup/relative_state.hpp"
+#include "timing/lookup/state_words.hpp"
 #include "timing/process_rules.hpp"
-#include "timing/relative_state.hpp"
-#include "timing/state_words.hpp"
 #include "timing/trail.hpp"
 
 namespace faster::timing {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "timing/group.hpp"
-#include "timing/print.hpp"
+#include "timing/lookup/group.hpp"
+#include "timing/lookup/print.hpp"
 
 namespace faster::timing {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/cycles.hpp"
-#include "timing/figure_block.hpp"
 #include "timing/lead.hpp"
+#include "timing/lookup/figure_block.hpp"
 #include "timing/trail.hpp"
 
 namespace faster::timing {

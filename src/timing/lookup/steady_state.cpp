@@ -1,4 +1,4 @@
-#include "timing/steady_state.hpp"
+#include "timing/lookup/steady_state.hpp"
 
 #include <algorithm>
 

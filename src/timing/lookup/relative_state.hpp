@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "timing/figure_block.hpp"
-#include "timing/group.hpp"
-#include "timing/state_words.hpp"
-#include "timing/transition.hpp"
+#include "timing/lookup/figure_block.hpp"
+#include "timing/lookup/group.hpp"
+#include "timing/lookup/state_words.hpp"
+#include "timing/lookup/transition.hpp"
 
 namespace faster::timing {
 

@@ -1,4 +1,4 @@
-#include "timing/phrase.hpp"
+#include "timing/lookup/phrase.hpp"
 
 #include <algorithm>
 #include <array>

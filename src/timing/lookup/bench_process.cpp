@@ -1,4 +1,4 @@
-#include "timing/bench_process.hpp"
+#include "timing/lookup/bench_process.hpp"
 
 #include <algorithm>
 

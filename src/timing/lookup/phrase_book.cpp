@@ -1,4 +1,4 @@
-#include "timing/phrase_book.hpp"
+#include "timing/lookup/phrase_book.hpp"
 
 #include <algorithm>
 

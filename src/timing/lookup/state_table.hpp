@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "timing/state_words.hpp"
-#include "timing/word_arena.hpp"
+#include "timing/lookup/state_words.hpp"
+#include "timing/lookup/word_arena.hpp"
 
 namespace faster::timing {
 

@@ -1,4 +1,4 @@
-#include "timing/group.hpp"
+#include "timing/lookup/group.hpp"
 
 #include <stdexcept>
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "timing/phrase.hpp"
-#include "timing/transition.hpp"
+#include "timing/lookup/phrase.hpp"
+#include "timing/lookup/transition.hpp"
 
 namespace faster::timing {
 

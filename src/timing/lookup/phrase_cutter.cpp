@@ -1,4 +1,4 @@
-#include "timing/phrase_cutter.hpp"
+#include "timing/lookup/phrase_cutter.hpp"
 
 #include "timing/core_timing.hpp"
 

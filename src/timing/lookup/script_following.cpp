@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "timing/automaton.hpp"
+#include "timing/lookup/automaton.hpp"
 
 namespace faster::timing {
 

@@ -1,4 +1,4 @@
-#include "timing/transition_table.hpp"
+#include "timing/lookup/transition_table.hpp"
 
 namespace faster::timing {
 

@@ -1,9 +1,9 @@
-#include "timing/transition_store.hpp"
+#include "timing/lookup/transition_store.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "timing/numbered_transitions.hpp"
+#include "timing/lookup/numbered_transitions.hpp"
 
 namespace faster::timing {
 

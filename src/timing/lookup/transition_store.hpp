@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "timing/transition.hpp"
-#include "timing/word_arena.hpp"
+#include "timing/lookup/transition.hpp"
+#include "timing/lookup/word_arena.hpp"
 
 namespace faster::timing {
 

@@ -76,7 +76,7 @@ class MachineReader {
             throw std::invalid_argument("process " + process.name() + " is at no such end of " + fifo_names[number]);
         timing::FifoTiming& fifo = run_.blueprint->fifo(number);
         unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
-        process.note_site(static_cast<std::uint8_t>(1U << port), read_site(json.at("source")));
+        process.note_site(port, read_site(json.at("source")));
     }
 
     void read_loop(Json const& json, timing::ProcessTiming& process) {

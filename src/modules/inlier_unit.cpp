@@ -36,9 +36,9 @@ void InlierUnit::end_of_elaboration() {
     fragment_loop_ = clock_.add_loop(loop_shape(LoopId::fragment, core_.config));
     if (result_ != nullptr)
         scoring_.add_loops();
-    triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
-    fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_in.channel()->read_port() |
-                                                fragment_index_in.channel()->read_port() | command_->read_port());
+    triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
+    fragment_ports_ = fragment_depth_in.channel()->read_port() |
+                                                fragment_index_in.channel()->read_port() | command_->read_port();
 }
 
 /// Or what leads to it, where it is another process's.
@@ -97,7 +97,7 @@ void InlierUnit::clear() {
     if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, iterations);
+    clock_.iterate(timing::no_ports, iterations);
     clock_.leave_loop();
 }
 

@@ -46,10 +46,13 @@ void Rasterizer::end_of_elaboration() {
         written.push_back(edges);
     for (FifoChannel* const fifo : written)
         clock_.connect_writes(*fifo);
-    edge_port_ = edges != nullptr ? edges->write_port() : std::uint8_t{0};
-    fragment_ports_ = 0;
-    for (FifoChannel const* const fifo : written)
-        fragment_ports_ = static_cast<std::uint8_t>(fragment_ports_ | fifo->write_port());
+    edge_port_ = edges != nullptr ? edges->write_port() : timing::Ports();
+    fragment_ports_ = pixel_ports_ = timing::Ports();
+    for (FifoChannel const* const fifo : written) {
+        fragment_ports_ = fragment_ports_ | fifo->write_port();
+        if (fifo != edges)
+            pixel_ports_ = pixel_ports_ | fifo->write_port();
+    }
     if (touched_)
         clock_.connect_writes(*channel_of(region_out));
     std::vector<FifoChannel*> read_as_well;

@@ -15,7 +15,7 @@ CoreCapture::CoreCapture(timing::CoreTiming& core, std::vector<TokenTap> const& 
     for (ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port) {
             std::size_t const fifo = core.number_of(process.fifo(port));
-            fifo_at_[process.index()][port] = static_cast<std::uint8_t>(fifo);
+            fifo_at_[process.index()].push_back(static_cast<std::uint8_t>(fifo));
             if (process.writes(port))
                 writers_[fifo] = process.index();
         }
@@ -108,16 +108,13 @@ void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles fr
     put(process, event);
 }
 
-void CoreCapture::accessed(ProcessTiming const& process, std::uint8_t ports, Cycles cycle) {
-    for (unsigned port = 0; port < process.port_count(); ++port) {
-        if (((ports >> port) & 1U) == 0)
-            continue;
-        if (process.writes(port)) {
+void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
+    ports.each([&](unsigned port) {
+        if (process.writes(port))
             put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
-            continue;
-        }
-        put_read(process, fifo_at(process, port), cycle);
-    }
+        else
+            put_read(process, fifo_at(process, port), cycle);
+    });
 }
 
 void CoreCapture::put_write(ProcessTiming const& process, std::uint8_t fifo, std::uint64_t number, Cycles cycle) {

@@ -27,7 +27,7 @@ class CoreCapture : public timing::StepObserver {
     void iterated(timing::ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
                   Cycles stride) override;
     void stalled(timing::ProcessTiming const& process, unsigned port, Cycles from, Cycles until) override;
-    void accessed(timing::ProcessTiming const& process, std::uint8_t ports, Cycles cycle) override;
+    void accessed(timing::ProcessTiming const& process, timing::Ports ports, Cycles cycle) override;
     void stamped(timing::ProcessTiming const& process, Cycles cycle) override;
 
   private:
@@ -46,7 +46,7 @@ class CoreCapture : public timing::StepObserver {
     std::uint64_t tokens_in_use_;
     Spools& spools_;
     Cycles last_ = ~Cycles{0};
-    std::array<std::array<std::uint8_t, 8>, module_count> fifo_at_{};  // by process and port
+    std::array<std::vector<std::uint8_t>, module_count> fifo_at_;  // by process and port
     std::array<std::size_t, fifo_count> writers_{};                    // number of the process
     std::array<std::uint8_t, module_count> first_loop_{};              // LoopId of each process's loop 0
 };

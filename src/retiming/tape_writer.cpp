@@ -10,7 +10,7 @@ constexpr std::size_t most_waiting = 16;  // samples: some megabytes
 }  // namespace
 
 TapeWriter::TapeWriter(RecordedRun& run, Parts const& parts, std::size_t processes, Timed timed)
-    : run_(run), parts_(parts), timed_(std::move(timed)), step_ports_(processes, 0), thread_([this] { work(); }) {}
+    : run_(run), parts_(parts), timed_(std::move(timed)), step_ports_(processes), thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 
@@ -65,7 +65,7 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
             operations[i] = canonical(operations[i].data(), operations[i].size());
             for (timing::Operation const& operation : operations[i])
                 if (operation.kind() == timing::Operation::Kind::step)
-                    step_ports_[i] |= operation.ports();
+                    step_ports_[i] = step_ports_[i] | timing::Ports(operation.ports());
         }
         if (!cutter_)
             cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, parts_);

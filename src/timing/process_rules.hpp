@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "common/each_bit.hpp"
 #include "timing/fifo_rules.hpp"
 #include "timing/operation.hpp"
+#include "timing/ports.hpp"
 #include "timing/process_shape.hpp"
 #include "timing/trail.hpp"
 
@@ -30,12 +30,12 @@ template <class Time> struct ProcessState {
     unsigned loop = 0;             ///< that it is in, or was in last
     std::uint64_t iterations = 0;  ///< of the loop entry at hand
     PipelinePosition pipeline;
-    std::vector<std::uint8_t> delay_line;  ///< ports of the last iterations of a loop that is not aligned, a ring
-    std::vector<Time> setups_done;         ///< when those begun, and not awaited yet, will be
+    std::vector<Ports::Number> delay_line;  ///< ports of the last iterations of a loop that is not aligned, a ring
+    std::vector<Time> setups_done;          ///< when those begun, and not awaited yet, will be
 
     /// What an iteration of a loop accesses, `lag` iterations before the one at hand.
-    std::uint8_t delayed(std::uint64_t lag) const { return delay_line[place(pipeline.iteration - lag)]; }
-    std::uint8_t& delayed(std::uint64_t lag) { return delay_line[place(pipeline.iteration - lag)]; }
+    Ports::Number delayed(std::uint64_t lag) const { return delay_line[place(pipeline.iteration - lag)]; }
+    Ports::Number& delayed(std::uint64_t lag) { return delay_line[place(pipeline.iteration - lag)]; }
 
   private:
     std::size_t place(std::uint64_t iteration) const { return iteration & (delay_line.size() - 1); }
@@ -51,10 +51,10 @@ template <class Time> struct ProcessState {
 ///     std::vector<Port> ports_                      in program order of a step
 ///     bool goes_by_steps() const                    true: iterations one by one, so that each can be looked at
 ///     bool may_go_on()                              false: stops in front of the next access, whatever it is
-///     bool may_access(std::uint8_t ports)           the same of a single step
+///     bool may_access(Ports::Number ports)           the same of a single step
 ///     void wait_for(Port const&)                    stops, as the earliest cycle of an access there is not known
 ///     void charge(Port const&, Time stall)          has waited so long, up to the local time, for an access
-///     void performs(std::uint8_t ports, Time arrival)  a step takes place at the local time
+///     void performs(Ports::Number ports, Time arrival)  a step takes place at the local time
 ///     void note(Port const&, std::uint64_t count)   so many accesses have been entered in the FIFO
 ///     void count(std::uint64_t iterations)          of the loop it is in
 ///     void iterates(std::uint64_t first, std::uint64_t count)  they begin at the local time
@@ -91,7 +91,7 @@ template <class Process, class Port> class ProcessRules {
         begin_pipeline();
         state_.pipeline.iteration = plan_->longest_lag;
     }
-    void restore_delayed(std::uint64_t lag, std::uint8_t ports) { state_.delayed(lag) = ports; }
+    void restore_delayed(std::uint64_t lag, Ports::Number ports) { state_.delayed(lag) = ports; }
     void put_back(Operation const& operation) { log_.put_back(operation); }
 
   protected:
@@ -176,13 +176,13 @@ template <class Process, class Port> class ProcessRules {
             log_.consume();
     }
 
-    PortSet const& port_set(std::uint8_t ports) {
-        if (sets_[ports] == nullptr)
+    PortSet const& port_set(Ports::Number ports) const {
+        if (ports >= sets_.size() || sets_[ports] == nullptr)
             make_port_set(ports);
         return *sets_[ports];
     }
     /// The ports have changed.
-    void forget_port_sets() { sets_ = std::vector<std::unique_ptr<PortSet>>(most_port_sets); }
+    void forget_port_sets() { sets_.clear(); }
 
     std::shared_ptr<ProcessShape> shape_;
     unsigned index_;
@@ -194,6 +194,7 @@ template <class Process, class Port> class ProcessRules {
 
   private:
     Process& self() { return static_cast<Process&>(*this); }
+    Process const& self() const { return static_cast<Process const&>(*this); }
 
     void pass(std::uint64_t cycles) { state_.time += static_cast<Time>(cycles); }
     void mark(Region region) {
@@ -210,7 +211,7 @@ template <class Process, class Port> class ProcessRules {
 
     /// All accesses of a step together, if their earliest cycles are known: waits for each in program order, charging
     /// what each adds.
-    bool perform(std::uint8_t ports) {
+    bool perform(Ports::Number ports) {
         PortSet const& set = port_set(ports);
         for (Port const& port : set)
             if (port.end.known() == 0) {
@@ -299,7 +300,7 @@ template <class Process, class Port> class ProcessRules {
     /// Of a loop that is not aligned: an iteration with accesses, or one of the silent ones behind it.
     bool iterate_in_pipeline(Operation& operation) {
         std::uint32_t& gap_left = state_.pipeline.gap_left;
-        if (!pass_phases(gap_left > 0 ? std::uint8_t{0} : operation.ports(), true))
+        if (!pass_phases(gap_left > 0 ? Ports::Number{0} : operation.ports(), true))
             return false;
         gap_left = gap_left > 0 ? gap_left - 1 : operation.gap();
         count(1);
@@ -310,7 +311,7 @@ template <class Process, class Port> class ProcessRules {
 
     /// The II steps of an iteration that accesses `ports`, whose tokens leave in this or later iterations. False: it
     /// waits in one of them.
-    bool pass_phases(std::uint8_t ports, bool is_counted) {
+    bool pass_phases(Ports::Number ports, bool is_counted) {
         PipelinePosition& pipeline = state_.pipeline;
         if (!pipeline.open) {
             if (is_counted)
@@ -324,11 +325,11 @@ template <class Process, class Port> class ProcessRules {
             LoopPhase const& phase = plan_->phases[pipeline.phase];
             pass(phase.offset - pipeline.offset);
             pipeline.offset = phase.offset;
-            std::uint32_t step = 0;
+            Ports step;
             for (auto const& [port, lag] : phase.ports)
-                if (pipeline.iteration >= lag)
-                    step |= state_.delayed(lag) & (1U << port);
-            if (step != 0 && !perform(static_cast<std::uint8_t>(step)))
+                if (pipeline.iteration >= lag && Ports(state_.delayed(lag)).has(port))
+                    step = step | Ports::of(port);
+            if (!step.is_empty() && !perform(step.number()))
                 return false;
         }
         pass(plan_->ii - pipeline.offset);
@@ -587,14 +588,15 @@ template <class Process, class Port> class ProcessRules {
             log_.put_back(Operation(Kind::iterate, line.tail_ports(), 0, 1));
     }
 
-    void make_port_set(std::uint8_t ports) {
+    void make_port_set(Ports::Number ports) const {
+        if (ports >= sets_.size())
+            sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);
         auto set = std::make_unique<PortSet>();
-        for_each_bit(ports, [&](unsigned number) { set->push_back(self().ports_[number]); });
+        Ports(ports).each([&](unsigned number) { set->push_back(self().ports_[number]); });
         sets_[ports] = std::move(set);
     }
 
-    static constexpr std::size_t most_port_sets = 256;
-    std::vector<std::unique_ptr<PortSet>> sets_{most_port_sets};  ///< by mask of ports; made when first needed
+    mutable std::vector<std::unique_ptr<PortSet>> sets_;  ///< by number; made when first needed
 };
 
 }  // namespace faster::timing

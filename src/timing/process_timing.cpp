@@ -1,9 +1,6 @@
 #include "timing/process_timing.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
-#include "common/each_bit.hpp"
 
 namespace faster::timing {
 
@@ -14,10 +11,10 @@ ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<P
 }
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
-    if (ports_.size() == max_ports)
-        throw std::logic_error(name_ + ": a process has at most 8 ports");
     auto const number = static_cast<unsigned>(ports_.size());
     ports_.push_back({fifo.end(writes), number, &fifo, writes});
+    port_sites_.emplace_back();
+    forget_port_sets();
     return number;
 }
 
@@ -29,7 +26,7 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     return static_cast<unsigned>(loops().size() - 1);
 }
 
-void ProcessTiming::set_neighbour(unsigned port, std::uint32_t process_bit) {
+void ProcessTiming::set_neighbour(unsigned port, ProcessMask process_bit) {
     ports_[port].neighbour = process_bit;
     forget_port_sets();
 }
@@ -43,7 +40,7 @@ ProcessTiming::Status ProcessTiming::front() {
 
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = state_.time;
-    for_each_bit(front_ports_, [&](unsigned number) { cycle = std::max(cycle, ports_[number].end.earliest()); });
+    front_ports_.each([&](unsigned number) { cycle = std::max(cycle, ports_[number].end.earliest()); });
     return cycle;
 }
 
@@ -53,7 +50,7 @@ void ProcessTiming::commit_front() {
     stops_ = granted_ = false;
 }
 
-std::uint32_t ProcessTiming::advance(bool pause) {
+ProcessMask ProcessTiming::advance(bool pause) {
     woken_ = 0;
     pauses_ = pause;
     stamps_before_ = figures_.stamps.size();
@@ -62,8 +59,8 @@ std::uint32_t ProcessTiming::advance(bool pause) {
     return woken_;
 }
 
-bool ProcessTiming::may_access(std::uint8_t ports) {
-    front_ports_ = ports;
+bool ProcessTiming::may_access(Ports::Number ports) {
+    front_ports_ = Ports(ports);
     if (!may_go_on() || (stops_ && !granted_))
         return false;
     granted_ = false;
@@ -77,14 +74,14 @@ void ProcessTiming::charge(ProcessPort const& port, Cycles stall) {
         observer_->stalled(*this, port.number, state_.time - stall, state_.time);
 }
 
-void ProcessTiming::performs(std::uint8_t ports, Cycles arrival) {
+void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     if (observer_ != nullptr)
-        observer_->accessed(*this, ports, state_.time);
+        observer_->accessed(*this, Ports(ports), state_.time);
     if (has_accessed())
         return;
     figures_.has_accessed = true;
     by_steps_ = observer_ != nullptr;
-    figures_.first_port = static_cast<unsigned>(__builtin_ctz(ports));
+    figures_.first_port = Ports(ports).first();
     figures_.idle_before_cycles = arrival == 0 ? state_.time : 0;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -33,13 +32,13 @@ struct LoopCost {
 
 /// A port of a process of a core.
 struct ProcessPort {
-    using Line = CycleRing;
+    using Line = CycleLine;
 
     FifoTiming::End end;
     unsigned number = 0;
     FifoTiming* fifo = nullptr;
     bool writes = false;
-    std::uint32_t neighbour = 0;  ///< the process at the other end, as a bit
+    ProcessMask neighbour = 0;  ///< the process at the other end, as a bit
     // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
     std::uint64_t free_until = 0;
     std::uint64_t free_in_run = ~std::uint64_t{0};
@@ -74,7 +73,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     explicit ProcessTiming(std::string name, unsigned index,
                            std::shared_ptr<ProcessShape> shape = std::make_shared<ProcessShape>());
 
-    /// Ports in program order of a step. Return the port's number; at most 8.
+    /// Ports in program order of a step. Return the port's number.
     unsigned add_reads(FifoTiming& fifo) { return add_port(fifo, false); }
     unsigned add_writes(FifoTiming& fifo) { return add_port(fifo, true); }
     unsigned add_loop(LoopShape shape);
@@ -101,14 +100,14 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     Status front();
     /// The cycle in which the front step happens; front() said `ready`.
     Cycles front_cycle() const;
-    std::uint8_t front_ports() const { return front_ports_; }
+    Ports front_ports() const { return front_ports_; }
     void commit_front();
 
     /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
     /// With `pause`, not beyond the first step behind the next stamp.
-    std::uint32_t advance(bool pause = false);
+    ProcessMask advance(bool pause = false);
     /// Tells which process is at the other end of a port, as a bit for advance().
-    void set_neighbour(unsigned port, std::uint32_t process_bit);
+    void set_neighbour(unsigned port, ProcessMask process_bit);
 
     /// In the middle of equal iterations, at least this many of which are left.
     bool is_running(std::uint32_t iterations) const {
@@ -159,9 +158,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
     void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
-    void note_site(std::uint8_t port, SourceSite const& site) {
-        port_sites_[static_cast<unsigned>(__builtin_ctz(port))] = site;
-    }
+    void note_site(unsigned port, SourceSite const& site) { port_sites_[port] = site; }
     SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
     SourceSite const& port_site(unsigned port) const { return port_sites_[port]; }
     /// Of what the process is at, which waits for a port.
@@ -172,7 +169,6 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     friend class SteadyState;
     friend class RelativeState;
     static constexpr Cycles never = ~Cycles{0};
-    static constexpr unsigned max_ports = 8;
 
     unsigned add_port(FifoTiming& fifo, bool writes);
     Rules& rules() { return *this; }
@@ -184,13 +180,13 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
         status_ = Status::ready;
         return goes_on;
     }
-    bool may_access(std::uint8_t ports);
+    bool may_access(Ports::Number ports);
     void wait_for(ProcessPort const& port) {
         status_ = Status::blocked;
         blocking_port_ = port.number;
     }
     void charge(ProcessPort const& port, Cycles stall);
-    void performs(std::uint8_t ports, Cycles arrival);
+    void performs(Ports::Number ports, Cycles arrival);
     void note(ProcessPort const& port, std::uint64_t count) {
         port.fifo->note(port.writes, count);
         woken_ |= port.neighbour;
@@ -213,7 +209,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
-    std::array<SourceSite, max_ports> port_sites_{};
+    std::vector<SourceSite> port_sites_;
     StepObserver* observer_ = nullptr;
     bool by_steps_ = true;  ///< until the first access; always when observed
     Cycles arrival_ = 0;
@@ -224,10 +220,10 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     bool granted_ = false;  ///< but for the next one
     bool pauses_ = false;   ///< behind the first stamp
     std::size_t stamps_before_ = 0;
-    std::uint32_t woken_ = 0;  ///< processes, a bit each
+    ProcessMask woken_ = 0;
     // Where it stopped.
     Status status_ = Status::exhausted;
-    std::uint8_t front_ports_ = 0;  ///< accesses of the step at hand
+    Ports front_ports_;  ///< accesses of the step at hand
     unsigned blocking_port_ = 0;
     int starving_port_ = -1;
 };

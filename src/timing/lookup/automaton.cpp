@@ -30,12 +30,15 @@ bool can_follow(Group const& group) {
     std::uint64_t room = 0;
     for (Group::Inner const& inner : group.fifos())
         room += inner.fifo->shape().capacity + inner.fifo->shape().issue_latency;
-    if (room > most_room || group.fifos().size() > TransitionBench::most_fifos)
+    if (room > most_room || group.fifos().size() > TransitionBench::most_fifos || group.members().size() == 1)
         return false;
-    for (Group::Member const& member : group.members())
+    for (Group::Member const& member : group.members()) {
+        if (member.process->loops().size() > TransitionBench::most_loops)
+            return false;
         for (LoopShape const& loop : member.process->loops())
             if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
                 return false;
+    }
     return true;
 }
 }  // namespace

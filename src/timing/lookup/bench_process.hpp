@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/each_bit.hpp"
 #include "timing/lookup/bench_fifo.hpp"
 #include "timing/lookup/group.hpp"
 #include "timing/lookup/relative_state.hpp"
@@ -64,7 +65,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     std::uint32_t blocked_at() const { return blocked_at_; }
 
     std::int64_t time() const { return state_.time; }
-    std::uint8_t next_ports() const { return finished() ? outlook_ports_ : log_.begin()->ports(); }
+    Ports::Number next_ports() const { return finished() ? outlook_ports_ : log_.begin()->ports(); }
     BenchPort const& port(unsigned number) const { return ports_[number]; }
     bool is_known(unsigned number) const { return ports_[number].end.known() > 0; }
     /// Waits at a port until a cycle, if that is later.
@@ -76,7 +77,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     }
 
     bool is_frozen() const { return frozen_; }
-    void set_outlook(std::uint8_t next_ports, bool frozen) {
+    void set_outlook(Ports::Number next_ports, bool frozen) {
         outlook_ports_ = next_ports;
         frozen_ = frozen;
     }
@@ -106,13 +107,13 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     // What ProcessRules ask for.
     bool goes_by_steps() const { return false; }
     bool may_go_on() const { return true; }
-    bool may_access(std::uint8_t /*ports*/) const { return true; }
+    bool may_access(Ports::Number /*ports*/) const { return true; }
     void wait_for(BenchPort const& port) { blocked_at_ = port.fifo; }
     void charge(BenchPort const& port, std::int64_t stall) {
         *port.stalls += static_cast<std::uint32_t>(stall);
         waited_ |= port.fifo;
     }
-    void performs(std::uint8_t /*ports*/, std::int64_t /*arrival*/) const {}
+    void performs(Ports::Number /*ports*/, std::int64_t /*arrival*/) const {}
     void note(BenchPort const& port, std::uint64_t /*count*/) { accessed_ |= port.fifo; }
     void count(std::uint64_t iterations) {
         figures_[state_.loop].first->sums[1] += static_cast<std::uint32_t>(iterations);
@@ -133,7 +134,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     std::uint32_t accessed_ = 0;  ///< FIFOs in advance(), a bit each
     std::uint32_t blocked_at_ = 0;
     std::uint32_t waited_ = 0;
-    std::uint8_t outlook_ports_ = 0;
+    Ports::Number outlook_ports_ = 0;
     bool frozen_ = false;
     unsigned parked_at_ = no_port;
 };

@@ -1,6 +1,6 @@
 #include "timing/lookup/group.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
 #include "timing/core_timing.hpp"
 
@@ -8,14 +8,30 @@ namespace faster::timing {
 
 namespace {
 constexpr unsigned none = ~0U;
+
+/// Whether all ports of a process at a FIFO are in masks.
+bool is_in_masks(ProcessTiming const& process, FifoTiming const& fifo) {
+    for (unsigned port = Ports::in_masks; port < process.port_count(); ++port)
+        if (&process.fifo(port) == &fifo)
+            return false;
+    return true;
 }
 
+bool can_follow(CoreTiming const& core, Lead const& lead) {
+    return lead.followers.size() <= Group::most_followers &&
+           std::all_of(lead.followers.begin(), lead.followers.end(), [&](Lead::Follower const& follower) {
+               FifoTiming const& anchor = core.fifos()[follower.anchor];
+               return is_in_masks(core.processes()[follower.process], anchor) &&
+                      is_in_masks(core.processes()[lead.driver], anchor);
+           });
+}
+}  // namespace
+
 Group::Group(CoreTiming& core, Lead const& lead) {
-    if (lead.followers.size() > sizeof(Lanes) * 8 / lane_bits)
-        throw std::logic_error("a lead has at most 4 followers");
-    members_.push_back({&core.process(lead.driver), 0, 0, false, 0});
-    for (Lead::Follower const& follower : lead.followers)
-        members_.push_back({&core.process(follower.process), 0, 0, false, 0});
+    members_.push_back({&core.process(lead.driver)});
+    if (can_follow(core, lead))
+        for (Lead::Follower const& follower : lead.followers)
+            members_.push_back({&core.process(follower.process)});
     fifo_at_.resize(members_.size());
     for (std::size_t number = 0; number < core.fifos().size(); ++number) {
         FifoTiming& fifo = core.fifo(number);
@@ -34,8 +50,8 @@ Group::Group(CoreTiming& core, Lead const& lead) {
                 if (fifos_[f].fifo == &members_[m].process->fifo(port))
                     found = f;
             fifo_at_[m].push_back(found);
-            if (found != none)
-                members_[m].inner_ports |= static_cast<std::uint8_t>(1U << port);
+            if (found != none && port < Ports::in_masks)
+                members_[m].inner_ports |= static_cast<Ports::Number>(1U << port);
         }
     for (unsigned m = 1; m < members_.size(); ++m) {
         FifoTiming const& anchor = core.fifos()[lead.followers[m - 1].anchor];
@@ -46,7 +62,7 @@ Group::Group(CoreTiming& core, Lead const& lead) {
             }
         for (unsigned port = 0; port < driver().port_count(); ++port)
             if (&driver().fifo(port) == &anchor)
-                members_[m].driver_port = static_cast<std::uint8_t>(1U << port);
+                members_[m].driver_port = Ports::of(port).number();
     }
     for (unsigned m = 1; m < members_.size(); ++m) {
         if (!members_[m].writes_anchor)
@@ -54,7 +70,7 @@ Group::Group(CoreTiming& core, Lead const& lead) {
         else if (supplier_ == 0)
             supplier_ = m;
     }
-    for (unsigned ports = 0; ports < followers_at_.size(); ++ports)
+    for (unsigned ports = 0; ports < Ports::masks; ++ports)
         for (unsigned m = 1; m < members_.size(); ++m)
             if ((ports & members_[m].driver_port) != 0)
                 followers_at_[ports] |= Lanes{1} << (lane_bits * (m - 1));

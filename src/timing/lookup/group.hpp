@@ -10,15 +10,16 @@ namespace faster::timing {
 
 class CoreTiming;
 
-/// The processes of a Lead and the FIFOs between them, in one core.
+/// The processes of a Lead and the FIFOs between them, in one core. It knows no ports besides the first eight of each
+/// process, of which masks tell: what accesses others is done outside the group.
 class Group {
   public:
     struct Member {
         ProcessTiming* process = nullptr;
-        unsigned anchor_port = 0;      ///< of this process; unused for the driver
-        std::uint8_t driver_port = 0;  ///< mask: the driver's end of the anchor
+        unsigned anchor_port = 0;       ///< of this process; unused for the driver
+        Ports::Number driver_port = 0;  ///< mask: the driver's end of the anchor
         bool writes_anchor = false;
-        std::uint8_t inner_ports = 0;  ///< mask: ports whose FIFO has both ends in the group
+        Ports::Number inner_ports = 0;  ///< mask: ports whose FIFO has both ends in the group
     };
     struct Inner {
         FifoTiming* fifo = nullptr;
@@ -28,15 +29,16 @@ class Group {
 
     Group(CoreTiming& core, Lead const& lead);
 
-    /// The driver is number 0.
+    /// The driver is number 0. There are no others if there are more than lanes, or a port of an anchor is in no mask.
     std::vector<Member> const& members() const { return members_; }
     std::vector<Inner> const& fifos() const { return fifos_; }
     /// A small number for each of up to four followers, side by side in one word.
     using Lanes = std::uint64_t;
     static constexpr unsigned lane_bits = 16;
     static constexpr Lanes lane_mask = 0xFFFF;
+    static constexpr std::size_t most_followers = sizeof(Lanes) * 8 / lane_bits;
     /// 1 for each follower whose anchor the driver accesses at a mask of ports.
-    Lanes followers_at(std::uint8_t driver_ports) const { return followers_at_[driver_ports]; }
+    Lanes followers_at(Ports::Number driver_ports) const { return followers_at_[driver_ports]; }
     ProcessTiming& driver() const { return *members_.front().process; }
     /// The first follower that writes its anchor, and so is ahead of the driver.
     bool has_supplier() const { return supplier_ != 0; }
@@ -53,7 +55,7 @@ class Group {
     std::vector<Member> members_;
     unsigned supplier_ = 0;
     std::uint32_t readers_ = 0;
-    std::array<Lanes, 256> followers_at_{};
+    std::vector<Lanes> followers_at_ = std::vector<Lanes>(Ports::numbers);  ///< beyond masks: none
     std::vector<Inner> fifos_;
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
 };

@@ -79,7 +79,7 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         if (accesses == 0 || ((frozen >> m) & 1U) != 0)
             continue;
         OperationLog& log = group.members()[m].process->log();
-        if (!read_part(log, m, accesses))
+        if (!read_part(log, group.members()[m], m, accesses))
             reading = read_follower(group, m, accesses);
     }
     return reading;
@@ -91,7 +91,8 @@ Phrase::Reading Phrase::read_driver(Group const& group) {
     OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();
-    Operation::Code const outer = Operation::at_ports(static_cast<std::uint8_t>(~group.members().front().inner_ports));
+    Operation::Code const outer =
+        Operation::at_ports(static_cast<Ports::Number>(~group.members().front().inner_ports & (Ports::numbers - 1U)));
     std::size_t i = 0;
     bool foreign = false;
     bool iterated = false;  // with accesses
@@ -124,7 +125,7 @@ Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
         return {};
     Operation const& operation = log.begin()[from];
     bool const inside = (operation.ports() & ~member.inner_ports) == 0;
-    return {inside ? operation.ports() : std::uint8_t{0}, true};
+    return {inside ? operation.ports() : Ports::Number{0}, true};
 }
 
 /// As many of a follower's operations as the driver's accesses of its anchor ask for, and those after them up to its
@@ -133,7 +134,7 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
     Group::Member const& member = group.members()[m];
     OperationLog& log = member.process->log();
     std::size_t const pending = log.pending();
-    auto const anchor = static_cast<std::uint8_t>(1U << member.anchor_port);
+    auto const anchor = static_cast<Ports::Number>(1U << member.anchor_port);
     unsigned const marker_at = size_;
     mark(m, 0, false);
     std::uint32_t part = 0;
@@ -143,7 +144,7 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
     for (; i < pending && part == 0; ++i) {
         Operation operation = operations[i];
         Kind const kind = operation.kind();
-        bool const anchored = (operation.ports() & anchor) != 0;
+        bool const anchored = operation.is_at(anchor);
         if (anchored && due == 0)
             break;
         foreign = kind == Kind::stamp || kind == Kind::flanked || (operation.all_ports() & ~member.inner_ports) != 0;
@@ -181,13 +182,15 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
 
 /// The usual case: the log goes on with enough iterations of one kind of access, and more. Put as mixes of equal
 /// length, whatever operations they come from, so that equal answers are equal codes.
-bool Phrase::read_part(OperationLog& log, unsigned member, std::uint32_t due) {
+bool Phrase::read_part(OperationLog& log, Group::Member const& follower, unsigned member, std::uint32_t due) {
     std::size_t const pending = log.pending();
     Operation const* const operations = log.begin();
     if (due > longest_part || size_ + longest_part / Operation::longest_mix >= most_codes || pending == 0)
         return false;
     unsigned const first = size_;
-    std::uint8_t const ports = operations[0].ports();
+    Ports::Number const ports = operations[0].ports();
+    if ((ports & ~follower.inner_ports) != 0)
+        return false;
     if (read_short_part(log, member, due))
         return true;
     std::uint64_t gaps = 0;
@@ -251,7 +254,7 @@ inline bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uin
     return true;
 }
 
-void Phrase::put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member) {
+void Phrase::put_part(Ports::Number ports, std::uint32_t length, std::uint64_t gaps, unsigned member) {
     codes_[size_++] =
         Operation::mix(ports, length, static_cast<std::uint32_t>(gaps)).code() | (Code{16U + member} << part_at);
 }
@@ -265,7 +268,7 @@ void Phrase::assign(Code const* codes, unsigned size, std::uint32_t active) {
 
 /// Says nothing besides what it can mean, and of ports in the group only.
 bool Phrase::is_well_formed(Code code, Group const& group) {
-    auto const is_inside = [&group](unsigned member, std::uint8_t ports) {
+    auto const is_inside = [&group](unsigned member, Ports::Number ports) {
         return member > 0 && member < group.members().size() && (ports & ~group.members()[member].inner_ports) == 0;
     };
     if (is_part(code)) {
@@ -276,18 +279,18 @@ bool Phrase::is_well_formed(Code code, Group const& group) {
     if (!is_marker(code))
         return Operation(code).is_well_formed();
     constexpr Code known = marker | (Code{0xFF} << 16) | (Code{0xFF} << 8);
-    return (code & ~known) == 0 && is_inside(marked_member(code), static_cast<std::uint8_t>(code >> 8));
+    return (code & ~known) == 0 && is_inside(marked_member(code), static_cast<Ports::Number>((code >> 8) & 0xFFU));
 }
 
 bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group) {
     if (size == 0 || size > longest ||
         !std::all_of(codes, codes + size, [&group](Code code) { return is_well_formed(code, group); }))
         return false;
-    std::array<std::uint8_t, Lead::most_members> next_ports{};
+    std::array<Ports::Number, Lead::most_members> next_ports{};
     for (Group::Member const& member : group.members())
         member.process->log().clear();
     write(codes, static_cast<unsigned>(size), group,
-          [&next_ports](unsigned member, std::uint8_t ports, bool /*frozen*/) { next_ports[member] = ports; });
+          [&next_ports](unsigned member, Ports::Number ports, bool /*frozen*/) { next_ports[member] = ports; });
     std::uint32_t parts = 0;
     for (std::size_t i = 0; i < size; ++i)
         parts |= is_part(codes[i]) ? 1U << (static_cast<unsigned>(codes[i] >> part_at) & 0xFU) : 0;
@@ -308,7 +311,7 @@ void Phrase::recall(Code const* codes, unsigned size, Group const& group) {
     each(
         codes, size,
         [&](unsigned member, Operation const& operation) { due += member == 0 ? accesses_of(operation, group) : 0; },
-        [&active](unsigned member, std::uint8_t /*next_ports*/, bool /*frozen*/) { active |= 1U << member; });
+        [&active](unsigned member, Ports::Number /*next_ports*/, bool /*frozen*/) { active |= 1U << member; });
     assign(codes, size, active);
     due_ = due;
 }

@@ -30,7 +30,7 @@ class Phrase {
     /// Takes the phrase's operations out of the logs.
     void consume();
     /// What each member goes on with where its log ends, if that is known: ports of its next step, or null.
-    void set_log_ends(std::uint8_t const* next_ports) { log_ends_ = next_ports; }
+    void set_log_ends(Ports::Number const* next_ports) { log_ends_ = next_ports; }
 
     /// Becomes a phrase that was read before, with `active` members.
     void assign(Code const* codes, unsigned size, std::uint32_t active);
@@ -64,7 +64,7 @@ class Phrase {
             }
             if (is_marker(codes[i])) {
                 member = marked_member(codes[i]);
-                visit_next(member, static_cast<std::uint8_t>(codes[i] >> 8), (codes[i] & 1U) != 0);
+                visit_next(member, static_cast<Ports::Number>((codes[i] >> 8) & 0xFFU), (codes[i] & 1U) != 0);
                 continue;
             }
             visit(member, Operation(codes[i]));
@@ -83,8 +83,8 @@ class Phrase {
 
     /// What a process does next, when it goes on from where it is.
     struct Next {
-        std::uint8_t ports = 0;  ///< of its next step; 0: unknown or outside the group
-        bool known = false;      ///< otherwise the log ends here
+        Ports::Number ports = 0;  ///< of its next step; 0: unknown or outside the group
+        bool known = false;       ///< otherwise the log ends here
     };
     static Next next_of(Group::Member const& member, std::size_t from);
 
@@ -110,15 +110,15 @@ class Phrase {
         bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
         return {goes_on ? operation.ports() : operation.tail_ports(), true};
     }
-    bool read_part(OperationLog& log, unsigned member, std::uint32_t due);
+    bool read_part(OperationLog& log, Group::Member const& follower, unsigned member, std::uint32_t due);
     bool read_short_part(OperationLog& log, unsigned member, std::uint32_t due);
-    void put_part(std::uint8_t ports, std::uint32_t length, std::uint64_t gaps, unsigned member);
+    void put_part(Ports::Number ports, std::uint32_t length, std::uint64_t gaps, unsigned member);
     Reading read_follower(Group const& group, unsigned member, std::uint32_t due);
-    void mark(unsigned member, std::uint8_t next_ports, bool frozen) {
+    void mark(unsigned member, Ports::Number next_ports, bool frozen) {
         codes_[size_++] = marker | (Code{member} << 16) | (Code{next_ports} << 8) | (frozen ? 1U : 0U);
     }
     /// A mix of which the follower has more, and all it does are mixes: a code of its own, with the follower's number.
-    static constexpr unsigned part_at = 40;
+    static constexpr unsigned part_at = 39;
     static bool is_part(Code code) { return (code >> 61) == 6 && ((code >> (part_at + 4)) & 1U) != 0; }
     static constexpr Code marker = (Code{6} << 61) | (Code{1} << (part_at - 1));
     static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
@@ -128,7 +128,7 @@ class Phrase {
     unsigned size_ = 0;
     std::uint32_t active_ = 0;
     Group::Lanes due_ = 0;
-    std::uint8_t const* log_ends_ = nullptr;
+    Ports::Number const* log_ends_ = nullptr;
     std::array<Part, Lead::most_members> parts_{};
     unsigned part_count_ = 0;
 };

@@ -70,7 +70,7 @@ struct Script {
     PhraseBook::Number const* end = nullptr;
     std::uint64_t due = 0;  ///< of all phrases left
     /// Ports of the step that each follower goes on with; by member.
-    std::array<std::uint8_t, Transition::most_members> next_ports{};
+    std::array<Ports::Number, Transition::most_members> next_ports{};
 
     bool done() const { return next == end; }
 };

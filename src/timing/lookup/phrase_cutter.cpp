@@ -38,7 +38,7 @@ bool PhraseCutter::write(PhraseBook const& book, PhraseBook::Number number) {
     }
     bool freezes = false;
     Phrase::write(book.codes(number), entry.size, group_,
-                  [this, &freezes](unsigned member, std::uint8_t next_ports, bool frozen) {
+                  [this, &freezes](unsigned member, Ports::Number next_ports, bool frozen) {
                       log_ends_[member] = next_ports;
                       freezes = freezes || frozen;
                   });

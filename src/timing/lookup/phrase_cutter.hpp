@@ -32,7 +32,7 @@ class PhraseCutter {
     std::unique_ptr<CoreTiming> core_;  // the logs are what is needed of it
     Group group_;
     Phrase phrase_;
-    std::vector<std::uint8_t> log_ends_;  ///< by member: ports of the step that it goes on with
+    std::vector<Ports::Number> log_ends_;  ///< by member: ports of the step that it goes on with
 };
 
 }  // namespace faster::timing

@@ -5,7 +5,7 @@
 
 namespace faster::timing {
 
-std::uint8_t RelativeState::next_ports(unsigned member) const {
+Ports::Number RelativeState::next_ports(unsigned member) const {
     ProcessTiming const& p = process(member);
     return p.log_.exhausted() ? outlooks_[member].next_ports : p.log().front().ports();
 }

@@ -15,8 +15,8 @@ class RelativeState {
   public:
     /// What the timing of a process cannot tell, as its log may be empty.
     struct Outlook {
-        std::uint8_t next_ports = 0;  ///< of the step it goes on with; 0: unknown
-        bool frozen = false;          ///< goes on with something outside the group: does not take part any more
+        Ports::Number next_ports = 0;  ///< of the step it goes on with; 0: unknown
+        bool frozen = false;           ///< goes on with something outside the group: does not take part any more
     };
     static constexpr unsigned no_port = ~0U;
 
@@ -51,7 +51,7 @@ class RelativeState {
 
   private:
     ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
-    std::uint8_t next_ports(unsigned member) const;
+    Ports::Number next_ports(unsigned member) const;
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
     static FigureTotals::const_iterator enter(ProcessTiming& process, FigureTotals::const_iterator figures);

@@ -49,7 +49,7 @@ void Automaton::write_next(Group const& group, Script& script) {
     script.due -= entry.due;
     Phrase::write(
         script.book->codes(number), entry.size, group,
-        [&script](unsigned member, std::uint8_t next_ports, bool) { script.next_ports[member] = next_ports; });
+        [&script](unsigned member, Ports::Number next_ports, bool) { script.next_ports[member] = next_ports; });
 }
 
 bool Automaton::set_out(Walk& walk) {

@@ -33,9 +33,9 @@ struct ProcessFlags {
     static constexpr unsigned words = 2;
     static constexpr std::uint64_t most_begun = 0xFF;
 
-    unsigned loop = 0;            ///< that it is in, from 1 on; 0: none
-    std::uint64_t begun = 0;      ///< iterations of it, up to as many as count
-    std::uint8_t next_ports = 0;  ///< of the step it goes on with; 0: unknown
+    unsigned loop = 0;             ///< that it is in, from 1 on; 0: none
+    std::uint64_t begun = 0;       ///< iterations of it, up to as many as count
+    Ports::Number next_ports = 0;  ///< of the step it goes on with, a mask; 0: unknown
     bool frozen = false;
     unsigned waits_at = 0;  ///< port at which it is parked, from 1 on; 0: none
     std::size_t left = 0;   ///< operations in its log
@@ -52,7 +52,7 @@ struct ProcessFlags {
         ProcessFlags flags;
         flags.loop = bits & 0x7F;
         flags.begun = (bits >> 7U) & most_begun;
-        flags.next_ports = static_cast<std::uint8_t>(bits >> 15U);
+        flags.next_ports = static_cast<Ports::Number>((bits >> 15U) & 0xFFU);
         flags.waits_at = (bits >> 23U) & 0xF;
         flags.frozen = ((bits >> 27U) & 1U) != 0;
         flags.left = static_cast<std::size_t>(from[1]);
@@ -165,7 +165,7 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
     process.restore(time, flags.loop, flags.begun);
     bool const has_delay_line = flags.loop != 0 && !process.plan().aligned;
     for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
-        process.restore_delayed(lag, static_cast<std::uint8_t>(*words++));
+        process.restore_delayed(lag, static_cast<Ports::Number>(*words++));
     for (std::size_t i = flags.left; i > 0; --i)
         process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
     return words + words_of_operation * flags.left;

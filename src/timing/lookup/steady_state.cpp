@@ -14,7 +14,7 @@ constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
 bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
 }  // namespace
 
-std::uint32_t SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
+ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
     if (given_up_[process.index()] == process.run_ || !leads(process) || !find_group(processes))
         return 0;
     take(now_);
@@ -46,11 +46,11 @@ void SteadyState::give_up() {
     leader_ = nullptr;
 }
 
-/// A mask: of the iterations at hand, and of those that an unaligned loop still has on their way.
-std::uint32_t SteadyState::ports_of(ProcessTiming const& process) {
-    std::uint32_t ports = process.log_.front().ports();
+/// Of the iterations at hand, and of those that an unaligned loop still has on their way.
+Ports SteadyState::ports_of(ProcessTiming const& process) {
+    Ports ports(process.log_.front().ports());
     for (std::uint64_t lag = first_lag(process), lags = lags_of(process); lag <= lags; ++lag)
-        ports |= process.state_.delayed(lag);
+        ports = ports | Ports(process.state_.delayed(lag));
     return ports;
 }
 
@@ -61,10 +61,10 @@ std::uint64_t SteadyState::lags_of(ProcessTiming const& process) {
 std::uint64_t SteadyState::first_lag(ProcessTiming const& process) { return process.state_.pipeline.open ? 0 : 1; }
 
 bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
-    for (std::uint32_t ports = ports_of(process); ports != 0; ports &= ports - 1)
-        if (process.ports_[static_cast<unsigned>(__builtin_ctz(ports))].fifo == &fifo)
-            return true;
-    return false;
+    bool accesses = false;
+    for (ProcessPort const& port : process.port_set(ports_of(process).number()))
+        accesses = accesses || port.fifo == &fifo;
+    return accesses;
 }
 
 /// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
@@ -88,17 +88,15 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 
 /// Of a member, which makes the processes behind those that are closed members as well.
 bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
-    for (std::uint32_t ports = ports_of(member); ports != 0; ports &= ports - 1) {
-        auto const number = static_cast<unsigned>(__builtin_ctz(ports));
-        ProcessPort const& port = member.ports_[number];
-        End end{&member, number, port.fifo, port.writes, 0};
+    for (ProcessPort const& port : member.port_set(ports_of(member).number())) {
+        End end{&member, port.number, port.fifo, port.writes, 0};
         end.free = free_accesses(end);
         ends_.push_back(end);
         if (end.open())
             continue;
         if (port.neighbour == 0 || (end.writes && end.fifo->is_unlimited()))
             return false;
-        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctz(port.neighbour))];
+        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctzll(port.neighbour))];
         if (!other.is_running(2) || !accesses(other, *port.fifo))
             return false;
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
@@ -146,7 +144,7 @@ void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::i
 }
 
 void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
-    std::vector<std::uint8_t>& line = process.state_.delay_line;
+    std::vector<Ports::Number>& line = process.state_.delay_line;
     std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
     process.state_.pipeline.iteration += iterations;
 }
@@ -200,7 +198,7 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
     return periods;
 }
 
-std::uint32_t SteadyState::jump(Snapshot const& now) {
+ProcessMask SteadyState::jump(Snapshot const& now) {
     std::uint64_t const periods = whole_periods_left(now);
     auto const growth = [&](std::size_t i) { return periods * (now.growing[i] - before_.growing[i]); };
     if (periods == 0)
@@ -229,8 +227,8 @@ std::uint32_t SteadyState::jump(Snapshot const& now) {
     return behind_open_ends();
 }
 
-std::uint32_t SteadyState::behind_open_ends() const {
-    std::uint32_t processes = 0;
+ProcessMask SteadyState::behind_open_ends() const {
+    ProcessMask processes = 0;
     for (End const& end : ends_)
         processes |= end.open() ? end.process->ports_[end.port].neighbour : 0U;
     return processes;
@@ -245,9 +243,9 @@ void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, s
 }
 
 void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
-    std::uint32_t mask = 0;
+    ProcessMask mask = 0;
     for (ProcessTiming const* process : group_)
-        mask |= 1U << process->index();
+        mask |= ProcessMask{1} << process->index();
     if (leader_->trail() != nullptr)
         leader_->trail()->repeated(before_.trail_mark, mask, periods, cycles);
 }
@@ -267,9 +265,10 @@ void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t p
     if (accesses == 0)
         return;
     FifoTiming::End const fifo_end = end.fifo->end(end.writes);
-    CycleRing::Writer const line = fifo_end.appends->writer(accesses);
-    for (std::uint64_t i = 0; i < accesses; ++i)
-        line[i] = line[i - accesses / periods] + cycles / periods;
+    CycleLine::Writer const line = fifo_end.appends->writer(accesses);
+    auto const period = static_cast<std::ptrdiff_t>(accesses / periods);
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(accesses); ++i)
+        line[i] = line[i - period] + cycles / periods;
     fifo_end.consumes->consume(accesses);
     fifo_end.appends->done(accesses);
     end.fifo->note(end.writes, accesses);

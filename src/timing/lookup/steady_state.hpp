@@ -20,7 +20,7 @@ class SteadyState {
 
     /// To be called whenever `process`, one of `processes` of a core, with that much left to do is
     /// about to advance. The bits of the processes outside its group that may go on because of it.
-    std::uint32_t observe(ProcessTiming& process, std::deque<ProcessTiming>& processes);
+    ProcessMask observe(ProcessTiming& process, std::deque<ProcessTiming>& processes);
 
   private:
     /// What the processes of a group looked like at one moment.
@@ -53,16 +53,16 @@ class SteadyState {
     bool is_between_closed_ends(FifoTiming const& fifo) const;
     static std::uint64_t lags_of(ProcessTiming const& process);
     static std::uint64_t first_lag(ProcessTiming const& process);
-    static std::uint32_t ports_of(ProcessTiming const& process);
+    static Ports ports_of(ProcessTiming const& process);
     static bool accesses(ProcessTiming const& process, FifoTiming const& fifo);
     static void take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative);
     static void shift_pipeline(ProcessTiming& process, std::uint64_t iterations);
     void take(Snapshot& snapshot) const;
-    std::uint32_t jump(Snapshot const& now);
+    ProcessMask jump(Snapshot const& now);
     void leave_trail(std::uint64_t periods, Cycles cycles) const;
     bool trail_remembers(Snapshot const& snapshot) const;
     std::uint64_t whole_periods_left(Snapshot const& now) const;
-    std::uint32_t behind_open_ends() const;
+    ProcessMask behind_open_ends() const;
     void go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles);
     static void shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles);
     static void repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles);
@@ -72,9 +72,9 @@ class SteadyState {
     std::vector<FifoTiming*> fifos_;  // those between closed ends
     ProcessTiming* leader_ = nullptr;
     std::uint64_t leader_run_ = 0;
-    unsigned looks_ = 0;                        // at this run so far
-    unsigned others_ = 0;                       // that went on since the last
-    std::array<std::uint64_t, 32> given_up_{};  // numbers of runs, by process
+    unsigned looks_ = 0;                                             // at this run so far
+    unsigned others_ = 0;                                            // that went on since the last
+    std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};  // numbers of runs, by process
     Snapshot before_;
     Snapshot now_;
 };

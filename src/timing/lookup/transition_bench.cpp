@@ -157,13 +157,13 @@ void TransitionBench::tell(Task const& task, Transition& transition) {
     Phrase::each(
         task.codes, task.size,
         [this](unsigned member, Operation const& operation) { members_[member].process.append(operation); },
-        [&](unsigned member, std::uint8_t next_ports, bool frozen) {
+        [&](unsigned member, Ports::Number next_ports, bool frozen) {
             transition.froze |= frozen ? 1U << member : 0U;
             members_[member].process.set_outlook(next_ports, frozen);
         });
     if (task.supplies == 0)
         return;
-    auto const ports = static_cast<std::uint8_t>(1U << supplier_port_);
+    auto const ports = static_cast<Ports::Number>(1U << supplier_port_);
     members_[supplier_].process.append(Operation::mix(ports, task.supplies, 0));
     members_[supplier_].process.set_outlook(ports, false);
 }

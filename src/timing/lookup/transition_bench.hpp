@@ -18,6 +18,7 @@ class CoreTiming;
 class TransitionBench {
   public:
     static constexpr std::size_t most_fifos = 32;
+    static constexpr std::size_t most_loops = 32;  ///< of a process
 
     /// Where a follower stands that waits for the driver. Times are relative to the driver's at the begin.
     struct Waiting {

@@ -5,6 +5,7 @@
 
 #include "kernel/recording/token_tap.hpp"
 #include "kernel/timing/fifo_timing.hpp"
+#include "kernel/timing/ports.hpp"
 
 namespace faster {
 
@@ -19,22 +20,22 @@ class FifoChannel : public sc_core::sc_prim_channel {
     timing::FifoTiming& timing() { return timing_; }
     timing::FifoTiming const& timing() const { return timing_; }
 
-    void connect_reader(ProcessClock& clock, std::uint8_t port) {
+    void connect_reader(ProcessClock& clock, unsigned port) {
         reader_ = &clock;
-        read_port_ = port;
+        read_port_ = timing::Ports::of(port);
     }
-    void connect_writer(ProcessClock& clock, std::uint8_t port) {
+    void connect_writer(ProcessClock& clock, unsigned port) {
         writer_ = &clock;
-        write_port_ = port;
+        write_port_ = timing::Ports::of(port);
     }
     /// What the FIFO's tokens consist of.
     virtual std::vector<TokenField> token_fields() const = 0;
     /// See all tokens that are appended from now on.
     std::vector<recording::TokenTap*>& taps() { return taps_; }
 
-    /// Bit of this FIFO in the port masks of its reader (writer).
-    std::uint8_t read_port() const { return read_port_; }
-    std::uint8_t write_port() const { return write_port_; }
+    /// The port of its reader (writer) at this FIFO. What is accessed together is put together by |.
+    timing::Ports read_port() const { return read_port_; }
+    timing::Ports write_port() const { return write_port_; }
 
   protected:
     friend class ProcessClock;
@@ -53,8 +54,8 @@ class FifoChannel : public sc_core::sc_prim_channel {
 
     ProcessClock* reader_ = nullptr;
     ProcessClock* writer_ = nullptr;
-    std::uint8_t read_port_ = 0;
-    std::uint8_t write_port_ = 0;
+    timing::Ports read_port_;
+    timing::Ports write_port_;
     std::vector<recording::TokenTap*> taps_;
     sc_core::sc_event written_;
     sc_core::sc_event read_;

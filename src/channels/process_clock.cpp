@@ -81,21 +81,20 @@ void ProcessClock::end_sample() { dataflow_core_->end_sample(); }
 
 void ProcessClock::connect_reads(FifoChannel& fifo) {
     fifos_.push_back(&fifo);
-    fifo.connect_reader(*this, static_cast<std::uint8_t>(1U << timing_.add_reads(fifo.timing())));
+    fifo.connect_reader(*this, timing_.add_reads(fifo.timing()));
 }
 
 void ProcessClock::connect_writes(FifoChannel& fifo) {
     fifos_.push_back(&fifo);
-    fifo.connect_writer(*this, static_cast<std::uint8_t>(1U << timing_.add_writes(fifo.timing())));
+    fifo.connect_writer(*this, timing_.add_writes(fifo.timing()));
 }
 
 unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written,
                                 std::vector<FifoChannel*> const& read_as_well) {
     for (FifoChannel const* fifo : written)
-        shape.writes.push_back(
-            {static_cast<unsigned>(__builtin_ctz(fifo->write_port())), fifo->timing().shape().write_latency});
+        shape.writes.push_back({fifo->write_port().first(), fifo->timing().shape().write_latency});
     for (FifoChannel const* fifo : read_as_well)
-        shape.reads.push_back(static_cast<unsigned>(__builtin_ctz(fifo->read_port())));
+        shape.reads.push_back(fifo->read_port().first());
     return timing_.add_loop(std::move(shape));
 }
 
@@ -120,12 +119,11 @@ void ProcessClock::follow_in_lockstep() {
             continue;
         }
         bring_kernel_to(timing_.front_cycle());
-        std::uint32_t ports = timing_.front_ports();
+        timing::Ports const ports = timing_.front_ports();
         timing_.commit_front();
-        for (; ports != 0; ports &= ports - 1) {
-            auto const port = static_cast<unsigned>(__builtin_ctz(ports));
+        ports.each([this](unsigned port) {
             timing_.writes(port) ? fifos_[port]->wake_reader() : fifos_[port]->wake_writer();
-        }
+        });
     }
 }
 
@@ -137,8 +135,8 @@ void ProcessClock::bring_kernel_to(Cycles cycle) {
 }
 
 void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
-    timing_.set_starving(static_cast<int>(__builtin_ctz(fifo.read_port())));
-    timing_.note_site(fifo.read_port(), site_);
+    timing_.set_starving(static_cast<int>(fifo.read_port().first()));
+    timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;
     sc_core::wait(fifo.written_);
     timing_.set_starving(-1);

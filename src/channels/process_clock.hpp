@@ -71,8 +71,8 @@ class ProcessClock {
     /// Where the next access outside loops stands in the source. Deadlock reports name it, or the begin of a loop.
     void here(SourceSite site = SourceSite::here()) { site_ = site; }
     /// The accesses of one step, together.
-    void step(std::uint8_t ports) {
-        say([ports](OperationLog& log) { log.step(ports, 0); });
+    void step(timing::Ports ports) {
+        say([ports](OperationLog& log) { log.step(ports.number(), 0); });
     }
     /// Notes the local time; read back from timing().stamps().
     void stamp() {
@@ -86,36 +86,36 @@ class ProcessClock {
     }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing. Inlined by force:
     /// the scan says little else.
-    [[gnu::always_inline]] void iterate(std::uint8_t ports, std::uint64_t count, std::uint16_t gap = 0) {
+    [[gnu::always_inline]] void iterate(timing::Ports ports, std::uint64_t count, std::uint16_t gap = 0) {
         say([=](OperationLog& log) {
             std::uint64_t left = count;
             for (; left > longest_count; left -= longest_count)
-                log.iterate(ports, gap, longest_count);
-            log.iterate(ports, gap, static_cast<std::uint32_t>(left));
+                log.iterate(ports.number(), gap, longest_count);
+            log.iterate(ports.number(), gap, static_cast<std::uint32_t>(left));
         });
     }
     /// `count` iterations that access `ports`, one that accesses `tail_ports`, and `tail_gap` that access nothing.
-    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
-        say([=](OperationLog& log) { log.iterate_with_tail(ports, count, tail_ports, tail_gap); });
+    void iterate_with_tail(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap) {
+        say([=](OperationLog& log) { log.iterate_with_tail(ports.number(), count, tail_ports.number(), tail_gap); });
     }
     /// An iteration that accesses `ports`, one that accesses `tail_ports`, then iterate_with_tail() for the other
     /// `count` - 1, which is not 0.
-    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
-        say([=](OperationLog& log) { log.iterate_flanked(ports, count, tail_ports, tail_gap); });
+    void iterate_flanked(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap) {
+        say([=](OperationLog& log) { log.iterate_flanked(ports.number(), count, tail_ports.number(), tail_gap); });
     }
     /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
     /// most 32.
-    void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
-        say([=](OperationLog& log) { log.iterate_mixed(ports, length, gaps); });
+    void iterate_mixed(timing::Ports ports, unsigned length, std::uint32_t gaps) {
+        say([=](OperationLog& log) { log.iterate_mixed(ports.number(), length, gaps); });
     }
     void leave_loop() {
         say([](OperationLog& log) { log.leave(); });
     }
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
-    void access(std::uint8_t port) {
-        timing_.note_site(port, site_);
+    void access(timing::Ports port) {
+        timing_.note_site(port.first(), site_);
         if (collecting_)
-            collected_ |= port;
+            collected_ = collected_ | port;
         else
             step(port);
     }
@@ -170,7 +170,7 @@ class ProcessClock {
     std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
     SourceSite site_;
     bool collecting_ = false;
-    std::uint8_t collected_ = 0;
+    timing::Ports collected_;
 };
 
 /// Accesses through plain ports in this scope happen together, as one step.
@@ -182,9 +182,9 @@ class Step {
     }
     ~Step() noexcept(false) {
         clock_.collecting_ = false;
-        std::uint8_t const ports = clock_.collected_;
-        clock_.collected_ = 0;
-        if (ports != 0)
+        timing::Ports const ports = clock_.collected_;
+        clock_.collected_ = timing::Ports();
+        if (!ports.is_empty())
             clock_.step(ports);
     }
     Step(Step const&) = delete;

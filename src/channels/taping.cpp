@@ -91,8 +91,8 @@ void Taping::note_sites() {
                 if (noted.loop_site(i).line == 0)
                     noted.note_loop_site(i, process.loop_site(i));
             for (unsigned i = 0; i < process.port_count(); ++i)
-                if (noted.port_site(i).line == 0 && ((writer_.step_ports(process.index()) >> i) & 1U) != 0)
-                    noted.note_site(static_cast<std::uint8_t>(1U << i), process.port_site(i));
+                if (noted.port_site(i).line == 0 && writer_.step_ports(process.index()).has(i))
+                    noted.note_site(i, process.port_site(i));
         }
 }
 

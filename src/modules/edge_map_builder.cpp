@@ -106,7 +106,7 @@ void EdgeMapBuilder::clear() {
     if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, iterations);
+    clock_.iterate(timing::no_ports, iterations);
     clock_.leave_loop();
 }
 

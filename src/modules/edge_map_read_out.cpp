@@ -60,7 +60,7 @@ void EdgeMapReadOut::send(datapath::EdgeMapPolicy const& maps, LaneRows const& r
         return;
     }
     clock_.enter_loop(loop_);
-    clock_.iterate(0, maps.rows_read_ahead() * rows.tokens_per_row());
+    clock_.iterate(timing::no_ports, maps.rows_read_ahead() * rows.tokens_per_row());
     for (std::size_t done = 0; done < rows.tokens();) {
         LaneRows::Run const run = rows.run(done, std::min(burst, rows.tokens() - done));
         out_->await_room();

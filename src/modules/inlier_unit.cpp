@@ -68,9 +68,9 @@ void InlierUnit::end_of_elaboration() {
     fragment_loop_ = clock_.loop("fragment");
     if (result_ != nullptr)  // otherwise the sweep is another process's
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
-    triangle_ports_ = static_cast<std::uint8_t>(area_reciprocal_->read_port() | command_->read_port());
-    fragment_ports_ = static_cast<std::uint8_t>(fragment_depth_in.channel()->read_port() |
-                                                fragment_index_in.channel()->read_port() | command_->read_port());
+    triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
+    fragment_ports_ = fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() |
+                      command_->read_port();
 }
 
 void InlierUnit::run() {
@@ -115,7 +115,7 @@ void InlierUnit::clear() {
     if (iterations == 0)
         return;
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(0, iterations);
+    clock_.iterate(timing::no_ports, iterations);
     clock_.leave_loop();
 }
 

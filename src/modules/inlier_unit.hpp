@@ -81,8 +81,8 @@ class InlierUnit : public sc_core::sc_module {
     ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
     ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers
     ClockedFifo<FullDepthBuffer>* depth_full_ = nullptr;  ///< two buffers
-    std::uint8_t triangle_ports_ = 0;
-    std::uint8_t fragment_ports_ = 0;
+    timing::Ports triangle_ports_;
+    timing::Ports fragment_ports_;
     unsigned clear_loop_ = 0;
     unsigned fragment_loop_ = 0;
 };

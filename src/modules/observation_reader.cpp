@@ -62,7 +62,7 @@ void ObservationReader::run() {
 void ObservationReader::send_valid_depth(SampleHeader const& header) {
     constexpr std::uint64_t reads = 4;
     clock_.enter_loop(read_loop_);
-    clock_.iterate(0, reads);
+    clock_.iterate(timing::no_ports, reads);
     clock_.leave_loop();
     clock_.here();
     valid_depth_out->write(valid_depth_->count(core_.window_offset(header.centre_row),
@@ -81,7 +81,7 @@ void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& 
     }
     auto& depth = channel_of(observed_depth_out);
     auto& edge = channel_of(observed_edge_out);
-    auto const ports = static_cast<std::uint8_t>(depth.write_port() | edge.write_port());
+    timing::Ports const ports = depth.write_port() | edge.write_port();
     std::size_t const tokens = rows.tokens_per_row();
     std::int64_t const first_row = core_.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
     std::int64_t const first_col = core_.window_offset(header.centre_col);

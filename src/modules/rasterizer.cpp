@@ -92,10 +92,10 @@ void Rasterizer::end_of_elaboration() {
     index_groups_ = channel_of(fragment_index_out.groups);
     edge_groups_ = channel_of(edge_token_out.groups);
     FifoChannel* const edges = edge_token_out.channel();
-    edge_port_ = edges != nullptr ? edges->write_port() : std::uint8_t{0};
-    fragment_ports_ =
-        static_cast<std::uint8_t>(command_->write_port() | fragment_depth_out.channel()->write_port() |
-                                  fragment_index_out.channel()->write_port() | edge_port_);
+    edge_port_ = edges != nullptr ? edges->write_port() : timing::Ports();
+    pixel_ports_ = command_->write_port() | fragment_depth_out.channel()->write_port() |
+                   fragment_index_out.channel()->write_port();
+    fragment_ports_ = pixel_ports_ | edge_port_;
     scan_loop_ = clock_.loop("scan");
 }
 

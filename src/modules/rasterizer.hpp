@@ -85,13 +85,13 @@ class Rasterizer : public sc_core::sc_module {
     void draw_overlapped(std::uint32_t triangles);
     void begin_triangle(datapath::TriangleSetup const& setup);
     void read_ahead();
-    void first_iteration(std::uint8_t ports);
+    void first_iteration(timing::Ports ports);
     void fetch_vertex();
-    template <bool Ahead> void iterate(std::uint8_t ports, std::uint32_t count);
+    template <bool Ahead> void iterate(timing::Ports ports, std::uint32_t count);
     template <bool Ahead>
-    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap);
+    void iterate_with_tail(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap);
     template <bool Ahead>
-    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap);
+    void iterate_flanked(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap);
 
     datapath::TriangleSetup set_up(TriangleCode const& triangle) const;
     EdgeToken token_at(int row, int col, EdgeTokenKind kind) const;
@@ -112,8 +112,9 @@ class Rasterizer : public sc_core::sc_module {
     ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
     ClockedFifo<PixelGroup>* index_groups_ = nullptr;
     ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
-    std::uint8_t fragment_ports_ = 0;  ///< of an iteration that finds a covered pixel
-    std::uint8_t edge_port_ = 0;       ///< of an iteration that sends an edge
+    timing::Ports fragment_ports_;  ///< of an iteration that finds a covered pixel
+    timing::Ports pixel_ports_;     ///< the same without an edge
+    timing::Ports edge_port_;       ///< of an iteration that sends an edge
 
     /// Where the scan at hand writes its next tokens, and which it has not handed over yet.
     struct Burst {

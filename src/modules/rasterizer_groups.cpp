@@ -23,15 +23,15 @@ template <class Lines, bool Ahead> void Rasterizer::scan_groups(datapath::Triang
 
 template <class Lines, bool Ahead> void Rasterizer::send_groups(datapath::GroupedLine const& line) {
     if (line.is_empty()) {
-        iterate<Ahead>(0, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.groups()));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.groups()));
         return;
     }
     if (!Lines::skips_outside)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.before()));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.before()));
     send_group_tokens(line);
     iterate<Ahead>(fragment_ports_, static_cast<std::uint32_t>(line.inside()));
     if (!Lines::skips_outside)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.after()));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after()));
 }
 
 void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {

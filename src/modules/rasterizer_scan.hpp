@@ -7,7 +7,7 @@
 namespace faster {
 
 /// Iterations of the scan. Those that a triangle begins with may have something else to do beside it.
-template <bool Ahead> void Rasterizer::iterate(std::uint8_t ports, std::uint32_t count) {
+template <bool Ahead> void Rasterizer::iterate(timing::Ports ports, std::uint32_t count) {
     if constexpr (Ahead)
         for (; ahead_.first_iterations > 0 && count > 0; --count)
             first_iteration(ports);
@@ -15,19 +15,19 @@ template <bool Ahead> void Rasterizer::iterate(std::uint8_t ports, std::uint32_t
 }
 
 template <bool Ahead>
-void Rasterizer::iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
+void Rasterizer::iterate_with_tail(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports,
                                    std::uint32_t tail_gap) {
     if (Ahead && ahead_.first_iterations > 0) {
         iterate<Ahead>(ports, count);
         iterate<Ahead>(tail_ports, 1);
-        iterate<Ahead>(0, tail_gap);
+        iterate<Ahead>(timing::no_ports, tail_gap);
     } else {
         clock_.iterate_with_tail(ports, count, tail_ports, tail_gap);
     }
 }
 
 template <bool Ahead>
-void Rasterizer::iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
+void Rasterizer::iterate_flanked(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports,
                                  std::uint32_t tail_gap) {
     if (Ahead && ahead_.first_iterations > 0) {
         iterate_with_tail<Ahead>(ports, 1, tail_ports, 0);
@@ -59,7 +59,7 @@ template <class Lines, bool Ahead> void Rasterizer::send_line(datapath::ScanLine
     if (Lines::skips_outside)
         silent = silent > 0 && line.inside == 0 ? 1 : 0;
     if (silent > 0)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(silent));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(silent));
     if (line.before > 0) {
         previous_row_ = line.row;
         previous_col_ = line.col(line.before - 1);
@@ -67,7 +67,7 @@ template <class Lines, bool Ahead> void Rasterizer::send_line(datapath::ScanLine
     if (line.inside > 0)
         send_run<Lines, Ahead>(line);
     else if (line.after > 0)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.after));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after));
     previous_row_ = line.row;
     previous_col_ = line.col(line.pixels() - 1);
 }
@@ -94,7 +94,7 @@ template <class Lines, bool Ahead> void Rasterizer::send_run(datapath::ScanLine 
         iterate_with_tail<Ahead>(fragment_ports_, rest, edge_port_, silent);
     } else if (leaves) {
         iterate<Ahead>(edge_port_, 1);
-        iterate<Ahead>(0, silent);
+        iterate<Ahead>(timing::no_ports, silent);
     } else {
         iterate<Ahead>(fragment_ports_, rest);
     }

@@ -27,9 +27,9 @@ template <bool Ahead> void Rasterizer::send_near_edge_line(datapath::NearEdgeLin
     for (int pixel = 0; pixel < line.inside.pixels();) {
         datapath::Stretch const stretch = line.stretch_from(pixel);
         send_stretch(line.inside, stretch);
-        unsigned const fragment_ports = stretch.is_inside ? unsigned{fragment_ports_} & ~unsigned{edge_port_} : 0U;
-        unsigned const token_port = stretch.is_near ? edge_port_ : 0U;
-        iterate<Ahead>(static_cast<std::uint8_t>(fragment_ports | token_port),
+        timing::Ports const fragment_ports = stretch.is_inside ? pixel_ports_ : timing::Ports();
+        timing::Ports const token_port = stretch.is_near ? edge_port_ : timing::Ports();
+        iterate<Ahead>(fragment_ports | token_port,
                        static_cast<std::uint32_t>(stretch.end - stretch.first));
         pixel = stretch.end;
     }
@@ -46,18 +46,18 @@ template <class Lines, bool Ahead> void Rasterizer::scan_covered(datapath::Trian
 
 template <class Lines, bool Ahead> void Rasterizer::send_covered(datapath::ScanLine const& line) {
     if (line.inside == 0) {
-        iterate<Ahead>(0, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.pixels()));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.pixels()));
         return;
     }
     if (!Lines::skips_outside)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.before));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.before));
     if (edge_token_ != nullptr)
         send_tokens(line, false, false);
     else
         send_stretch(line, {line.before, line.before + line.inside, true, false});
     iterate<Ahead>(fragment_ports_, static_cast<std::uint32_t>(line.inside));
     if (!Lines::skips_outside)
-        iterate<Ahead>(0, static_cast<std::uint32_t>(line.after));
+        iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after));
 }
 
 template <class Lines, bool Ahead> Rasterizer::Scan Rasterizer::scan_along() const {
@@ -91,7 +91,7 @@ void Rasterizer::draw_overlapped(std::uint32_t triangles) {
     clock_.enter_loop(scan_loop_);
     for (std::uint64_t i = std::min<std::uint64_t>(core_.config.rasterizer.setup_overlap, triangles); i > 0; --i) {
         read_ahead();
-        iterate<true>(0, 3);
+        iterate<true>(timing::no_ports, 3);
     }
     for (; triangles > 0; --triangles) {
         datapath::TriangleSetup const setup = ahead_.setups.front();
@@ -99,7 +99,7 @@ void Rasterizer::draw_overlapped(std::uint32_t triangles) {
         begin_triangle(setup);
         if (setup.drawn())
             (this->*scan_)(setup);
-        iterate<true>(0, ahead_.first_iterations);
+        iterate<true>(timing::no_ports, ahead_.first_iterations);
     }
     clock_.leave_loop();
 }
@@ -111,14 +111,14 @@ void Rasterizer::begin_triangle(datapath::TriangleSetup const& setup) {
     area_->await_room();
     *area_->reserve(1) = setup.area;
     area_->commit(1);
-    unsigned ports = area_->write_port();
+    timing::Ports ports = area_->write_port();
     if (setup.drawn()) {
         command_->await_room();
         *command_->reserve(1) = Command::Triangle;
         command_->commit(1);
-        ports |= command_->write_port();
+        ports = ports | command_->write_port();
     }
-    iterate<true>(static_cast<std::uint8_t>(ports), 1);
+    iterate<true>(ports, 1);
 }
 
 /// The next three iterations are a triangle's first, and read the vertices of another, if there is one left.
@@ -128,14 +128,14 @@ void Rasterizer::read_ahead() {
     ahead_.unread -= ahead_.reads ? 1U : 0U;
 }
 
-void Rasterizer::first_iteration(std::uint8_t ports) {
+void Rasterizer::first_iteration(timing::Ports ports) {
     --ahead_.first_iterations;
     if (!ahead_.reads) {
         clock_.iterate(ports, 1);
         return;
     }
     fetch_vertex();
-    clock_.iterate(static_cast<std::uint8_t>(ports | vertex_->read_port()), 1);
+    clock_.iterate(ports | vertex_->read_port(), 1);
     vertex_->consume(1);
     if (ahead_.first_iterations == 0) {
         clock_.begin_setup();

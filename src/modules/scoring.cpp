@@ -61,8 +61,8 @@ void Scoring::connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint
     edge_map_ = edge_map;
     observed_depth_ = &observed_depth;
     observed_edge_ = &observed_edge;
-    unsigned const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : 0U;
-    ports_ = static_cast<std::uint8_t>(edge_port | observed_depth.read_port() | observed_edge.read_port());
+    timing::Ports const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : timing::Ports();
+    ports_ = edge_port | observed_depth.read_port() | observed_edge.read_port();
     loop_ = clock_.loop("sweep");
     if (edge_extractor_)
         edge_extractor_->connect();
@@ -98,7 +98,7 @@ void Scoring::forget(std::vector<std::uint16_t>& depth_buffer, PixelBox const& b
 void Scoring::sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows const& rows, SampleCounters& counters) {
     SweepDesign const design = sweep_design(core_.config);
     clock_.enter_loop(loop_);
-    clock_.iterate(0, design.lead(rows.tokens_per_row()));
+    clock_.iterate(timing::no_ports, design.lead(rows.tokens_per_row()));
     for (std::size_t done = 0; done < rows.tokens();) {
         std::size_t n = rows.tokens() - done;
         if (edge_map_ != nullptr)
@@ -117,7 +117,7 @@ void Scoring::sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows con
         observed_edge_->consume(run.tokens);
         done += run.tokens;
     }
-    clock_.iterate(0, design.tail(rows.tokens_per_row()));
+    clock_.iterate(timing::no_ports, design.tail(rows.tokens_per_row()));
     clock_.leave_loop();
 }
 

@@ -43,7 +43,7 @@ class Scoring {
     ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
     ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
     ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
-    std::uint8_t ports_ = 0;
+    timing::Ports ports_;
     unsigned loop_ = 0;
 };
 

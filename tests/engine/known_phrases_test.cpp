@@ -65,12 +65,12 @@ Phrase::Code const await_setup = operation(Kind::wait, 0, Operation::setup_end, 
 
 /// Of what a member does next, and the ports of the step after that.
 Phrase::Code mark(unsigned member, std::uint8_t next_ports, bool frozen = false) {
-    return (Phrase::Code{6} << 61) | (Phrase::Code{1} << 39) | (Phrase::Code{member} << 16) |
+    return (Phrase::Code{6} << 61) | (Phrase::Code{1} << 38) | (Phrase::Code{member} << 16) |
            (Phrase::Code{next_ports} << 8) | (frozen ? 1U : 0U);
 }
 /// `length` iterations of a member, of which there are more.
 Phrase::Code part(unsigned member, std::uint8_t ports, unsigned length) {
-    return Operation::mix(ports, length, 0).code() | (Phrase::Code{16 + member} << 40);
+    return Operation::mix(ports, length, 0).code() | (Phrase::Code{16 + member} << 39);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "kernel/timing/automaton.hpp"
+#include "kernel/timing/lookup/automaton.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -69,6 +69,15 @@ struct Machine {
         core.process(drawer).add_loop(loop(dice, 9, {}));
     }
 
+    /// The drawer writes to as many sinks at the end of a sample.
+    void add_sinks(unsigned count) {
+        for (unsigned i = 0; i < count; ++i) {
+            FifoTiming& fifo = core.add_fifo({"sink"});
+            core.process(drawer).add_writes(fifo);
+            core.add_process("sink").add_reads(fifo);
+        }
+    }
+
     static LoopShape loop(Dice& dice, Cycles depth, std::vector<LoopWrite> writes) {
         LoopShape shape;
         shape.interval.achieved = shape.interval.target = dice.chance(70) ? 1 : dice.between(2, 3);
@@ -91,7 +100,7 @@ void begin_sample(CoreTiming& core, Dice& dice) {
 }
 
 /// With few shapes of lines, as in a real scan.
-void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied, unsigned pause = 0) {
+void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied, unsigned pauses = 0) {
     auto const log = [&core](Process process) -> OperationLog& { return core.process(process).log(); };
     constexpr std::uint8_t fragment_ports = 0b11100;
     constexpr std::uint8_t edge_port = 0b10000;
@@ -113,8 +122,9 @@ void log_triangles(CoreTiming& core, Dice& dice, unsigned triangles, bool varied
             continue;
         unsigned fragments = 0;
         log(driver).enter(0);
-        if (pause > 0 && dice.chance(10))
-            log(driver).append(Operation(Operation::Kind::iterate, 0, Operation::longest_gap, pause));
+        for (unsigned left = dice.chance(10) ? pauses : 0; left > 0; --left)
+            log(driver).append(
+                Operation(Operation::Kind::iterate, 0, Operation::longest_gap, Operation::longest_count));
         for (unsigned line = dice.between(1, 3); line > 0; --line) {
             log(driver).iterate(0, 0, dice.below(2));
             unsigned const inside = varied || dice.chance(5) ? dice.below(60) : 2 * dice.below(2);
@@ -257,8 +267,8 @@ TEST_CASE("How often the loops were iterated that a core is in is known whenever
 }
 
 TEST_CASE("Times too far apart for a state are none of the automaton's business", "[automaton]") {
-    constexpr unsigned pause = 1U << 22;
-    constexpr std::int64_t longest = std::int64_t{pause} * (Operation::longest_gap + 1);
+    constexpr unsigned pauses = 5;
+    constexpr std::int64_t longest = std::int64_t{pauses} * Operation::longest_count * (Operation::longest_gap + 1);
     static_assert(longest > furthest_apart && longest > std::numeric_limits<StateWord>::max(), "or it is not");
     for (unsigned seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
@@ -270,7 +280,7 @@ TEST_CASE("Times too far apart for a state are none of the automaton's business"
             Dice dice(seed);
             for (unsigned sample = 0; sample < 3; ++sample) {
                 begin_sample(machine->core, dice);
-                log_triangles(machine->core, dice, 60, false, pause);
+                log_triangles(machine->core, dice, 60, false, pauses);
                 end_sample(machine->core, dice);
             }
             machine->core.resolve();
@@ -284,6 +294,55 @@ TEST_CASE("Times too far apart for a state are none of the automaton's business"
 TEST_CASE("An automaton that hardly ever finds what it looks for is given up, and nothing is lost", "[automaton]") {
     CHECK_FALSE(compare(77, false, 500, true)->gave_up());  // at first, much is new anyway
     CHECK(compare(77, false, 1000, true)->gave_up());
+}
+
+TEST_CASE("A process with ports that no mask has is followed where it does not access them", "[automaton][ports]") {
+    constexpr unsigned sinks = 30;
+    std::vector<unsigned> written;
+    for (unsigned port = 4; port < 4 + sinks; ++port)
+        written.push_back(port);
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        auto automaton = std::make_shared<Automaton>();
+        Machine followed(seed, seed % 2 == 1);
+        Machine plain(seed, seed % 2 == 1);
+        followed.core.let_follow(Machine::lead(), automaton);
+        for (Machine* const machine : {&followed, &plain}) {
+            machine->add_sinks(sinks);
+            Dice dice(seed);
+            for (unsigned sample = 0; sample < 4; ++sample) {
+                begin_sample(machine->core, dice);
+                log_triangles(machine->core, dice, 40, false);
+                end_sample(machine->core, dice);
+                machine->core.process(drawer).log().step(Ports::of(written).number(), 2);
+                for (unsigned sink = 0; sink < sinks; ++sink)
+                    machine->core.process(collector + 1 + sink).log().step(1, 3 + sink);
+                machine->core.resolve(false);
+            }
+            machine->core.resolve();
+        }
+        CHECK(figures_of(followed.core) == figures_of(plain.core));
+        CHECK(automaton->phrases() > 0);
+        CHECK(followed.core.process(drawer).finished());
+    }
+}
+
+TEST_CASE("A lead of more followers than an automaton takes is worked out without", "[automaton]") {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        CAPTURE(seed);
+        auto automaton = std::make_shared<Automaton>();
+        Machine followed(seed, false);
+        Machine plain(seed, false);
+        Lead lead = Machine::lead();
+        lead.followers.push_back({collector, result});
+        followed.core.let_follow(lead, automaton);
+        for (Machine* const machine : {&followed, &plain}) {
+            log_samples(machine->core, seed, 2, false);
+            machine->core.resolve();
+        }
+        CHECK(figures_of(followed.core) == figures_of(plain.core));
+        CHECK(automaton->phrases() == 0);
+    }
 }
 
 TEST_CASE("Joined operations mean what they were joined of", "[operation]") {

@@ -1,4 +1,4 @@
-#include "kernel/timing/bench_fifo.hpp"
+#include "kernel/timing/lookup/bench_fifo.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -50,13 +50,6 @@ StateWords words_of(Accesses const& accesses, unsigned room, StateWord latency, 
     return words;
 }
 
-void put(BenchLine& consumed, BenchLine& appended, StateWord cycle) {
-    consumed.consume(1);
-    appended.reserve(1);
-    *appended.end() = cycle;
-    appended.append(1);
-}
-
 }  // namespace
 
 TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[bench_fifo]") {
@@ -81,13 +74,14 @@ TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[b
         shape.read_latency = static_cast<Cycles>(read_latency);
         BenchFifo fifo(shape);
         StateWords const words = words_of(accesses, room, latency, first_writes, first_reads);
-        REQUIRE(fifo.load(words.data()) == words.data() + words.size());
+        REQUIRE(load_fifo(fifo, 0, 0, 0, words.data()) == words.data() + words.size());
+        fifo.start();
         unsigned write = first_writes;
         for (unsigned read = first_reads; read < all_reads || write < count;) {
             if (write < count && fifo.free.known() > 0 && (read == all_reads || below(2) == 0))
-                put(fifo.free, fifo.readable, accesses.writes[write++] + latency);
+                fifo.writer().access(accesses.writes[write++]);
             else if (read < all_reads && fifo.readable.known() > 0)
-                put(fifo.readable, fifo.free, accesses.reads[read++] + 1);
+                fifo.reader().access(accesses.reads[read++]);
         }
         std::uint64_t const largest = accesses.largest_occupancy(first_writes, first_reads, all_reads, issue_latency);
         CHECK(fifo.largest_occupancy() == std::min<std::uint64_t>(largest, capacity));
@@ -97,25 +91,23 @@ TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[b
 TEST_CASE("A line keeps its cycles however many go through it", "[bench_fifo]") {
     BenchLine line(5);
     StateWord const first[] = {10, 20};
-    line.load(3, first, 2);
+    line.load_end(3, 0, 2, 0, first);
     CHECK(line.known() == 5);
-    CHECK(line.cycles()[2] == BenchLine::over);
+    CHECK(line[2] == BenchLine::over);
     line.consume(3);
     for (StateWord cycle = 30; cycle < 50000; cycle += 10) {
         line.start();
-        line.reserve(1);
-        *line.end() = cycle;
-        line.append(1);
+        line.append(cycle);
         REQUIRE(line.known() == 3);
-        REQUIRE(line.cycles()[0] == cycle - 20);
-        REQUIRE(line.cycles()[2] == cycle);
+        REQUIRE(line[0] == cycle - 20);
+        REQUIRE(line[2] == cycle);
         line.consume(1);
         REQUIRE(line.consumed() == 1);
         REQUIRE(line.appended() == 1);
     }
-    line.reserve(100000);
-    CHECK(line.cycles()[1] - line.cycles()[0] == 10);
-    CHECK(line.count_until(line.cycles()[0]) == 1);
+    line.writer(100000);
+    CHECK(line[1] - line[0] == 10);
+    CHECK(line.count_until(line[0]) == 1);
     CHECK(line.count_until(0) == 0);
 }
 

@@ -1,4 +1,4 @@
-#include "kernel/timing/numbered_transitions.hpp"
+#include "kernel/timing/lookup/numbered_transitions.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

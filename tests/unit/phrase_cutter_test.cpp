@@ -1,4 +1,4 @@
-#include "kernel/timing/phrase_cutter.hpp"
+#include "kernel/timing/lookup/phrase_cutter.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/cut_trial.hpp"
-#include "kernel/timing/transition_store.hpp"
+#include "kernel/timing/lookup/cut_trial.hpp"
+#include "kernel/timing/lookup/transition_store.hpp"
 #include "support/spelled_out.hpp"
 
 namespace faster::timing {
@@ -82,7 +82,7 @@ std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::v
     std::vector<Operation::Code> next_ports(3);
     for (PhraseBook::Number const number : numbers)
         Phrase::write(book.codes(number), book[number].size, group,
-                      [&](unsigned member, std::uint8_t ports, bool) { next_ports[member] = ports; });
+                      [&](unsigned member, Ports::Number ports, bool) { next_ports[member] = ports; });
     std::vector<std::vector<Operation::Code>> said;
     for (Process const process : {driver, drawer, builder})
         said.push_back(testing::spelled_out(core->process(process).log()));

@@ -1,4 +1,4 @@
-#include "kernel/timing/state_table.hpp"
+#include "kernel/timing/lookup/state_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

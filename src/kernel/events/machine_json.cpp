@@ -67,7 +67,7 @@ class MachineReader {
             throw std::invalid_argument("process " + process.name() + " is at no such end of " + described.name);
         timing::FifoTiming& fifo = run_.blueprint->fifo(number);
         unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
-        process.note_site(static_cast<std::uint8_t>(1U << port), read_site(json.at("source")));
+        process.note_site(port, read_site(json.at("source")));
     }
 
     void read_loop(Json const& json, timing::ProcessTiming& process) {

@@ -116,16 +116,13 @@ void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles fr
     put(process, event);
 }
 
-void CoreCapture::accessed(ProcessTiming const& process, std::uint8_t ports, Cycles cycle) {
-    for (unsigned port = 0; port < process.port_count(); ++port) {
-        if (((ports >> port) & 1U) == 0)
-            continue;
-        if (process.writes(port)) {
+void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
+    ports.each([&](unsigned port) {
+        if (process.writes(port))
             put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
-            continue;
-        }
-        put_read(process, fifo_at(process, port), cycle);
-    }
+        else
+            put_read(process, fifo_at(process, port), cycle);
+    });
 }
 
 void CoreCapture::put_write(ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle) {

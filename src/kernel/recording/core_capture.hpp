@@ -24,7 +24,7 @@ class CoreCapture : public timing::StepObserver {
     void iterated(timing::ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
                   Cycles stride) override;
     void stalled(timing::ProcessTiming const& process, unsigned port, Cycles from, Cycles until) override;
-    void accessed(timing::ProcessTiming const& process, std::uint8_t ports, Cycles cycle) override;
+    void accessed(timing::ProcessTiming const& process, timing::Ports ports, Cycles cycle) override;
     void stamped(timing::ProcessTiming const& process, Cycles cycle) override;
 
   private:

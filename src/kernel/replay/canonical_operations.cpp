@@ -13,7 +13,7 @@ class IterationJoiner {
   public:
     explicit IterationJoiner(std::vector<Operation>& operations) : operations_(operations) {}
 
-    void add(std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+    void add(timing::Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
         if (ports != ports_)
             flush();
         ports_ = ports;
@@ -24,7 +24,7 @@ class IterationJoiner {
     }
 
     /// The same of all runs of a mix. Those between its first and its last cannot grow: they fill mixes as they are.
-    void add_mix(std::uint8_t ports, std::uint32_t gaps, unsigned length) {
+    void add_mix(timing::Ports::Number ports, std::uint32_t gaps, unsigned length) {
         unsigned const first = Operation::alike(gaps, length);
         add(ports, gaps & 1U, first);
         if (first == length)
@@ -86,7 +86,7 @@ class IterationJoiner {
     }
 
     std::vector<Operation>& operations_;
-    std::uint8_t ports_ = 0;
+    timing::Ports::Number ports_ = 0;
     std::uint32_t gap_ = 0;
     std::uint64_t count_ = 0;
     std::uint32_t gaps_ = 0;
@@ -96,7 +96,7 @@ class IterationJoiner {
 bool is_simple(Operation const& operation) {
     if (operation.kind() != Operation::Kind::iterate)
         return operation.kind() == Operation::Kind::mixed;
-    std::uint8_t const tail = operation.own_tail_ports();
+    timing::Ports::Number const tail = operation.own_tail_ports();
     return operation.ports() != 0 && operation.gap() <= 1 &&
            (tail == 0 || (tail == operation.ports() && operation.tail_gap() <= 1));
 }

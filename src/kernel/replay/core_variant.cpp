@@ -18,7 +18,7 @@ void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& var
     for (unsigned loop = 0; loop < process.loops().size(); ++loop)
         variant.note_loop_site(loop, process.loop_site(loop));
     for (unsigned port = 0; port < process.port_count(); ++port)
-        variant.note_site(static_cast<std::uint8_t>(1U << port), process.port_site(port));
+        variant.note_site(port, process.port_site(port));
 }
 
 }  // namespace

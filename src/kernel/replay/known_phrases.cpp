@@ -74,7 +74,7 @@ std::optional<KnownPhrases::Effect> KnownPhrases::effect() const {
     Phrase::each(
         phrase_.codes(), phrase_.size(),
         [&reader](unsigned member, Operation const& operation) { reader.take(member, operation); },
-        [](unsigned /*member*/, std::uint8_t /*next_ports*/, bool /*frozen*/) {});
+        [](unsigned /*member*/, timing::Ports::Number /*next_ports*/, bool /*frozen*/) {});
     return reader.effect();
 }
 

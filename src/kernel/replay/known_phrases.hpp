@@ -6,7 +6,7 @@
 
 #include "kernel/replay/lead_core.hpp"
 #include "kernel/replay/operation_check.hpp"
-#include "kernel/timing/phrase_book.hpp"
+#include "kernel/timing/lookup/phrase_book.hpp"
 
 namespace faster::retiming {
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/group.hpp"
+#include "kernel/timing/lookup/group.hpp"
 
 namespace faster::retiming {
 

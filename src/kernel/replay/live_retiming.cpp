@@ -64,7 +64,7 @@ struct LiveRetiming::Core {
 LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, Machine const& machine,
                            std::vector<CoreShare> const& shares)
     : machine_(machine), lead_(blueprint, machine.lead), cutter_(blueprint, machine.lead) {
-    auto const automaton = std::make_shared<timing::Automaton>(timing::Automaton::use_by(shares.size()));
+    auto const automaton = std::make_shared<timing::Automaton>();
     for (CoreShare const& share : shares) {
         std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, machine);
         timing->let_follow(machine.lead, automaton);

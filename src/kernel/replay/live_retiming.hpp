@@ -10,7 +10,7 @@
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/replay.hpp"
 #include "kernel/replay/script_source.hpp"
-#include "kernel/timing/phrase_cutter.hpp"
+#include "kernel/timing/lookup/phrase_cutter.hpp"
 
 namespace faster::retiming {
 

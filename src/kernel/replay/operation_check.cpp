@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/base/each_bit.hpp"
-
 namespace faster::retiming {
 
 using timing::Operation;
 using Kind = Operation::Kind;
 
 bool OperationCheck::accepts(Operation const& operation) {
-    if (!has_ports(operation.all_ports()))
+    if (!has_ports(operation.ports()) || !has_ports(operation.tail_ports()))
         return false;
     switch (operation.kind()) {
         case Kind::wait:
@@ -35,13 +33,18 @@ bool OperationCheck::accepts(Operation const& operation) {
     return false;
 }
 
-/// An iteration accesses few FIFOs, and reads or writes; more, and both, only in loops that prepare.
-bool OperationCheck::can_iterate(std::uint8_t ports) const {
-    unsigned reads = 0;
-    unsigned writes = 0;
-    for_each_bit(std::uint32_t{ports}, [&](unsigned port) { ++(process_->writes(port) ? writes : reads); });
-    return prepares_beside_loops() ||
-           (reads + writes <= timing::ProcessTiming::most_accesses && (reads == 0 || writes == 0));
+bool OperationCheck::has_ports(timing::Ports::Number ports) const {
+    bool has = timing::Ports::is_known(ports);
+    if (has)
+        timing::Ports(ports).each([&](unsigned port) { has = has && port < process_->port_count(); });
+    return has;
+}
+
+/// An iteration reads or writes; both only in loops that prepare.
+bool OperationCheck::can_iterate(timing::Ports::Number ports) const {
+    bool reads = false, writes = false;
+    timing::Ports(ports).each([&](unsigned port) { (process_->writes(port) ? writes : reads) = true; });
+    return prepares_beside_loops() || !reads || !writes;
 }
 
 bool OperationCheck::accepts_iterations(Operation const& operation) const {

@@ -17,6 +17,8 @@ class OperationCheck {
 
     explicit OperationCheck(timing::ProcessTiming const& process) : process_(&process) {}
 
+    std::size_t port_count() const { return process_->port_count(); }
+
     bool accepts(timing::Operation const& operation);
     /// All it entered it left, and all it began it awaited.
     bool is_done() const { return !state_.in_loop && state_.setups == 0; }
@@ -28,8 +30,8 @@ class OperationCheck {
     static bool is_in_loop_at(timing::Operation const& operation);
 
   private:
-    bool has_ports(unsigned ports) const { return (ports >> process_->port_count()) == 0; }
-    bool can_iterate(std::uint8_t ports) const;
+    bool has_ports(timing::Ports::Number ports) const;
+    bool can_iterate(timing::Ports::Number ports) const;
     bool accepts_iterations(timing::Operation const& operation) const;
     bool accepts_mix(timing::Operation const& operation) const;
     bool accepts_wait(timing::Operation const& operation);

@@ -10,18 +10,31 @@ namespace faster::retiming {
 namespace {
 
 using timing::Operation;
+using timing::Ports;
 using Kind = Operation::Kind;
 
 /// What operations of one sort have in common.
 struct Shape {
     Kind kind = Kind::wait;
-    std::uint8_t ports = 0;
-    std::uint8_t tail_ports = 0;
+    Ports::Number ports = 0;
+    Ports::Number tail_ports = 0;
 
     bool has_count() const { return kind != Kind::leave && kind != Kind::stamp; }
     bool has_gap() const { return kind == Kind::wait || kind == Kind::iterate; }
 };
-constexpr std::size_t most_shapes = 256;
+constexpr std::size_t most_shapes = 1U << 16;
+
+/// A mask is itself; of other sets, so many numbers follow, of their ports.
+void put_ports(Ports::Number number, std::string& bytes) {
+    if (Ports::is_mask(number)) {
+        put_number(bytes, number);
+        return;
+    }
+    std::uint64_t count = 0;
+    Ports(number).each([&count](unsigned /*port*/) { ++count; });
+    put_number(bytes, Ports::masks + count);
+    Ports(number).each([&bytes](unsigned port) { put_number(bytes, port); });
+}
 
 /// One column of a process's table. Operations come by the million: bytes are put without looking whether there is
 /// room.
@@ -69,7 +82,7 @@ class ShapeTable {
   private:
     static std::uint32_t key_of(Operation const& operation) {
         auto const kind = static_cast<std::uint32_t>(operation.kind());
-        return (((kind << 8) | operation.ports()) << 8) | operation.tail_ports();
+        return (((kind << Ports::number_bits) | operation.ports()) << Ports::number_bits) | operation.tail_ports();
     }
 
     std::vector<std::uint32_t> keys_;
@@ -89,10 +102,11 @@ class ProcessEncoder {
         }
         put_number(bytes, operations.size());
         put_number(bytes, table.shapes().size());
-        for (Shape const& shape : table.shapes())
-            for (unsigned const byte :
-                 {static_cast<unsigned>(shape.kind), unsigned{shape.ports}, unsigned{shape.tail_ports}})
-                bytes.push_back(static_cast<char>(byte));
+        for (Shape const& shape : table.shapes()) {
+            bytes.push_back(static_cast<char>(shape.kind));
+            put_ports(shape.ports, bytes);
+            put_ports(shape.tail_ports, bytes);
+        }
         for (Column const* column : {&shapes_, &counts_, &gaps_, &tail_gaps_, &mixes_}) {
             put_number(bytes, column->bytes().size());
             bytes += column->bytes();
@@ -100,7 +114,7 @@ class ProcessEncoder {
     }
 
   private:
-    static constexpr std::size_t most_bytes_of_number = 4;  // a count: 25 bits; all others have fewer
+    static constexpr std::size_t most_bytes_of_number = 4;  // a count: 19 bits; all others have fewer
 
     void clear(std::size_t operations) {
         for (Column* column : {&shapes_, &counts_, &gaps_, &tail_gaps_, &mixes_})
@@ -154,13 +168,30 @@ class ProcessDecoder {
         for (std::uint64_t i = 0; i < count; ++i) {
             unsigned const kind = bytes_.byte();
             Shape shape;
-            shape.ports = static_cast<std::uint8_t>(bytes_.byte());
-            shape.tail_ports = static_cast<std::uint8_t>(bytes_.byte());
-            if (kind > static_cast<unsigned>(Kind::flanked))
+            if (!read_ports(shape.ports) || !read_ports(shape.tail_ports) || kind > static_cast<unsigned>(Kind::flanked))
                 return false;
             shape.kind = static_cast<Kind>(kind);
             shapes_.push_back(shape);
         }
+        return true;
+    }
+
+    /// Of the process; false if it has no such ports, or the program no room for another set of them.
+    bool read_ports(Ports::Number& ports) {
+        std::uint64_t const number = bytes_.number();
+        ports = static_cast<Ports::Number>(number);
+        if (number < Ports::masks)
+            return true;
+        std::vector<unsigned> list;
+        for (std::uint64_t left = number - Ports::masks; left > 0 && bytes_.good(); --left) {
+            std::uint64_t const port = bytes_.number();
+            if (port >= check_.port_count() || (!list.empty() && port <= list.back()))
+                return false;
+            list.push_back(static_cast<unsigned>(port));
+        }
+        if (list.empty() || !Ports::has_room_for(list))
+            return false;
+        ports = Ports::of(list).number();
         return true;
     }
 

@@ -46,7 +46,7 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     static NoScripts const no_scripts;
     ScriptSource const& source = following == Following::scripts ? static_cast<ScriptSource const&>(run) : no_scripts;
-    auto const automaton = std::make_shared<timing::Automaton>(timing::Automaton::use_by(numbers.size()));
+    auto const automaton = std::make_shared<timing::Automaton>();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {

@@ -34,7 +34,7 @@ template <class Act> auto with_width_for(std::size_t count, Act act) {
 }
 
 void put_phrases(ScriptedSample const& sample, PhraseBook const& book, std::string& bytes) {
-    for (std::uint8_t const ports : sample.script.next_ports)
+    for (timing::Ports::Number const ports : sample.script.next_ports)
         put_number(bytes, ports);
     put_number(bytes, book.size());
     for (PhraseBook::Number i = 0; i < book.size(); ++i)
@@ -99,10 +99,10 @@ bool read_numbers(std::string_view bytes, std::vector<OwnPhrase> const& phrases,
 bool read_next_ports(ByteReader& bytes, timing::Group const& group, timing::Script& script) {
     for (std::size_t m = 0; m < script.next_ports.size(); ++m) {
         std::uint64_t const ports = bytes.number();
-        std::uint8_t const inner = m > 0 && m < group.members().size() ? group.members()[m].inner_ports : 0;
+        timing::Ports::Number const inner = m > 0 && m < group.members().size() ? group.members()[m].inner_ports : timing::Ports::Number{0};
         if ((ports & ~std::uint64_t{inner}) != 0)
             return false;
-        script.next_ports[m] = static_cast<std::uint8_t>(ports);
+        script.next_ports[m] = static_cast<timing::Ports::Number>(ports);
     }
     return true;
 }

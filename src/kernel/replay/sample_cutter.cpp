@@ -8,6 +8,13 @@ using timing::Operation;
 using timing::OperationLog;
 using timing::Phrase;
 
+namespace {
+bool accesses(Operation const& operation, std::uint32_t ports) {
+    timing::Ports::Number const tail = operation.tail_ports();
+    return operation.is_at(ports) || (timing::Ports::is_mask(tail) && (tail & ports) != 0);
+}
+}  // namespace
+
 ScriptedSample SampleCutter::cut(SampleOperations operations) {
     ScriptedSample cut;
     cut.before = std::move(operations);
@@ -35,9 +42,9 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
 /// Leaves a follower's operations up to its first answer, and the driver's up to what the sample begins with.
 void SampleCutter::open(unsigned member, ScriptedSample& cut) {
     std::vector<Operation>& before = cut.before[index(member)];
-    auto const anchor = static_cast<std::uint8_t>(1U << lead_.group.members()[member].anchor_port);
+    std::uint32_t const anchor = 1U << lead_.group.members()[member].anchor_port;
     auto first = before.begin();
-    while (member != 0 && first != before.end() && (first->ports() & anchor) == 0)
+    while (member != 0 && first != before.end() && !first->is_at(anchor))
         ++first;
     log(member).clear();
     for (auto operation = first; operation != before.end(); ++operation)
@@ -48,11 +55,11 @@ void SampleCutter::open(unsigned member, ScriptedSample& cut) {
 }
 
 void SampleCutter::open_driver(ScriptedSample& cut) {
-    std::uint8_t const inner = lead_.group.members().front().inner_ports;
+    std::uint32_t const inner = lead_.group.members().front().inner_ports;
     OperationLog& driver = log(0);
     std::vector<Operation>& before = cut.before[index(0)];
     std::size_t begin = 0;
-    for (std::size_t i = 0; i < driver.pending() && (driver.begin()[i].all_ports() & inner) == 0; ++i)
+    for (std::size_t i = 0; i < driver.pending() && !accesses(driver.begin()[i], inner); ++i)
         if (driver.begin()[i].kind() == Operation::Kind::stamp || driver.begin()[i].all_ports() != 0)
             begin = i + 1;
     before.assign(driver.begin(), driver.begin() + begin);
@@ -75,7 +82,7 @@ SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& boo
             [&](unsigned member, Operation const& operation) {
                 logs[group.members()[member].process->index()].append(operation);
             },
-            [](unsigned /*member*/, std::uint8_t /*next_ports*/, bool /*frozen*/) {});
+            [](unsigned /*member*/, timing::Ports::Number /*next_ports*/, bool /*frozen*/) {});
     SampleOperations operations;
     for (std::size_t i = 0; i < logs.size(); ++i) {
         for (Operation const& operation : cut.after[i])

@@ -5,7 +5,7 @@
 
 #include "kernel/base/on_threads.hpp"
 #include "kernel/replay/tape_reader.hpp"
-#include "kernel/timing/phrase_cutter.hpp"
+#include "kernel/timing/lookup/phrase_cutter.hpp"
 
 namespace faster::retiming {
 

@@ -4,7 +4,7 @@
 
 #include "kernel/base/uninitialized.hpp"
 #include "kernel/replay/sample_operations.hpp"
-#include "kernel/timing/phrase_book.hpp"
+#include "kernel/timing/lookup/phrase_book.hpp"
 
 namespace faster::retiming {
 

@@ -25,7 +25,7 @@ bool mixes_ports(LeadCore const& lead, std::size_t process) {
 }  // namespace
 
 TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed)
-    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes, 0), thread_([this] { work(); }) {}
+    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes), thread_([this] { work(); }) {}
 
 TapeWriter::~TapeWriter() { stop(); }
 
@@ -82,7 +82,7 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
             operations[i] = canonical(operations[i].data(), operations[i].size());
             for (timing::Operation const& operation : operations[i])
                 if (operation.kind() == timing::Operation::Kind::step)
-                    step_ports_[i] |= operation.ports();
+                    step_ports_[i] = step_ports_[i] | timing::Ports(operation.ports());
         }
         ScriptedSample cut = cutter_->cut(std::move(operations));
         run_.tape.put(sample, cut, cutter_->book());

@@ -39,7 +39,7 @@ class TapeWriter {
     /// The figures of timed cores, after finish(). None: they got stuck, or there is nothing to be timed.
     std::optional<RunStatistics> statistics();
     /// Bits of the ports that a process accessed outside loops; after finish().
-    std::uint32_t step_ports(std::size_t process) const { return step_ports_[process]; }
+    timing::Ports step_ports(std::size_t process) const { return step_ports_[process]; }
 
   private:
     void work();
@@ -49,7 +49,7 @@ class TapeWriter {
     RecordedRun& run_;
     timing::Lead lead_;
     Timed timed_;
-    std::vector<std::uint32_t> step_ports_;
+    std::vector<timing::Ports> step_ports_;
     std::unique_ptr<SampleCutter> cutter_;
     std::unique_ptr<LiveRetiming> retiming_;
     std::deque<std::pair<std::size_t, SampleOperations>> waiting_;

@@ -7,12 +7,16 @@
 
 namespace faster::timing {
 
+namespace {
+template <class Number> ProcessMask bit(Number process) { return ProcessMask{1} << process; }
+}  // namespace
+
 FifoTiming& CoreTiming::add_fifo(FifoShape shape) { return fifos_.emplace_back(std::move(shape)); }
 
-ProcessTiming& CoreTiming::add_process(std::string name) {
+ProcessTiming& CoreTiming::add_process(std::string name, std::shared_ptr<ProcessShape> shape) {
     if (processes_.size() == most_processes)
-        throw std::logic_error(name + ": a core has at most 31 processes");
-    return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()));
+        throw std::logic_error(name + ": a core has at most 64 processes");
+    return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()), std::move(shape));
 }
 
 std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
@@ -31,7 +35,7 @@ void CoreTiming::connect() {
         for (unsigned port = 0; port < process.port_count(); ++port) {
             Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
-            process.set_neighbour(port, other < 0 ? 0U : 1U << other);
+            process.set_neighbour(port, other < 0 ? 0 : bit(other));
         }
     find_patient();
     if (automaton_ != nullptr)
@@ -43,14 +47,11 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     for (FifoTiming const& fifo : fifos_)
         copy->add_fifo(fifo.shape());
     for (ProcessTiming const& process : processes_) {
-        ProcessTiming& same = copy->add_process(process.name());
+        ProcessTiming& same = copy->add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
             FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
             process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
         }
-        for (LoopShape const& loop : process.loops())
-            same.add_loop(loop);
-        same.set_setup_cycles(process.setup_cycles());
     }
     return copy;
 }
@@ -80,24 +81,24 @@ void CoreTiming::find_patient() {
     for (std::size_t i = 0; i < fifos_.size(); ++i) {
         if (fifos_[i].shape().capacity >= deep || ends_[i].writer < 0 || ends_[i].reader < 0)
             continue;
-        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~(1U << ends_[i].reader);
-        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~(1U << ends_[i].writer);
+        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~bit(ends_[i].reader);
+        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~bit(ends_[i].writer);
     }
 }
 
-void CoreTiming::settle(std::uint32_t runnable, std::uint32_t held) {
-    std::uint32_t later = 0;
+void CoreTiming::settle(ProcessMask runnable, ProcessMask held) {
+    ProcessMask later = 0;
     for (runnable &= ~held; (runnable | later) != 0;) {
         // Downstream processes first: what they read is what makes room for those before them. Who has a deep FIFO to
         // fill or to empty comes last, and then has much to do at once.
-        std::uint32_t const next = runnable != 0 ? runnable : later;
-        auto const index = 31U - static_cast<unsigned>(__builtin_clz(next));
-        runnable &= ~(1U << index);
-        later &= ~(1U << index);
+        ProcessMask const next = runnable != 0 ? runnable : later;
+        auto const index = 63U - static_cast<unsigned>(__builtin_clzll(next));
+        runnable &= ~bit(index);
+        later &= ~bit(index);
         ProcessTiming& process = processes_[index];
         if (process.finished())
             continue;
-        std::uint32_t woken = 0;
+        ProcessMask woken = 0;
         if (process.is_running(SteadyState::worthwhile_count))
             woken = steady_state_.observe(process, processes_);
         woken = (woken | process.advance()) & ~held;
@@ -122,14 +123,14 @@ void CoreTiming::resolve(bool to_the_end) {
         return;
     if (ends_.empty())
         connect();
-    std::uint32_t const all = all_processes();
+    ProcessMask const all = all_processes();
     if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
         do
             settle(all, 0);
         while (keep_more());
     } else if (group_has_started(all)) {
         for (;;) {
-            settle(all, 1U << lead_.driver);
+            settle(all, bit(lead_.driver));
             Automaton::Progress const progress = automaton_->follow(*group_, session_);
             if (progress.later && !to_the_end)
                 break;
@@ -144,7 +145,7 @@ void CoreTiming::resolve(bool to_the_end) {
     shorten_trail();
 }
 
-void CoreTiming::resolve_processes(std::uint32_t processes) {
+void CoreTiming::resolve_processes(ProcessMask processes) {
     if (ends_.empty())
         connect();
     settle(processes, 0);
@@ -161,7 +162,7 @@ void CoreTiming::take_up(Script& script) {
 bool CoreTiming::set_out() {
     while (!walk_.script->done()) {
         if (follows_ && group_has_started(all_processes())) {
-            settle(all_processes(), 1U << lead_.driver);
+            settle(all_processes(), bit(lead_.driver));
             bool moved = false;
             if (!Automaton::is_where_script_goes_on(*group_))
                 moved = automaton_->follow(*group_, session_, walk_.script).moved;
@@ -212,10 +213,10 @@ void CoreTiming::shorten_trail() {
 
 /// What a process waited before its first access is no stall, and no state of the automaton tells it: until all of the
 /// group have begun, the driver goes step by step.
-bool CoreTiming::group_has_started(std::uint32_t all) {
+bool CoreTiming::group_has_started(ProcessMask all) {
     auto const has_begun = [](Group::Member const& member) { return member.process->has_accessed(); };
     while (!started_) {
-        settle(all, 1U << lead_.driver);
+        settle(all, bit(lead_.driver));
         started_ = std::all_of(group_->members().begin(), group_->members().end(), has_begun);
         ProcessTiming& driver = processes_[lead_.driver];
         if (started_ || driver.front() != ProcessTiming::Status::ready)

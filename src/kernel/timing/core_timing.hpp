@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/automaton.hpp"
+#include "kernel/timing/lookup/automaton.hpp"
+#include "kernel/timing/lookup/steady_state.hpp"
 #include "kernel/timing/process_timing.hpp"
-#include "kernel/timing/steady_state.hpp"
 
 namespace faster::timing {
 
@@ -27,10 +27,12 @@ struct Wait {
 /// matters: an access gets its cycle once everything that decides it is known.
 class CoreTiming {
   public:
-    static constexpr std::size_t most_processes = 31;  ///< a bit each
+    static constexpr std::size_t most_processes = 64;  ///< a bit each
 
     FifoTiming& add_fifo(FifoShape shape);
-    ProcessTiming& add_process(std::string name);
+    /// The shape may be that of another process of the same ports.
+    ProcessTiming& add_process(std::string name,
+                               std::shared_ptr<ProcessShape> shape = std::make_shared<ProcessShape>());
 
     /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later
     /// whose answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the
@@ -41,7 +43,7 @@ class CoreTiming {
     void hold(bool holds) { holds_ = holds; }
 
     /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
-    void resolve_processes(std::uint32_t processes);
+    void resolve_processes(ProcessMask processes);
 
     /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
     /// then. There must be an automaton. In parts, so that cores that share an automaton can take turns:
@@ -96,17 +98,19 @@ class CoreTiming {
     void connect();
     void find_patient();
     /// All but the processes `held`, a bit each.
-    void settle(std::uint32_t runnable, std::uint32_t held);
+    void settle(ProcessMask runnable, ProcessMask held);
     bool keep_more();
-    bool group_has_started(std::uint32_t all);
+    bool group_has_started(ProcessMask all);
     bool let_driver_go();
-    std::uint32_t all_processes() const { return (1U << processes_.size()) - 1; }
+    ProcessMask all_processes() const {
+        return processes_.empty() ? 0 : ~ProcessMask{0} >> (most_processes - processes_.size());
+    }
     void write_next();
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<ProcessTiming> processes_;
-    std::vector<Ends> ends_;              // by FIFO
-    std::vector<std::uint32_t> patient_;  // by process: those that need not go on at once when it has
+    std::vector<Ends> ends_;            // by FIFO
+    std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has
     SteadyState steady_state_;
     std::unique_ptr<Trail> trail_;
     std::shared_ptr<Automaton> automaton_;

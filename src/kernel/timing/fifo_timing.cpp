@@ -6,40 +6,41 @@
 namespace faster::timing {
 
 namespace {
-std::uint64_t power_of_two_above(std::uint64_t value) {
-    std::uint64_t power = 1;
-    while (power <= value)
-        power *= 2;
-    return power;
-}
-
-std::uint64_t room_of(FifoShape const& shape) {
+std::uint64_t room_kept(FifoShape const& shape) {
     constexpr std::uint64_t kept_at_first = (1U << 10) - 1;
-    return shape.is_unlimited() ? kept_at_first : shape.capacity + shape.issue_latency;
+    return shape.is_unlimited() ? kept_at_first : FifoRules<CycleLine>::room_of(shape);
 }
 }  // namespace
 
-FifoTiming::FifoTiming(FifoShape shape)
-    : shape_(std::move(shape)),
-      room_(room_of(shape_)),
-      index_mask_(power_of_two_above(room_) - 1),
-      freed_at_(is_unlimited() ? index_mask_ + 1 : 0),
-      max_occupancy_(is_unlimited() ? shape_.capacity : 0),
-      readable_from_(index_mask_ + 1, 0),
-      free_from_(freed_at_ + index_mask_ + 1, 0) {}
+FifoTiming::FifoTiming(FifoShape shape) : shape_(std::move(shape)), rules_(shape_, room_kept(shape_)) {
+    if (is_unlimited()) {
+        max_occupancy_ = shape_.capacity;
+        rules_.free.be_endless(rules_.room);
+    } else {
+        rules_.free.begin_with(rules_.room);
+    }
+}
 
 void FifoTiming::keep_more() {
     if (!is_unlimited())
         throw std::logic_error(name() + ": only an unlimited FIFO keeps more");
-    std::vector<Cycles> const before = std::move(readable_from_);
-    std::uint64_t const mask_before = index_mask_;
-    room_ = 2 * room_ + 1;
-    index_mask_ = room_;
-    freed_at_ = index_mask_ + 1;
-    readable_from_.assign(index_mask_ + 1, 0);
-    free_from_.assign(freed_at_ + index_mask_ + 1, 0);
-    for (std::uint64_t token = reads_; token != writes_; ++token)
-        readable_from_[token & index_mask_] = before[token & mask_before];
+    rules_.room = 2 * rules_.room + 1;
+    rules_.readable.grow();
+    rules_.free.grow();
+    rules_.free.be_endless(rules_.room - known_reads());
+}
+
+void FifoTiming::look_at_writes(std::uint64_t first) {
+    for (std::uint64_t write = first; write != 0; ++write)
+        max_occupancy_ = rules_.raised_by_write(max_occupancy_, written(write), known_writes() - write,
+                                                [this, write](std::uint64_t i) { return rules_.free[write + i]; });
+}
+
+void FifoTiming::look_at_reads(std::uint64_t first) {
+    for (std::uint64_t read = first; read != 0; ++read)
+        max_occupancy_ =
+            rules_.raised_by_read(max_occupancy_, rules_.free[known_writes() + read] - 1, known_reads() - read,
+                                  [this, read](std::uint64_t i) { return rules_.readable[read + i]; });
 }
 
 }  // namespace faster::timing

@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/timing/ports.hpp"
+
 namespace faster::timing {
 
-/// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. A port mask
-/// has one bit per port of the process, in the program order of a step. One word: a run logs millions of them, and
-/// compares them as words.
+/// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. Which ports
+/// it accesses is the number of a set, see Ports. One word: a run logs millions of them, and compares them as words.
 class Operation {
   public:
     enum class Kind : std::uint8_t {
@@ -22,45 +23,49 @@ class Operation {
         flanked,  ///< iterate with a tail, and one more iteration that accesses tail_ports behind the first of `count`
     };
     using Code = std::uint64_t;
-    static constexpr std::uint32_t longest_count = (1U << 25) - 1;
+    static constexpr std::uint32_t longest_count = (1U << 19) - 1;
     static constexpr std::uint32_t longest_gap = (1U << 10) - 1;
     static constexpr unsigned longest_mix = 32;
 
     Operation() = default;
     explicit Operation(Code code) : code_(code) {}
-    Operation(Kind kind, std::uint8_t ports, std::uint32_t gap, std::uint32_t count)
+    Operation(Kind kind, Ports::Number ports, std::uint32_t gap, std::uint32_t count)
         : code_((Code{static_cast<std::uint8_t>(kind)} << kind_at) | (Code{ports} << ports_at) | (Code{gap} << gap_at) |
                 count) {}
-    static Operation mix(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+    static Operation mix(Ports::Number ports, unsigned length, std::uint32_t gaps) {
         return Operation((Code{static_cast<std::uint8_t>(Kind::mixed)} << kind_at) | (Code{ports} << ports_at) |
                          (Code{length} << length_at) | gaps);
     }
 
     Code code() const { return code_; }
     Kind kind() const { return static_cast<Kind>(code_ >> kind_at); }
-    std::uint8_t ports() const { return static_cast<std::uint8_t>(code_ >> ports_at); }
-    std::uint8_t tail_ports() const { return kind() == Kind::mixed ? std::uint8_t{0} : own_tail_ports(); }
+    Ports::Number ports() const { return static_cast<Ports::Number>((code_ >> ports_at) & port_bits); }
+    Ports::Number tail_ports() const { return kind() == Kind::mixed ? Ports::Number{0} : own_tail_ports(); }
     /// tail_ports() of what is no mix.
-    std::uint8_t own_tail_ports() const { return static_cast<std::uint8_t>(code_ >> tail_ports_at); }
+    Ports::Number own_tail_ports() const { return static_cast<Ports::Number>((code_ >> tail_ports_at) & port_bits); }
     /// Of what is no mix: a tail accesses one port, the last of several that other iterations access.
     bool has_last_port_as_tail() const {
         std::uint32_t const tail = own_tail_ports();
-        return tail != 0 && ports() > tail && ports() < 2 * tail && (ports() & tail) != 0 && (tail & (tail - 1)) == 0;
+        return tail != 0 && Ports::is_mask(ports()) && ports() > tail && ports() < 2 * tail && (ports() & tail) != 0 &&
+               (tail & (tail - 1)) == 0;
     }
-    /// The bits of a code that are set if one of `ports` is accessed; not for a mix.
-    static Code at_ports(std::uint8_t ports) { return (Code{ports} << ports_at) | (Code{ports} << tail_ports_at); }
-    std::uint8_t all_ports() const { return ports() | tail_ports(); }
+    /// The bits of a code that are set if one of `ports`, as bits of numbers, is accessed; not for a mix.
+    static Code at_ports(Ports::Number ports) { return (Code{ports} << ports_at) | (Code{ports} << tail_ports_at); }
+    /// Not 0 if it accesses anything; beyond a mask if it accesses ports that no mask has.
+    Ports::Number all_ports() const { return static_cast<Ports::Number>(ports() | tail_ports()); }
+    /// Whether it is an access of ports of which masks tell, one of those of `mask` among them; no tail.
+    bool is_at(std::uint32_t mask) const { return Ports::is_mask(ports()) && (ports() & mask) != 0; }
     std::uint32_t gap() const { return static_cast<std::uint32_t>(code_ >> gap_at) & longest_gap; }
     std::uint32_t tail_gap() const { return static_cast<std::uint32_t>(code_ >> tail_gap_at) & longest_gap; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(code_) & longest_count; }
-    unsigned length() const { return static_cast<unsigned>(code_ >> length_at) & 0xFFU; }
+    unsigned length() const { return static_cast<unsigned>(code_ >> length_at) & 0x3FU; }
     std::uint32_t gaps() const { return static_cast<std::uint32_t>(code_); }
 
     void subtract(std::uint32_t count) { code_ -= count; }
     void add(std::uint32_t count) { code_ += count; }
     void add_gap(std::uint32_t count) { code_ += Code{count} << gap_at; }
     void add_tail_gap(std::uint32_t count) { code_ += Code{count} << tail_gap_at; }
-    void add_tail(std::uint8_t ports, std::uint32_t gap) {
+    void add_tail(Ports::Number ports, std::uint32_t gap) {
         code_ |= (Code{ports} << tail_ports_at) | (Code{gap} << tail_gap_at);
     }
     /// Equal but for the count, and without a tail.
@@ -117,8 +122,9 @@ class Operation {
     }
 
   private:
-    static constexpr unsigned kind_at = 61, ports_at = 53, tail_ports_at = 45, gap_at = 35, tail_gap_at = 25;
-    static constexpr unsigned length_at = 45;
+    static constexpr unsigned kind_at = 61, ports_at = 50, tail_ports_at = 39, gap_at = 29, tail_gap_at = 19;
+    static constexpr unsigned length_at = 44;
+    static constexpr Code port_bits = Ports::numbers - 1;
 
     Code code_ = 0;
 };
@@ -138,7 +144,9 @@ class OperationLog {
         else
             append(Operation(Kind::wait, 0, 0, cycles));
     }
-    void step(std::uint8_t ports, std::uint32_t cycles_after) { append(Operation(Kind::step, ports, 0, cycles_after)); }
+    void step(Ports::Number ports, std::uint32_t cycles_after) {
+        append(Operation(Kind::step, ports, 0, cycles_after));
+    }
     /// T += what a setup of this process takes, whatever that is.
     void setup() { append(Operation(Kind::wait, 0, Operation::whole_setup, 1)); }
     /// Between iterations of a loop: a setup begins, and takes its time beside the loop.
@@ -148,20 +156,20 @@ class OperationLog {
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }
-    void iterate(std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+    void iterate(Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
         if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
             append(Operation(Kind::iterate, ports, gap, count));
     }
     /// iterate(), then one iteration that accesses `tail_ports`, and `tail_gap` that access nothing.
-    void iterate_with_tail(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+    void iterate_with_tail(Ports::Number ports, std::uint32_t count, Ports::Number tail_ports, std::uint32_t tail_gap) {
         iterate_with_tail(Kind::iterate, ports, count, tail_ports, tail_gap);
     }
     /// An iteration that accesses `ports`, one that accesses `tail_ports`, and iterate_with_tail() for the other
     /// `count` - 1, which is not 0.
-    void iterate_flanked(std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports, std::uint32_t tail_gap) {
+    void iterate_flanked(Ports::Number ports, std::uint32_t count, Ports::Number tail_ports, std::uint32_t tail_gap) {
         iterate_with_tail(Kind::flanked, ports, count, tail_ports, tail_gap);
     }
-    void iterate_mixed(std::uint8_t ports, unsigned length, std::uint32_t gaps) {
+    void iterate_mixed(Ports::Number ports, unsigned length, std::uint32_t gaps) {
         if (gaps == 0 || gaps == Operation::gap_bits(1, length))
             iterate(ports, gaps & 1U, length);
         else
@@ -244,7 +252,7 @@ class OperationLog {
   private:
     static constexpr std::uint32_t longest_part_of_mix = 16;
 
-    void iterate_with_tail(Kind kind, std::uint8_t ports, std::uint32_t count, std::uint8_t tail_ports,
+    void iterate_with_tail(Kind kind, Ports::Number ports, std::uint32_t count, Ports::Number tail_ports,
                            std::uint32_t tail_gap) {
         std::uint32_t const gap = std::min(tail_gap, Operation::longest_gap);
         Operation operation(kind, ports, 0, count);
@@ -278,7 +286,7 @@ class OperationLog {
 
     /// Makes iterations part of the last operation, if its pattern allows. The front one may be under way: what it has
     /// begun stays.
-    bool extend(Operation& last, std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+    bool extend(Operation& last, Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
         Operation const more(Kind::iterate, ports, gap, count);
         if (last.repeats(more)) {
             if (last.count() + count > Operation::longest_count)
@@ -308,7 +316,7 @@ class OperationLog {
         return true;
     }
 
-    bool extend_tail(Operation& last, std::uint8_t ports, std::uint32_t gap, std::uint32_t count) {
+    bool extend_tail(Operation& last, Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
         if (count != 1 || last.kind() != Kind::iterate || last.tail_ports() != 0 || last.ports() == 0)
             return false;
         last.add_tail(ports, gap);

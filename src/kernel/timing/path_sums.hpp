@@ -14,7 +14,7 @@ class Region {
     Region() = default;
     static Region setup() { return Region(1); }
     static Region of_loop(unsigned loop, Part part) {
-        return Region(static_cast<std::uint8_t>(2U + 3U * loop + static_cast<unsigned>(part) - first_of_loop));
+        return Region(static_cast<std::uint16_t>(2U + 3U * loop + static_cast<unsigned>(part) - first_of_loop));
     }
 
     Part part() const {
@@ -26,33 +26,35 @@ class Region {
     unsigned number() const { return number_; }
     /// Regions of a process with so many loops.
     static unsigned count(unsigned loops) { return first_of_loop + 3 * loops; }
-    static Region numbered(unsigned number) { return Region(static_cast<std::uint8_t>(number)); }
+    static Region numbered(unsigned number) { return Region(static_cast<std::uint16_t>(number)); }
     bool operator==(Region const& other) const { return number_ == other.number_; }
 
   private:
     static constexpr unsigned first_of_loop = 2;
-    explicit Region(std::uint8_t number) : number_(number) {}
+    explicit Region(std::uint16_t number) : number_(number) {}
 
-    std::uint8_t number_ = 0;
+    std::uint16_t number_ = 0;
 };
 
-/// What the cycles of a path were spent with, by process and region. Of no processes: nothing.
+/// What the cycles of a path were spent with, by process and region. There is room for so many regions and ports of
+/// each process. Of no processes: nothing.
 class PathSums {
   public:
     enum class Share : std::uint8_t { own, recurrence, port_conflict };
-    static constexpr unsigned most_regions = 16, most_ports = 8, shares = 3;
+    static constexpr unsigned shares = 3;
 
-    explicit PathSums(std::size_t processes = 0)
-        : own_(processes * most_regions * shares), turns_(processes * most_regions * most_ports) {}
+    PathSums() = default;
+    PathSums(std::size_t processes, std::size_t regions, std::size_t ports)
+        : regions_(regions), ports_(ports), own_(processes * regions * shares), turns_(processes * regions * ports) {}
 
     std::uint64_t& of(unsigned process, Region region, Share share) { return own_[place(process, region, share)]; }
     std::uint64_t of(unsigned process, Region region, Share share) const { return own_[place(process, region, share)]; }
     /// How often the path left `process`, in a region, for the process at the other end of a port.
     std::uint64_t& turns(unsigned process, Region region, unsigned port) {
-        return turns_[place(process, region) * most_ports + port];
+        return turns_[place(process, region) * ports_ + port];
     }
     std::uint64_t turns(unsigned process, Region region, unsigned port) const {
-        return turns_[place(process, region) * most_ports + port];
+        return turns_[place(process, region) * ports_ + port];
     }
 
     /// this += times * (other - base), all of the same processes.
@@ -60,11 +62,12 @@ class PathSums {
     void add(PathSums const& other);
 
   private:
-    static std::size_t place(unsigned process, Region region) { return process * most_regions + region.number(); }
-    static std::size_t place(unsigned process, Region region, Share share) {
+    std::size_t place(unsigned process, Region region) const { return process * regions_ + region.number(); }
+    std::size_t place(unsigned process, Region region, Share share) const {
         return place(process, region) * shares + static_cast<std::size_t>(share);
     }
 
+    std::size_t regions_ = 0, ports_ = 0;
     std::vector<std::uint64_t> own_;
     std::vector<std::uint64_t> turns_;
 };

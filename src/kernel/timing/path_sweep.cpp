@@ -27,13 +27,22 @@ std::vector<PathSweep::Position> live_positions(CoreTiming const& core) {
     }
     return live;
 }
+
+PathSums sums_of(CoreTiming const& core) {
+    std::size_t regions = 0, ports = 0;
+    for (ProcessTiming const& process : core.processes()) {
+        regions = std::max<std::size_t>(regions, Region::count(static_cast<unsigned>(process.loops().size())));
+        ports = std::max(ports, process.port_count());
+    }
+    return {core.processes().size(), regions, ports};
+}
 }  // namespace
 
 PathSweep::PathSweep(CoreTiming const& core, std::vector<Position> const& from)
     : core_(core),
       trail_(*core.trail()),
       standing_(core.processes().size()),
-      sums_(core.processes().size()),
+      sums_(sums_of(core)),
       next_event_(trail_.events().size()),
       next_transition_(trail_.transitions().size()) {
     for (Position const& position : from)

@@ -1,34 +1,19 @@
 #pragma once
-#include <array>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "kernel/base/cycles.hpp"
 #include "kernel/base/source_site.hpp"
 #include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/initiation_interval.hpp"
 #include "kernel/timing/operation.hpp"
+#include "kernel/timing/process_rules.hpp"
+#include "kernel/timing/process_shape.hpp"
 #include "kernel/timing/step_observer.hpp"
 #include "kernel/timing/trail.hpp"
 
 namespace faster::timing {
-
-/// A FIFO written by a loop: the token of iteration i leaves in step i * II + write_latency.
-struct LoopWrite {
-    unsigned port = 0;
-    Cycles write_latency = 0;  ///< Lw, below the loop's depth
-};
-
-/// One pipelined loop of a process (SPEC section 3).
-struct LoopShape {
-    std::string name;
-    InitiationInterval interval;
-    Cycles depth = 1;               ///< L
-    std::vector<LoopWrite> writes;  ///< empty: the loop only reads, each iteration in its first step
-    std::vector<unsigned> reads;    ///< ports read by a loop that writes as well, each iteration in its first step
-};
 
 struct LoopCounters {
     std::uint64_t entries = 0;  ///< with at least one iteration
@@ -38,15 +23,6 @@ struct LoopCounters {
     Cycles recurrence_beyond_end = 0;
 };
 
-/// What leaving a loop adds to its counters.
-struct LoopEnd {
-    std::uint64_t entries = 0;
-    Cycles port_conflict_beyond_end = 0;
-    Cycles recurrence_beyond_end = 0;
-};
-/// After so many iterations; more than iterations_that_count() need not be told apart.
-LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations);
-
 /// What a loop cost its process, all entries together, besides an iteration each target interval.
 struct LoopCost {
     Cycles port_conflict_cycles = 0;
@@ -54,49 +30,62 @@ struct LoopCost {
     Cycles fill_drain_cycles = 0;
 };
 
-/// Gives every operation of one process its cycle. The local time T moves by what an operation takes and by waiting for
-/// accesses to become legal; nothing else. The only place where the timing contract's step and pipelined loop live:
-/// both engines drive it, `lockstep` one step at a time (front, commit_front), `decoupled` as far as it goes (advance).
-class ProcessTiming {
-  public:
-    static constexpr unsigned most_accesses = 4;  ///< of an iteration of a loop whose tokens leave in one stage
+/// A port of a process of a core.
+struct ProcessPort {
+    using Line = CycleLine;
 
-    /// Accesses of a loop that share a sub-step of an iteration.
-    struct Phase {
-        Cycles offset = 0;                                      ///< steps after the iteration's first, below II
-        std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
-    };
-    /// How a loop's steps are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
-    /// needs no memory; otherwise the delay line holds what the last iterations have yet to write.
-    struct LoopPlan {
-        Cycles ii = 1;
-        Cycles fill = 0;         ///< steps before the first access of the first iteration
-        std::int64_t drain = 0;  ///< steps after the last iteration's II, in two's complement: may be negative
-        bool aligned = true;
-        std::uint64_t longest_lag = 0;  ///< iterations
-        std::uint64_t counting = 1;     ///< iterations_that_count()
-        std::vector<Phase> phases;
-        std::vector<std::uint8_t> delay_line;  ///< port masks of the last iterations, a ring
-    };
+    FifoTiming::End end;
+    unsigned number = 0;
+    FifoTiming* fifo = nullptr;
+    bool writes = false;
+    ProcessMask neighbour = 0;  ///< the process at the other end, as a bit
+    // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
+    std::uint64_t free_until = 0;
+    std::uint64_t free_in_run = ~std::uint64_t{0};
+};
+
+/// What happened in one process of a core.
+struct ProcessFigures {
+    Cycles empty_stall_cycles = 0;
+    Cycles full_stall_cycles = 0;
+    Cycles awaited_setup_cycles = 0;
+    Cycles idle_before_cycles = 0;
+    unsigned first_port = 0;
+    bool has_accessed = false;
+    std::uint64_t loops_entered = 0;
+    std::vector<LoopCounters> loops;
+    std::vector<Cycles> stamps;
+};
+
+/// Gives every operation of one process of a core its cycle, by ProcessRules, and counts what happens. Both engines
+/// drive it: `lockstep` stops in front of each step (front, commit_front), `decoupled` goes as far as it can (advance).
+class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
+  public:
+    using Rules = ProcessRules<ProcessTiming, ProcessPort>;
+    using Rules::finished;
+    using Rules::in_loop;
+    using Rules::long_count;
+    using Rules::not_before;
+    static constexpr unsigned most_accesses = Rules::most_in_run;  ///< of an iteration of an aligned loop
 
     enum class Status { exhausted, blocked, ready };
-    /// Equal iterations from which on it pays to look for a steady state.
-    static constexpr std::uint32_t long_count = 64;
 
-    explicit ProcessTiming(std::string name, unsigned index) : name_(std::move(name)), index_(index) {}
+    explicit ProcessTiming(std::string name, unsigned index,
+                           std::shared_ptr<ProcessShape> shape = std::make_shared<ProcessShape>());
 
-    /// Ports in program order of a step. Return the port's number; at most 8.
-    unsigned add_reads(FifoTiming& fifo);
-    unsigned add_writes(FifoTiming& fifo);
+    /// Ports in program order of a step. Return the port's number.
+    unsigned add_reads(FifoTiming& fifo) { return add_port(fifo, false); }
+    unsigned add_writes(FifoTiming& fifo) { return add_port(fifo, true); }
     unsigned add_loop(LoopShape shape);
 
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
-    void set_setup_cycles(Cycles cycles) { setup_cycles_ = cycles; }
-    Cycles setup_cycles() const { return setup_cycles_; }
+    void set_setup_cycles(Cycles cycles) { shape_->setup_cycles = cycles; }
+    Cycles setup_cycles() const { return shape_->setup_cycles; }
     /// What loops stood still for setups that had begun and were not done.
-    Cycles awaited_setup_cycles() const { return awaited_setup_cycles_; }
+    Cycles awaited_setup_cycles() const { return figures_.awaited_setup_cycles; }
 
     OperationLog& log() { return log_; }
+    OperationLog const& log() const { return log_; }
     /// Logs besides log() that take down everything the process says.
     std::vector<OperationLog*> const& tapes() const { return tapes_; }
     bool is_taped() const { return is_taped_; }
@@ -106,63 +95,60 @@ class ProcessTiming {
     }
     void remove_tape(OperationLog& tape);
 
-    /// Moves over everything that accesses nothing, up to the next step. `blocked`: an access of that step has no known
-    /// earliest cycle yet, because the other side of its FIFO (blocking_port()) has not got there.
+    /// Goes up to the next step, and stops in front of it. `blocked`: an access of that step has no known earliest
+    /// cycle yet, because the other side of its FIFO (blocking_port()) has not got there.
     Status front();
     /// The cycle in which the front step happens; front() said `ready`.
     Cycles front_cycle() const;
-    std::uint8_t front_ports() const { return front_ports_; }
+    Ports front_ports() const { return front_ports_; }
     void commit_front();
 
     /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
-    /// With `pause`, not beyond the next stamp.
-    std::uint32_t advance(bool pause = false);
+    /// With `pause`, not beyond the first step behind the next stamp.
+    ProcessMask advance(bool pause = false);
     /// Tells which process is at the other end of a port, as a bit for advance().
-    void set_neighbour(unsigned port, std::uint32_t process_bit) { ports_[port].neighbour = process_bit; }
+    void set_neighbour(unsigned port, ProcessMask process_bit);
 
     /// In the middle of equal iterations, at least this many of which are left.
     bool is_running(std::uint32_t iterations) const {
-        return (run_.active || is_in_equal_iterations()) && log_.front().kind() == Operation::Kind::iterate &&
-               log_.front().count() >= iterations;
+        if (!in_loop() || by_steps_ || log_.exhausted())
+            return false;
+        Operation const& operation = log_.front();
+        return operation.kind() == Kind::iterate && operation.ports() != 0 && operation.count() >= iterations;
     }
 
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
-    Cycles local_time() const { return time_; }
-    bool finished() const { return log_.exhausted(); }
+    Cycles local_time() const { return state_.time; }
     /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
-    Cycles waiting_since() const { return time_ == charged_until_ ? arrival_ : time_; }
-    std::vector<Cycles> const& stamps() const { return stamps_; }
-    Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
-    Cycles full_stall_cycles() const { return full_stall_cycles_; }
+    Cycles waiting_since() const { return state_.time == charged_until_ ? arrival_ : state_.time; }
+    std::vector<Cycles> const& stamps() const { return figures_.stamps; }
+    Cycles empty_stall_cycles() const { return figures_.empty_stall_cycles; }
+    Cycles full_stall_cycles() const { return figures_.full_stall_cycles; }
     LoopCost loop_cost(unsigned loop) const;
-    /// More iterations than so many cost a loop no more at its end.
-    static std::uint64_t iterations_that_count(LoopShape const& loop);
     /// What the process waited for its first access of all, if it had nothing to do before it; and the port.
-    Cycles idle_before_cycles() const { return idle_before_cycles_; }
-    unsigned first_port() const { return first_port_; }
-    bool has_accessed() const { return has_accessed_; }
+    Cycles idle_before_cycles() const { return figures_.idle_before_cycles; }
+    unsigned first_port() const { return figures_.first_port; }
+    bool has_accessed() const { return figures_.has_accessed; }
 
     /// From now on, goes step by step and tells the observer. Null: no longer.
     void set_observer(StepObserver* observer) {
         observer_ = observer;
-        by_steps_ = observer != nullptr || !has_accessed_;
-        run_.active = false;
+        by_steps_ = observer != nullptr || !figures_.has_accessed;
     }
     /// From now on, tells what decides its times. Null: no longer.
     void set_trail(Trail* trail) { trail_ = trail; }
     Trail* trail() const { return trail_; }
     /// Continues from where another process of the same ports and loops stands, what it has logged included.
     void take_state(ProcessTiming const& other);
-    bool in_loop() const { return in_loop_; }
-    unsigned current_loop() const { return current_loop_; }
-    std::uint64_t iterations() const { return iterations_; }
+    unsigned current_loop() const { return state_.loop; }
+    std::uint64_t iterations() const { return state_.iterations; }
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }
-    std::vector<LoopShape> const& loops() const { return loops_; }
-    LoopPlan const& plan(unsigned loop) const { return plans_[loop]; }
-    LoopCounters const& loop_counters(unsigned loop) const { return loop_counters_[loop]; }
+    std::shared_ptr<ProcessShape> const& shape() const { return shape_; }
+    std::vector<LoopShape> const& loops() const { return shape_->loops; }
+    LoopCounters const& loop_counters(unsigned loop) const { return figures_.loops[loop]; }
     /// The port that front() found blocked.
     unsigned blocking_port() const { return blocking_port_; }
     /// The port whose next token the process itself waits for before it can say what it does next; -1: none.
@@ -172,170 +158,74 @@ class ProcessTiming {
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
     void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
-    void note_site(std::uint8_t port, SourceSite const& site) {
-        port_sites_[static_cast<unsigned>(__builtin_ctz(port))] = site;
-    }
+    void note_site(unsigned port, SourceSite const& site) { port_sites_[port] = site; }
     SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
     SourceSite const& port_site(unsigned port) const { return port_sites_[port]; }
     /// Of what the process is at, which waits for a port.
-    SourceSite site_at_hand(unsigned port) const { return in_loop_ ? loop_sites_[current_loop_] : port_sites_[port]; }
+    SourceSite site_at_hand(unsigned port) const { return in_loop() ? loop_sites_[state_.loop] : port_sites_[port]; }
 
   private:
+    friend Rules;
+    friend class SteadyState;
+    friend class RelativeState;
     static constexpr Cycles never = ~Cycles{0};
-    static constexpr unsigned max_ports = 8;
-    struct Port {
-        FifoTiming* fifo;
-        bool writes;
-        std::uint32_t neighbour = 0;
-        // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
-        std::uint64_t free_until = 0;
-        std::uint64_t free_in_run = 0;
-    };
-    /// Where the process stands in an unaligned loop.
-    struct PipelinePosition {
-        std::uint64_t iteration = 0;
-        bool open = false;  ///< inside an iteration
-        std::size_t phase = 0;
-        Cycles offset = 0;
-        std::uint32_t gap_left = 0;
-        std::uint64_t drain_left = 0;
-    };
-
-    /// The ports that an iteration of an aligned loop accesses, all in one direction.
-    struct PortSet {
-        std::uint8_t mask = 0;
-        unsigned size = 0;
-        FifoTiming* fifos[4] = {};
-        unsigned ports[4] = {};
-        bool writes = false;
-        std::uint32_t neighbours = 0;
-        std::uint32_t (ProcessTiming::*accesses)(PortSet const& set, std::uint32_t count, Cycles stride) = nullptr;
-        std::uint32_t (ProcessTiming::*mixed_accesses)(PortSet const& set, unsigned length,
-                                                       std::uint32_t gaps) = nullptr;
-        std::uint32_t (ProcessTiming::*accesses_with_tails)(PortSet const& set, Operation const& operation) = nullptr;
-    };
-    /// Iterations of an aligned loop that all access the same ports: the hot path.
-    struct Run {
-        bool active = false;
-        std::uint64_t number = 0;
-        PortSet const* ports = nullptr;
-        Cycles stride = 1;  ///< cycles from one access to the next, if that is always the same
-    };
 
     unsigned add_port(FifoTiming& fifo, bool writes);
-    void move(std::int64_t cycles) { time_ += static_cast<Cycles>(cycles); }
-    LoopPlan& plan() { return plans_[current_loop_]; }
-    bool find_step();
-    bool find_step_in_iterations(Operation& operation);
-    bool find_step_in_pipeline(std::uint8_t ports);
-    bool find_step_while_draining();
-    void open_iteration(std::uint8_t ports);
-    void enter_loop(unsigned loop);
-    void count_loop();
-    void perform(std::uint8_t ports);
-    void mark(Region region, Cycles from) {
-        if (trail_ != nullptr)
-            trail_->marked(index_, region, from);
+    Rules& rules() { return *this; }
+
+    // What ProcessRules ask for.
+    bool goes_by_steps() const { return by_steps_ || stops_; }
+    bool may_go_on() {
+        bool const goes_on = !pauses_ || figures_.stamps.size() == stamps_before_;
+        status_ = Status::ready;
+        return goes_on;
     }
-    void set_up();
-    void prepare(Operation const& operation);
-    void await_setup();
-    void leave_trail(unsigned port);
-    void note_first_access(std::uint8_t ports, Cycles arrival);
-    void end_iterations(Operation& operation, std::uint32_t count) {
-        count_iterations(std::uint64_t{count} * (1U + operation.gap()));
-        take_off(operation, count);
+    bool may_access(Ports::Number ports);
+    void wait_for(ProcessPort const& port) {
+        status_ = Status::blocked;
+        blocking_port_ = port.number;
     }
-    void count_iterations(std::uint64_t iterations) {
-        iterations_ += iterations;
-        loop_counters_[current_loop_].iterations += iterations;
+    void charge(ProcessPort const& port, Cycles stall);
+    void performs(Ports::Number ports, Cycles arrival);
+    void note(ProcessPort const& port, std::uint64_t count) {
+        port.fifo->note(port.writes, count);
+        woken_ |= port.neighbour;
+        charged_until_ = never;
     }
-    void take_off(Operation& operation, std::uint32_t count) {
-        operation.subtract(count);
-        if (operation.count() > 0)
-            return;
-        if (operation.tail_ports() != 0)
-            operation.become_tail();
-        else
-            log_.consume();
+    void count(std::uint64_t iterations) { figures_.loops[state_.loop].iterations += iterations; }
+    void count_end();
+    void iterates(std::uint64_t first, std::uint64_t count) {
+        if (observer_ != nullptr)
+            observer_->iterated(*this, state_.time, first, count, plan_->ii);
     }
-    bool skip_silent_iterations();
-    /// Of an unaligned loop.
-    bool is_in_equal_iterations() const {
-        return in_loop_ && !by_steps_ && !plans_[current_loop_].aligned && !log_.exhausted() &&
-               log_.front().kind() == Operation::Kind::iterate && log_.front().ports() != 0;
-    }
-    PortSet const& port_set(std::uint8_t ports);
-    PortSet make_port_set(std::uint8_t ports) const;
-    void start_run(Operation const& operation);
-    bool continue_run();
-    bool continue_plain_run();
-    bool continue_mix();
-    bool goes_on_with_mix(Operation& mix);
-    static bool is_line(Operation const& operation);
-    bool continue_with_tails();
-    void end_iterations_with_tails(Operation const& operation, std::uint32_t done);
-    static std::uint32_t length_with_tails(Operation const& operation);
-    static std::uint32_t reachable_with_tails(Operation const& operation, std::uint64_t known,
-                                              std::uint64_t known_of_tails);
-    template <unsigned N, bool Writes> class Burst;
-    template <unsigned N, bool Writes>
-    bool has_nothing_to_wait_for(PortSet const& set, std::uint64_t whole, std::uint64_t all) const;
-    template <unsigned N, bool Writes>
-    std::uint32_t accesses_with_tails(PortSet const& set, Operation const& operation);
-    template <unsigned N, bool Writes>
-    void free_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end,
-                                  std::uint32_t whole);
-    template <unsigned N, bool Writes>
-    void waiting_accesses_with_tails(PortSet const& set, Operation const& operation, std::uint32_t end);
-    template <unsigned N, bool Writes> std::uint32_t accesses(PortSet const& set, std::uint32_t count, Cycles stride);
-    template <unsigned N, bool Writes>
-    std::uint32_t mixed_accesses(PortSet const& set, unsigned length, std::uint32_t gaps);
-    template <unsigned N, bool Writes, class Stride>
-    std::uint32_t run_accesses(PortSet const& set, std::uint64_t count, Stride const& stride);
-    template <unsigned N, bool Writes, class Stride>
-    void free_accesses(PortSet const& set, std::uint64_t count, Stride const& stride);
+    void entered();
+    void left();
+    void awaited_setup(Cycles cycles) { figures_.awaited_setup_cycles += cycles; }
+    void stamped();
 
     std::string name_;
-    unsigned index_;
-    std::vector<Port> ports_;
-    std::vector<LoopShape> loops_;
-    std::vector<LoopPlan> plans_;
-    std::vector<LoopCounters> loop_counters_;
-    OperationLog log_;
+    std::vector<ProcessPort> ports_;
+    ProcessFigures figures_;
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
-    std::array<SourceSite, 8> port_sites_{};
-    Cycles time_ = 0;
-    Cycles empty_stall_cycles_ = 0;
-    Cycles full_stall_cycles_ = 0;
-    Cycles setup_cycles_ = 0;
-    std::deque<Cycles> setups_done_;  ///< when those begun, and not awaited yet, will be
-    Cycles awaited_setup_cycles_ = 0;
+    std::vector<SourceSite> port_sites_;
     StepObserver* observer_ = nullptr;
-    Trail* trail_ = nullptr;
     bool by_steps_ = true;  ///< until the first access; always when observed
-    bool has_accessed_ = false;
-    Cycles idle_before_cycles_ = 0;
-    unsigned first_port_ = 0;
-    std::vector<Cycles> stamps_;
     Cycles arrival_ = 0;
     Cycles charged_until_ = never;
 
-    std::uint8_t front_ports_ = 0;  ///< accesses of the step at hand; 0: none found yet
+    // While it goes on.
+    bool stops_ = false;    ///< in front of each step,
+    bool granted_ = false;  ///< but for the next one
+    bool pauses_ = false;   ///< behind the first stamp
+    std::size_t stamps_before_ = 0;
+    ProcessMask woken_ = 0;
+    // Where it stopped.
+    Status status_ = Status::exhausted;
+    Ports front_ports_;  ///< accesses of the step at hand
     unsigned blocking_port_ = 0;
     int starving_port_ = -1;
-    unsigned current_loop_ = 0;
-    bool in_loop_ = false;
-    std::uint64_t iterations_ = 0;  ///< of the loop entry at hand
-    std::uint64_t loops_entered_ = 0;
-    Run run_;
-    std::vector<PortSet> port_sets_;  ///< made when first needed
-    PipelinePosition pipeline_;
-    std::uint64_t pipeline_run_ = 0;  ///< number of the operation at hand in an unaligned loop
-    friend class SteadyState;
-    friend class RelativeState;
 };
 
 }  // namespace faster::timing

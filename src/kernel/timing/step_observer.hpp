@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "kernel/base/cycles.hpp"
+#include "kernel/timing/ports.hpp"
 
 namespace faster::timing {
 
@@ -20,7 +21,7 @@ class StepObserver {
                           Cycles stride) = 0;
     /// Waited for the access of a port in [from, until).
     virtual void stalled(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) = 0;
-    virtual void accessed(ProcessTiming const& process, std::uint8_t ports, Cycles cycle) = 0;
+    virtual void accessed(ProcessTiming const& process, Ports ports, Cycles cycle) = 0;
     virtual void stamped(ProcessTiming const& process, Cycles cycle) = 0;
 };
 

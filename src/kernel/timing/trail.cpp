@@ -10,8 +10,8 @@ void Trail::stalled(unsigned process, unsigned port, Region region, Cycles step,
     TrailEvent event;
     event.time = until;
     event.count = static_cast<std::uint32_t>(step);
-    event.process = static_cast<std::uint8_t>(process);
-    event.port = static_cast<std::uint8_t>(port);
+    event.process = static_cast<std::uint16_t>(process);
+    event.port = static_cast<std::uint16_t>(port);
     event.region = region;
     events_.push_back(event);
 }
@@ -20,13 +20,13 @@ void Trail::marked(unsigned process, Region region, Cycles from) {
     TrailEvent event;
     event.time = from;
     event.kind = Kind::marked;
-    event.process = static_cast<std::uint8_t>(process);
+    event.process = static_cast<std::uint16_t>(process);
     event.region = region;
     events_.push_back(event);
 }
 
 /// The stalls may be far apart in the trail, between those of others: they are put down once more, side by side.
-void Trail::repeated(std::uint64_t since, std::uint32_t mask, std::uint64_t count, Cycles cycles) {
+void Trail::repeated(std::uint64_t since, ProcessMask mask, std::uint64_t count, Cycles cycles) {
     std::size_t const end = events_.size();
     for (auto i = static_cast<std::size_t>(since - forgotten_); i < end; ++i) {
         TrailEvent const event = events_[i];

@@ -8,6 +8,8 @@
 
 namespace faster::timing {
 
+using ProcessMask = std::uint64_t;  ///< processes of a core, a bit each
+
 /// One thing that a path through a core's time may turn at. Cycles are relative to whatever holds the event.
 struct TrailEvent {
     enum class Kind : std::uint8_t {
@@ -21,8 +23,8 @@ struct TrailEvent {
     std::uint32_t count = 0;  ///< of a stall: steps since its iteration's first
     std::uint32_t distance = 0;
     Kind kind = Kind::stalled;
-    std::uint8_t process = 0;
-    std::uint8_t port = 0;
+    std::uint16_t process = 0;
+    std::uint16_t port = 0;
     Region region;  ///< of the process, from here on
 };
 
@@ -39,9 +41,9 @@ class Trail {
 
     void stalled(unsigned process, unsigned port, Region region, Cycles step, Cycles until);
     void marked(unsigned process, Region region, Cycles from);
-    /// What the processes of a mask, a bit each, waited for since a mark happened again `count` times, each time
+    /// What the processes of a mask waited for since a mark happened again `count` times, each time
     /// `cycles` later. They did nothing else.
-    void repeated(std::uint64_t since, std::uint32_t mask, std::uint64_t count, Cycles cycles);
+    void repeated(std::uint64_t since, ProcessMask mask, std::uint64_t count, Cycles cycles);
     std::uint64_t mark() const { return forgotten_ + events_.size(); }
     bool remembers(std::uint64_t mark) const { return mark >= forgotten_; }
     /// A transition that ended in `end`; the one before it ended where this began.

@@ -1,0 +1,233 @@
+#include "kernel/timing/lookup/automaton.hpp"
+
+#include <algorithm>
+
+#include "kernel/timing/core_timing.hpp"
+
+namespace faster::timing {
+
+namespace {
+constexpr Cycles longest_reach = 4096;     // of times in states with a number
+constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may have to list
+// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered. In the
+// first trial much is new anyway.
+constexpr std::uint64_t trial = 1U << 17;
+constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
+
+/// A loop that reads and writes carries setups along, which no state tells.
+bool is_known(LoopShape const& loop) {
+    return loop.reads.empty() && iterations_that_count(loop) <= ProcessFlags::most_begun;
+}
+
+bool is_regular(LoopShape const& loop) {
+    for (LoopWrite const& write : loop.writes)
+        if (write.write_latency != loop.writes.front().write_latency)
+            return false;
+    return true;
+}
+
+bool can_follow(Group const& group) {
+    std::uint64_t room = 0;
+    for (Group::Inner const& inner : group.fifos())
+        room += inner.fifo->shape().capacity + inner.fifo->shape().issue_latency;
+    if (room > most_room || group.fifos().size() > TransitionBench::most_fifos || group.members().size() == 1)
+        return false;
+    for (Group::Member const& member : group.members()) {
+        if (member.process->loops().size() > TransitionBench::most_loops)
+            return false;
+        for (LoopShape const& loop : member.process->loops())
+            if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
+                return false;
+    }
+    return true;
+}
+}  // namespace
+
+Automaton::Automaton() = default;
+Automaton::~Automaton() = default;
+
+bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
+    if (!decided_) {
+        decided_ = true;
+        next_trial_ = trial;
+        usable_ = can_follow(group);
+        auto const& loops = group.driver().loops();
+        driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
+        if (usable_)
+            bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
+    }
+    if (phrases_ >= next_trial_) {
+        std::uint64_t const one_in_these = next_trial_ == trial ? one_in_at_first : one_in;
+        usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in_these <= trial;
+        worked_out_before_ = worked_out_;
+        next_trial_ = phrases_ + trial;
+    }
+    return usable_;
+}
+
+/// Whether is_worthwhile() would say no, seen at a glance where a follower is ahead; else begin() has to tell.
+bool Automaton::is_far_apart(Group const& group) const {
+    Cycles const end = group.driver().local_time() + longest_reach;
+    auto const is_ahead = [end](Group::Member const& member) {
+        return member.process->local_time() > end && !goes_on_elsewhere(member);
+    };
+    return driver_is_regular_ && std::any_of(group.members().begin() + 1, group.members().end(), is_ahead);
+}
+
+/// With something outside the group.
+bool Automaton::goes_on_elsewhere(Group::Member const& member) {
+    Phrase::Next const next = Phrase::next_of(member, 0);
+    return next.known && next.ports == 0;
+}
+
+/// A bit each.
+std::uint32_t Automaton::going_on_elsewhere(Group const& group) {
+    std::uint32_t members = 0;
+    for (unsigned m = 1; m < group.members().size(); ++m)
+        members |= goes_on_elsewhere(group.members()[m]) ? 1U << m : 0U;
+    return members;
+}
+
+Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
+    Progress progress;
+    session_ = &session;
+    phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
+    Phrase::Reading reading = phrase_.read(group, 0);
+    if (reading == Phrase::Reading::logs_end)
+        return {false, true};
+    if (is_far_apart(group))
+        return progress;
+    if (std::uint32_t const elsewhere = going_on_elsewhere(group); elsewhere != 0)
+        reading = phrase_.read(group, elsewhere);
+    progress.later = reading == Phrase::Reading::logs_end;
+    if (reading != Phrase::Reading::complete || !begin(group))
+        return progress;
+    if (!is_worthwhile())
+        reading = Phrase::Reading::foreign;
+    for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
+        Print const print = phrase_.print(session.state + std::uint64_t{1});
+        Slot const* slot = session.state == none ? nullptr : table_.find(print);
+        if (slot == nullptr)
+            slot = work_out(print);
+        if (slot == nullptr)
+            break;
+        phrase_.consume();
+        session.history.push_back(slot->number);
+        apply(*slot);
+    }
+    progress.moved = !session.history.empty();
+    progress.later = reading == Phrase::Reading::logs_end;
+    end(group);
+    return progress;
+}
+
+void Automaton::apply(Slot const& slot) {
+    Session& session = *session_;
+    ++phrases_;
+    session.state = slot.next;
+    if (slot.number >= first_loose) {
+        Transition const& loose = session.loose[slot.number - first_loose];
+        session.time += loose.cycles;
+        session.entered |= loose.entered;
+        note(session, loose.froze, loose.rooms, session.time);
+        return;
+    }
+    if (slot.notable)
+        note(session, slot.number, session.time);
+    session.time += slot.cycles;
+    session.entered |= slot.entered;
+    make_room_for_uses(session);
+    ++session.uses[slot.number];
+}
+
+/// Of all transitions so far.
+void Automaton::make_room_for_uses(Session& session) const {
+    if (session.uses.size() < store_.size())
+        session.uses.resize(2 * store_.size());
+}
+
+/// Of a transition that is remembered, and notable.
+void Automaton::note(Session& session, Number number, Cycles begin) const {
+    for (Number const piece : store_.pieces(number)) {
+        begin += store_.brief(piece).cycles();
+        if (store_.brief(piece).notable())
+            note(session, store_.notes(piece).froze, store_.notes(piece).rooms, begin);
+    }
+}
+
+void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end) {
+    session.frozen |= froze;
+    for (Room const& room : rooms) {
+        std::vector<Cycles>& times = session.rooms[room.fifo];
+        if (room.all)
+            times.clear();
+        for (std::int64_t from : room.from)
+            times.push_back(end + static_cast<Cycles>(from));
+    }
+}
+
+/// Null if the driver cannot finish the phrase.
+Automaton::Slot const* Automaton::work_out(Print const& print) {
+    once_ = Slot();
+    once_.print = print;
+    task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
+    if (!work_out(once_))
+        return nullptr;
+    return once_.number < first_loose ? table_.add(once_) : &once_;
+}
+
+/// Performs the task on the bench. False if the driver cannot finish it.
+bool Automaton::perform(StateView from) {
+    ++worked_out_;
+    worked_on_.clear();
+    bench_->go_to(from);
+    return bench_->work_out(task_, worked_on_);
+}
+
+/// Of the state at which the bench is. None if it hardly comes again, or there are too many.
+Automaton::Number Automaton::number_of_state() {
+    Number const number = is_recurring() ? states_.number_of(bench_->state()) : none;
+    if (number != none)
+        bench_->is_at(states_[number]);
+    return number;
+}
+
+/// From where the session is.
+bool Automaton::work_out(Slot& slot) {
+    if (!perform(state_of(*session_)))
+        return false;
+    slot.next = number_of_state();
+    if (slot.next == none)
+        keep_words(*session_);
+    if (slot.next == none || session_->state == none || !store_.accepts(worked_on_)) {
+        slot.number = first_loose + static_cast<Number>(session_->loose.size());
+        session_->loose.push_back(worked_on_);
+        return true;
+    }
+    slot.number = store_.add(worked_on_);
+    describe(slot);
+    return true;
+}
+
+/// Of a transition that is remembered.
+void Automaton::describe(Slot& slot) const {
+    TransitionStore::Brief const brief = store_.brief(slot.number);
+    slot.cycles = brief.cycles();
+    slot.entered = static_cast<std::uint8_t>(brief.entered());
+    slot.notable = brief.notable();
+}
+
+/// The state at which the bench is is likely to come again: times further apart hardly ever do.
+bool Automaton::is_recurring() const { return bench_->reach() <= static_cast<std::int64_t>(longest_reach); }
+
+StateView Automaton::state_of(Session const& session) const {
+    return session.state == none ? StateView(session.words) : states_[session.state];
+}
+
+/// Those of the bench, which the next transition changes.
+void Automaton::keep_words(Session& session) const {
+    StateView const state = bench_->state();
+    session.words.assign(state.words, state.words + state.size);
+}
+
+}  // namespace faster::timing

@@ -1,0 +1,96 @@
+#include "kernel/timing/lookup/phrase_book.hpp"
+
+#include <algorithm>
+
+namespace faster::timing {
+
+namespace {
+constexpr std::uint64_t print_number = 1;  // any but 0, with which a first code of 0 would hide the second
+}
+
+PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& group, Compare compare) {
+    Group::Lanes const due =
+        group.has_supplier() ? phrase.due() >> (Group::lane_bits * (group.supplier() - 1)) : Group::Lanes{0};
+    return number_of(phrase, static_cast<std::uint32_t>(due & Group::lane_mask), compare);
+}
+
+PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number) {
+    Entry const& entry = other[number];
+    Phrase phrase;
+    phrase.assign(other.codes(number), entry.size, entry.active);
+    return number_of(phrase, entry.due, Compare::codes);
+}
+
+std::vector<PhraseBook::Number> PhraseBook::numbers_of(PhraseBook const& other) {
+    std::vector<Number> numbers;
+    for (Number number = 0; number < other.size(); ++number)
+        numbers.push_back(number_of(other, number));
+    return numbers;
+}
+
+PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due, Compare compare) {
+    Print const print = phrase.print(print_number);
+    std::size_t const place = place_of(phrase, print, compare);
+    if (places_[place].number != none)
+        return places_[place].number;
+    auto const number = static_cast<Number>(entries_.size());
+    entries_.push_back({static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), due, 0, 0});
+    codes_.insert(codes_.end(), phrase.codes(), phrase.codes() + phrase.size());
+    places_[place] = {print, number};
+    if (2 * entries_.size() > places_.size())
+        grow();
+    return number;
+}
+
+std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
+    Number const number = places_[place_of(phrase, phrase.print(print_number), Compare::codes)].number;
+    return number == none ? std::nullopt : std::optional<Number>(number);
+}
+
+/// Where it is, or has to be put.
+std::size_t PhraseBook::place_of(Phrase const& phrase, Print const& print, Compare compare) const {
+    auto const is_it = [&](Place const& place) {
+        return place.print.first == print.first && place.print.second == print.second &&
+               (compare == Compare::prints || is(place.number, phrase));
+    };
+    std::size_t const mask = places_.size() - 1;
+    std::size_t place = print.first & mask;
+    while (places_[place].number != none && !is_it(places_[place]))
+        place = (place + 1) & mask;
+    return place;
+}
+
+bool PhraseBook::is(Number number, Phrase const& phrase) const {
+    Phrase::Code const* const known = codes(number);
+    bool equal = entries_[number].size == phrase.size();
+    for (unsigned i = 0; equal && i < phrase.size(); ++i)
+        equal = known[i] == phrase.codes()[i];
+    return equal;
+}
+
+void PhraseBook::grow() {
+    std::vector<Place> old(2 * places_.size());
+    old.swap(places_);
+    for (Place const& known : old) {
+        std::size_t place = known.print.first & (places_.size() - 1);
+        while (known.number != none && places_[place].number != none)
+            place = (place + 1) & (places_.size() - 1);
+        if (known.number != none)
+            places_[place] = known;
+    }
+}
+
+void PhraseBook::clear() {
+    codes_.clear();
+    entries_.clear();
+    pieces_.clear();
+    std::fill(places_.begin(), places_.end(), Place());
+}
+
+void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {
+    entries_[number].first_piece = static_cast<std::uint32_t>(pieces_.size());
+    entries_[number].pieces = static_cast<std::uint32_t>(pieces.size());
+    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+}
+
+}  // namespace faster::timing

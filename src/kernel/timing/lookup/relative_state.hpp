@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "kernel/timing/lookup/figure_block.hpp"
+#include "kernel/timing/lookup/group.hpp"
+#include "kernel/timing/lookup/state_words.hpp"
+#include "kernel/timing/lookup/transition.hpp"
+
+namespace faster::timing {
+
+/// Moves what decides the future of a group between its processes and FIFOs and a list of words. Times in the words are
+/// relative to the driver's local time, so that equal lists have equal futures.
+class RelativeState {
+  public:
+    /// What the timing of a process cannot tell, as its log may be empty.
+    struct Outlook {
+        Ports::Number next_ports = 0;  ///< of the step it goes on with; 0: unknown
+        bool frozen = false;           ///< goes on with something outside the group: does not take part any more
+    };
+    static constexpr unsigned no_port = ~0U;
+
+    explicit RelativeState(Group const& group) : group_(&group) {}
+
+    std::vector<Outlook>& outlooks() { return outlooks_; }
+
+    /// False if the driver is in the middle of an iteration, or times are too far apart. With what the logs of the
+    /// followers of a mask hold.
+    bool save(StatePage& page, std::uint32_t with_logs) const;
+    void clear_logs(std::uint32_t members);
+    /// Puts what the processes have yet to do in front of their logs.
+    void restore(StateView state, Cycles driver_time);
+    /// The figures of a group that only grow, in blocks: of each loop of each member its entries and iterations, in a
+    /// second one, if there can be any, the cycles lost beyond its ends; of each FIFO between members its tokens gone
+    /// through, its full stalls, its empty stalls, and its largest occupancy.
+    static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
+    static std::uint32_t blocks_of(ProcessTiming const& process);
+    std::uint32_t blocks() const;
+    /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
+    void enter(FigureTotals const& figures);
+
+    bool is_in_loop(unsigned member) const { return process(member).in_loop(); }
+    std::uint64_t entries(unsigned member) const { return process(member).figures_.loops_entered; }
+    std::uint64_t iterations(unsigned member) const { return process(member).iterations(); }
+    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).state_.iterations = iterations; }
+    /// Moves a follower back to when its waiting for a port began.
+    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
+    /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
+    std::vector<Cycles> room_times(unsigned fifo) const;
+    void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);
+
+  private:
+    ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
+    Ports::Number next_ports(unsigned member) const;
+    void make_legal(unsigned member, unsigned port, Cycles from);
+    void charge(unsigned member, unsigned port, Cycles cycles);
+    static FigureTotals::const_iterator enter(ProcessTiming& process, FigureTotals::const_iterator figures);
+    std::size_t most_words() const;
+
+    Group const* group_;
+    std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};
+};
+
+}  // namespace faster::timing

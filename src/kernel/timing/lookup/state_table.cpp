@@ -1,0 +1,74 @@
+#include "kernel/timing/lookup/state_table.hpp"
+
+#include <cstring>
+
+namespace faster::timing {
+
+namespace {
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t bits) {
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
+    return hash ^ (hash >> 29);
+}
+
+/// Two of them.
+std::uint64_t bits_of(StateWord const* words) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, words, sizeof(bits));
+    return bits;
+}
+}  // namespace
+
+/// Four hashes, none of which has to wait for the others.
+std::uint64_t StateTable::hash_of(StateView state) {
+    constexpr std::size_t lanes = 4;
+    constexpr std::size_t step = sizeof(std::uint64_t) / sizeof(StateWord);
+    std::uint64_t hashes[lanes] = {state.size, 1, 2, 3};
+    std::size_t i = 0;
+    for (; i + lanes * step <= state.size; i += lanes * step)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            hashes[lane] = mixed(hashes[lane], bits_of(state.words + i + lane * step));
+    for (; i + step <= state.size; i += step)
+        hashes[0] = mixed(hashes[0], bits_of(state.words + i));
+    if (i < state.size)
+        hashes[0] = mixed(hashes[0], static_cast<std::uint32_t>(state.words[i]));
+    for (std::size_t lane = 1; lane < lanes; ++lane)
+        hashes[0] = mixed(hashes[0], hashes[lane]);
+    return hashes[0];
+}
+
+bool StateTable::equal(StateView one, StateView other) {
+    return one.size == other.size && std::memcmp(one.words, other.words, one.size * sizeof(StateWord)) == 0;
+}
+
+StateTable::Number StateTable::number_of(StateView state) {
+    std::uint64_t const hash = hash_of(state);
+    std::size_t const mask = places_.size() - 1;
+    std::size_t i = hash & mask;
+    for (; places_[i].number != none; i = (i + 1) & mask)
+        if (places_[i].hash == hash && equal(states_[places_[i].number], state))
+            return places_[i].number;
+    if (states_.size() >= most_)
+        return none;
+    auto const number = static_cast<Number>(states_.size());
+    states_.emplace_back(words_.keep(state.words, state.size), state.size);
+    places_[i] = {hash, number};
+    if (2 * states_.size() > places_.size())
+        grow();
+    return number;
+}
+
+void StateTable::grow() {
+    std::vector<Place> old(2 * places_.size());
+    old.swap(places_);
+    std::size_t const mask = places_.size() - 1;
+    for (Place const& place : old) {
+        if (place.number == none)
+            continue;
+        std::size_t i = place.hash & mask;
+        while (places_[i].number != none)
+            i = (i + 1) & mask;
+        places_[i] = place;
+    }
+}
+
+}  // namespace faster::timing

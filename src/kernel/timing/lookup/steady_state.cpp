@@ -1,0 +1,277 @@
+#include "kernel/timing/lookup/steady_state.hpp"
+
+#include <algorithm>
+
+#include "kernel/base/each_bit.hpp"
+
+namespace faster::timing {
+
+namespace {
+constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
+constexpr unsigned most_others = 16;        // that go on between two looks
+constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
+
+bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
+}  // namespace
+
+ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
+    if (given_up_[process.index()] == process.run_ || !leads(process) || !find_group(processes))
+        return 0;
+    take(now_);
+    if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
+        return jump(now_);
+    if (is_power_of_two(++looks_))  // Brent: keep an ever older state to compare with, so that any period is found
+        std::swap(before_, now_);
+    if (looks_ > most_looks)
+        give_up();
+    return 0;
+}
+
+/// Who leads does so until its run is over, or others go on much more often.
+bool SteadyState::leads(ProcessTiming& process) {
+    bool const led = leader_ != nullptr && leader_->is_running(1) && leader_->run_ == leader_run_;
+    if (!led || (leader_ != &process && ++others_ > most_others)) {
+        leader_ = &process;
+        leader_run_ = process.run_;
+        looks_ = 0;
+    }
+    if (leader_ == &process)
+        others_ = 0;
+    return leader_ == &process;
+}
+
+void SteadyState::give_up() {
+    for (ProcessTiming const* member : group_)
+        given_up_[member->index()] = member->run_;
+    leader_ = nullptr;
+}
+
+/// Of the iterations at hand, and of those that an unaligned loop still has on their way.
+Ports SteadyState::ports_of(ProcessTiming const& process) {
+    Ports ports(process.log_.front().ports());
+    for (std::uint64_t lag = first_lag(process), lags = lags_of(process); lag <= lags; ++lag)
+        ports = ports | Ports(process.state_.delayed(lag));
+    return ports;
+}
+
+/// Iterations whose ports are in the delay line, before the next one to begin; and the place of the latest.
+std::uint64_t SteadyState::lags_of(ProcessTiming const& process) {
+    return process.plan().aligned ? 0 : std::min(process.state_.pipeline.iteration, process.plan().longest_lag);
+}
+std::uint64_t SteadyState::first_lag(ProcessTiming const& process) { return process.state_.pipeline.open ? 0 : 1; }
+
+bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
+    bool accesses = false;
+    for (ProcessPort const& port : process.port_set(ports_of(process).number()))
+        accesses = accesses || port.fifo == &fifo;
+    return accesses;
+}
+
+/// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.
+bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
+    group_.assign(1, leader_);
+    ends_.clear();
+    fifos_.clear();
+    for (std::size_t i = 0; i < group_.size(); ++i)
+        if (!add_ends(*group_[i], processes))
+            return false;
+    std::uint64_t times = 0;
+    for (End const& end : ends_) {
+        times += end.open() ? 0 : end.known();
+        if (end.writes && is_between_closed_ends(*end.fifo))
+            fifos_.push_back(end.fifo);
+    }
+    if (times > most_times)
+        give_up();
+    return times <= most_times;
+}
+
+/// Of a member, which makes the processes behind those that are closed members as well.
+bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
+    for (ProcessPort const& port : member.port_set(ports_of(member).number())) {
+        End end{&member, port.number, port.fifo, port.writes, 0};
+        end.free = free_accesses(end);
+        ends_.push_back(end);
+        if (end.open())
+            continue;
+        if (port.neighbour == 0 || (end.writes && end.fifo->is_unlimited()))
+            return false;
+        ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctzll(port.neighbour))];
+        if (!other.is_running(2) || !accesses(other, *port.fifo))
+            return false;
+        if (std::find(group_.begin(), group_.end(), &other) == group_.end())
+            group_.push_back(&other);
+    }
+    return true;
+}
+
+/// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept with the port,
+/// so that each is looked at once.
+std::uint64_t SteadyState::free_accesses(End const& end) {
+    if (end.writes && end.fifo->is_unlimited())
+        return end.known();
+    ProcessTiming const& process = *end.process;
+    ProcessPort& port = end.process->ports_[end.port];
+    std::uint64_t const next = end.accesses();
+    if (port.free_in_run != process.run_ || port.free_until < next) {
+        port.free_in_run = process.run_;
+        port.free_until = next;
+    }
+    std::uint64_t free = port.free_until - next;
+    Cycles const interval = process.plan().ii;
+    while (free < end.known() && end.earliest(free) <= process.state_.time + free * interval)
+        ++free;
+    port.free_until = next + free;
+    return free;
+}
+
+bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
+    return 2 == std::count_if(ends_.begin(), ends_.end(),
+                              [&fifo](End const& end) { return end.fifo == &fifo && !end.open(); });
+}
+
+/// Where an unaligned loop stands in its iteration, and what it has yet to write.
+void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative) {
+    PipelinePosition const& at = process.state_.pipeline;
+    Operation const& operation = process.log_.front();
+    std::uint64_t const lags = lags_of(process);
+    for (std::uint64_t const word :
+         {std::uint64_t{operation.ports()}, std::uint64_t{operation.gap()}, std::uint64_t{at.open},
+          std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, lags})
+        relative.push_back(static_cast<std::int64_t>(word));
+    for (std::uint64_t lag = first_lag(process); lag <= lags; ++lag)
+        relative.push_back(process.state_.delayed(lag));
+}
+
+void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
+    std::vector<Ports::Number>& line = process.state_.delay_line;
+    std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
+    process.state_.pipeline.iteration += iterations;
+}
+
+void SteadyState::take(Snapshot& snapshot) const {
+    Cycles const origin = leader_->state_.time;
+    auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
+    snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
+    snapshot.relative.clear();
+    snapshot.growing.assign(1, origin);
+    for (ProcessTiming const* process : group_) {
+        snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
+        snapshot.relative.push_back(static_cast<std::int64_t>(process->run_));
+        snapshot.relative.push_back(since(process->state_.time));
+        if (!process->plan().aligned)
+            take_pipeline(*process, snapshot.relative);
+        snapshot.growing.push_back(process->figures_.empty_stall_cycles);
+        snapshot.growing.push_back(process->figures_.full_stall_cycles);
+        snapshot.growing.push_back(process->state_.iterations);
+    }
+    for (FifoTiming const* fifo : fifos_)
+        snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy_));
+    for (End const& end : ends_) {
+        snapshot.relative.push_back(end.open() ? 1 : 0);
+        // An open end has made nobody wait since, or it would not go on like this.
+        snapshot.relative.push_back(static_cast<std::int64_t>(end.open() ? end.stalls() : end.known()));
+        // A time before the local time of who waits for it decides nothing: it could as well be that time.
+        for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
+            snapshot.relative.push_back(since(std::max(end.process->state_.time, end.earliest(i))));
+        snapshot.growing.push_back(end.accesses());
+        snapshot.growing.push_back(end.stalls());
+    }
+}
+
+std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
+    std::uint64_t periods = ~std::uint64_t{0};
+    for (std::size_t i = 0; i < group_.size(); ++i) {
+        Operation const& operation = group_[i]->log_.front();
+        std::uint64_t const iterations = now.growing[3 * i + 3] - before_.growing[3 * i + 3];
+        std::uint64_t const done = iterations / (1U + operation.gap());
+        if (done == 0)
+            return 0;
+        periods = std::min(periods, (operation.count() - 1) / done);
+    }
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        std::size_t const at = 1 + 3 * group_.size() + 2 * i;
+        std::uint64_t const accesses = now.growing[at] - before_.growing[at];
+        if (ends_[i].open() && accesses > 0)
+            periods = std::min(periods, ends_[i].free / accesses);
+    }
+    return periods;
+}
+
+ProcessMask SteadyState::jump(Snapshot const& now) {
+    std::uint64_t const periods = whole_periods_left(now);
+    auto const growth = [&](std::size_t i) { return periods * (now.growing[i] - before_.growing[i]); };
+    if (periods == 0)
+        return 0;
+    std::size_t at = 0;
+    Cycles const cycles = growth(at++);
+    leave_trail(periods, cycles / periods);
+    for (ProcessTiming* process : group_) {
+        process->state_.time += cycles;
+        process->figures_.empty_stall_cycles += growth(at++);
+        process->figures_.full_stall_cycles += growth(at++);
+        std::uint64_t const iterations = growth(at++);
+        process->state_.iterations += iterations;
+        if (!process->plan().aligned)
+            shift_pipeline(*process, iterations);
+        process->figures_.loops[process->state_.loop].iterations += iterations;
+        Operation& operation = process->log_.front();
+        operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
+    }
+    // Open ends first, as who is behind them may need what they write or the room they make.
+    for (bool const open : {true, false})
+        for (std::size_t i = 0; i < ends_.size(); ++i)
+            if (ends_[i].open() == open)
+                go_on(ends_[i], growth(at + 2 * i), growth(at + 2 * i + 1), periods, cycles);
+    looks_ = 0;
+    return behind_open_ends();
+}
+
+ProcessMask SteadyState::behind_open_ends() const {
+    ProcessMask processes = 0;
+    for (End const& end : ends_)
+        processes |= end.open() ? end.process->ports_[end.port].neighbour : 0U;
+    return processes;
+}
+
+void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles) {
+    end.fifo->add_stall(end.writes, stalls);
+    if (std::find(fifos_.begin(), fifos_.end(), end.fifo) == fifos_.end())
+        repeat(end, accesses, periods, cycles);
+    else if (end.writes)
+        shift(*end.fifo, accesses, cycles);
+}
+
+void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
+    ProcessMask mask = 0;
+    for (ProcessTiming const* process : group_)
+        mask |= ProcessMask{1} << process->index();
+    if (leader_->trail() != nullptr)
+        leader_->trail()->repeated(before_.trail_mark, mask, periods, cycles);
+}
+
+bool SteadyState::trail_remembers(Snapshot const& snapshot) const {
+    return leader_->trail() == nullptr || leader_->trail()->remembers(snapshot.trail_mark);
+}
+
+/// As if `tokens` more had gone through in `cycles`, and nothing else had changed.
+void SteadyState::shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles) {
+    fifo.rules_.readable.shift(tokens, cycles);
+    fifo.rules_.free.shift(tokens, cycles);
+}
+
+/// What happened in the last period happens again in each.
+void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles) {
+    if (accesses == 0)
+        return;
+    FifoTiming::End const fifo_end = end.fifo->end(end.writes);
+    CycleLine::Writer const line = fifo_end.appends->writer(accesses);
+    auto const period = static_cast<std::ptrdiff_t>(accesses / periods);
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(accesses); ++i)
+        line[i] = line[i - period] + cycles / periods;
+    fifo_end.consumes->consume(accesses);
+    fifo_end.appends->done(accesses);
+    end.fifo->note(end.writes, accesses);
+}
+
+}  // namespace faster::timing

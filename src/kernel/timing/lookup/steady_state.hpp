@@ -1,0 +1,82 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "kernel/timing/process_timing.hpp"
+
+namespace faster::timing {
+
+/// Jumps over the boring middle of long regular runs: when processes that only feed each other repeat the same pattern
+/// of waits, every further period takes the same cycles, so all of them are added at once. Exact: a period counts as
+/// found only if everything that decides the future - local times and FIFO times relative to each other - is the same
+/// as one period before. A deep FIFO that has long been filled (or emptied) far ahead decides nothing: its end is open,
+/// and who is at the other end need not repeat itself.
+class SteadyState {
+  public:
+    /// Iterations left in a run, below which jumping does not pay.
+    static constexpr std::uint32_t worthwhile_count = ProcessTiming::long_count;
+
+    /// To be called whenever `process`, one of `processes` of a core, with that much left to do is
+    /// about to advance. The bits of the processes outside its group that may go on because of it.
+    ProcessMask observe(ProcessTiming& process, std::deque<ProcessTiming>& processes);
+
+  private:
+    /// What the processes of a group looked like at one moment.
+    struct Snapshot {
+        std::vector<std::int64_t> relative;  ///< the same in states with the same future
+        std::vector<Cycles> growing;         ///< time and counters; grow by the same amount each period
+        std::uint64_t trail_mark = 0;
+    };
+
+    /// Where a member accesses a FIFO.
+    struct End {
+        ProcessTiming* process;
+        unsigned port;
+        FifoTiming* fifo;
+        bool writes;
+        std::uint64_t free;  ///< accesses to come that have nothing to wait for
+        bool open() const { return free >= worthwhile_count; }
+
+        std::uint64_t known() const { return writes ? fifo->known_writes() : fifo->known_reads(); }
+        Cycles earliest(std::uint64_t i) const { return writes ? fifo->earliest_write(i) : fifo->earliest_read(i); }
+        std::uint64_t accesses() const { return fifo->end(writes).consumes->consumed(); }
+        Cycles stalls() const { return writes ? fifo->full_stall_cycles() : fifo->empty_stall_cycles(); }
+    };
+
+    bool leads(ProcessTiming& process);
+    void give_up();
+    bool find_group(std::deque<ProcessTiming>& processes);
+    bool add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes);
+    static std::uint64_t free_accesses(End const& end);
+    bool is_between_closed_ends(FifoTiming const& fifo) const;
+    static std::uint64_t lags_of(ProcessTiming const& process);
+    static std::uint64_t first_lag(ProcessTiming const& process);
+    static Ports ports_of(ProcessTiming const& process);
+    static bool accesses(ProcessTiming const& process, FifoTiming const& fifo);
+    static void take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative);
+    static void shift_pipeline(ProcessTiming& process, std::uint64_t iterations);
+    void take(Snapshot& snapshot) const;
+    ProcessMask jump(Snapshot const& now);
+    void leave_trail(std::uint64_t periods, Cycles cycles) const;
+    bool trail_remembers(Snapshot const& snapshot) const;
+    std::uint64_t whole_periods_left(Snapshot const& now) const;
+    ProcessMask behind_open_ends() const;
+    void go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles);
+    static void shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles);
+    static void repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles);
+
+    std::vector<ProcessTiming*> group_;  // the leader first
+    std::vector<End> ends_;
+    std::vector<FifoTiming*> fifos_;  // those between closed ends
+    ProcessTiming* leader_ = nullptr;
+    std::uint64_t leader_run_ = 0;
+    unsigned looks_ = 0;                                             // at this run so far
+    unsigned others_ = 0;                                            // that went on since the last
+    std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};  // numbers of runs, by process
+    Snapshot before_;
+    Snapshot now_;
+};
+
+}  // namespace faster::timing

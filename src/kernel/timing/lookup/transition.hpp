@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+#include "kernel/timing/lead.hpp"
+#include "kernel/timing/lookup/figure_block.hpp"
+#include "kernel/timing/trail.hpp"
+
+namespace faster::timing {
+
+/// What a phrase of a group's driver does, from a relative state of the group on. Times are relative to the driver's
+/// local time at the end.
+struct Transition {
+    static constexpr unsigned most_members = Lead::most_members;
+
+    struct Stand {  ///< of a follower, at the end
+        std::int32_t since;
+        std::int32_t arrival;
+        std::int16_t port;  ///< waited for since then; -1: none
+        std::uint8_t member;
+        bool arrived;
+    };
+    struct Room {  ///< cycles from which a frozen writer will find room
+        unsigned fifo;
+        bool all;
+        std::vector<std::int64_t> from;
+    };
+
+    Cycles cycles = 0;
+    std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
+    std::uint32_t froze = 0;
+    std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
+    FigureBlocks figures;
+    std::vector<Stand> stands;
+    std::vector<Room> rooms;
+    std::vector<TrailEvent> trail;
+
+    /// Becomes empty, and keeps its storage.
+    void clear() {
+        cycles = 0;
+        entered = froze = 0;
+        iterations.fill(0);
+        figures.clear();
+        stands.clear();
+        rooms.clear();
+        trail.clear();
+    }
+};
+
+}  // namespace faster::timing

@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/cycles.hpp"
+#include "kernel/timing/initiation_interval.hpp"
+
+namespace faster::timing {
+
+/// A FIFO written by a loop: the token of iteration i leaves in step i * II + write_latency.
+struct LoopWrite {
+    unsigned port = 0;
+    Cycles write_latency = 0;  ///< Lw, below the loop's depth
+};
+
+/// One pipelined loop of a process (SPEC section 3).
+struct LoopShape {
+    std::string name;
+    InitiationInterval interval;
+    Cycles depth = 1;               ///< L
+    std::vector<LoopWrite> writes;  ///< empty: the loop only reads, each iteration in its first step
+    std::vector<unsigned> reads;    ///< ports read by a loop that writes as well, each iteration in its first step
+};
+
+/// What leaving a loop adds to its counters.
+struct LoopEnd {
+    std::uint64_t entries = 0;
+    Cycles port_conflict_beyond_end = 0;
+    Cycles recurrence_beyond_end = 0;
+};
+/// After so many iterations; more than iterations_that_count() need not be told apart.
+LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations);
+/// More iterations than so many cost a loop no more at its end.
+std::uint64_t iterations_that_count(LoopShape const& loop);
+
+/// Accesses of a loop that share a step of each iteration.
+struct LoopPhase {
+    Cycles offset = 0;                                      ///< steps after the iteration's first, below II
+    std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
+};
+
+/// How the steps of a loop are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
+/// needs no memory; otherwise a delay line holds what the last iterations have yet to write.
+struct LoopPlan {
+    explicit LoopPlan(LoopShape const& loop);
+
+    Cycles ii = 1;
+    Cycles fill = 0;         ///< steps before the first access of the first iteration
+    std::int64_t drain = 0;  ///< steps after the last iteration's II; may be negative
+    bool aligned = true;
+    std::uint64_t longest_lag = 0;      ///< iterations
+    std::uint64_t counting = 1;         ///< iterations_that_count()
+    std::size_t delay_line_length = 1;  ///< a power of two above longest_lag, so that nothing need be divided
+    std::vector<LoopPhase> phases;
+};
+
+/// What a process is, as far as time is concerned, besides its ports: the same for all copies of it.
+struct ProcessShape {
+    std::vector<LoopShape> loops;
+    std::vector<LoopPlan> plans;  ///< of the loops
+    Cycles setup_cycles = 0;      ///< of one setup
+};
+
+}  // namespace faster::timing

@@ -43,10 +43,10 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
         total, std::ceil(total * slack / measurement.clock_mhz));
     if (measurement.figures.find("samples").value_or(0) > 0)
         text += fmt::format(
-            "  # No sample later than it is today, and none may score differently.\n"
-            "  samples.*.latency_cycles: {{max: baseline}}\n"
-            "  samples.*.{}: {{exact: baseline}}\n",
-            guarded.counter);
+            "  # No sample later than it is today{}.\n"
+            "  samples.*.latency_cycles: {{max: baseline}}\n{}",
+            guarded.counter.empty() ? "" : ", and none may score differently",
+            guarded.counter.empty() ? "" : fmt::format("  samples.*.{}: {{exact: baseline}}\n", guarded.counter));
     text += fmt::format(
         "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
         "  loops.*.*.ii: {{max: baseline}}\n"

@@ -6,7 +6,7 @@ namespace faster::budgets {
 
 /// Figures of the simulated design that a first budget guards.
 struct GuardedFigures {
-    std::string counter;  ///< of samples: none may score differently
+    std::string counter;  ///< of samples: none may score differently; empty: there are no counters
     std::string module;   ///< whose wait for input may move a little
 };
 

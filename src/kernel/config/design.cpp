@@ -17,6 +17,8 @@ std::vector<Preset> const& Design::presets() const {
     return none;
 }
 
+std::string Design::main_counter() const { return counters().empty() ? "" : counters().front().name; }
+
 std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const& folder) const {
     std::vector<std::filesystem::path> files;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(folder))

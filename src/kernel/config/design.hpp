@@ -40,6 +40,8 @@ class Design {
     virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
     /// The counters that a sample's result consists of.
     virtual std::vector<ColumnFacts> const& counters() const = 0;
+    /// The one that says most: new budgets guard it. Empty if there are none.
+    virtual std::string main_counter() const;
 };
 
 /// The design of this program.

@@ -37,8 +37,8 @@ void InlierUnit::end_of_elaboration() {
     if (result_ != nullptr)
         scoring_.add_loops();
     triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
-    fragment_ports_ = fragment_depth_in.channel()->read_port() |
-                                                fragment_index_in.channel()->read_port() | command_->read_port();
+    fragment_ports_ =
+        fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() | command_->read_port();
 }
 
 /// Or what leads to it, where it is another process's.

@@ -47,8 +47,8 @@ class CoreCapture : public timing::StepObserver {
     Spools& spools_;
     Cycles last_ = ~Cycles{0};
     std::array<std::vector<std::uint8_t>, module_count> fifo_at_;  // by process and port
-    std::array<std::size_t, fifo_count> writers_{};                    // number of the process
-    std::array<std::uint8_t, module_count> first_loop_{};              // LoopId of each process's loop 0
+    std::array<std::size_t, fifo_count> writers_{};                // number of the process
+    std::array<std::uint8_t, module_count> first_loop_{};          // LoopId of each process's loop 0
 };
 
 }  // namespace faster::recording

@@ -176,8 +176,8 @@ template <class Process, class Port> class ProcessRules {
             log_.consume();
     }
 
-    PortSet const& port_set(Ports::Number ports) const {
-        if (ports >= sets_.size() || sets_[ports] == nullptr)
+    [[gnu::always_inline]] PortSet const& port_set(Ports::Number ports) const {
+        if (__builtin_expect(ports >= sets_.size() || sets_[ports] == nullptr ? 1 : 0, 0) != 0)
             make_port_set(ports);
         return *sets_[ports];
     }
@@ -414,7 +414,7 @@ template <class Process, class Port> class ProcessRules {
         }
 
         /// The next iteration is `stride` cycles after this one.
-        void iterate(bool is_tail, Time stride) {
+        [[gnu::always_inline]] void iterate(bool is_tail, Time stride) {
             unsigned waited_for = N;
             for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i) {
                 Time const later = std::max<Time>(earliest_[i][accesses_of(i)], time_);
@@ -588,7 +588,7 @@ template <class Process, class Port> class ProcessRules {
             log_.put_back(Operation(Kind::iterate, line.tail_ports(), 0, 1));
     }
 
-    void make_port_set(Ports::Number ports) const {
+    [[gnu::noinline]] void make_port_set(Ports::Number ports) const {
         if (ports >= sets_.size())
             sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);
         auto set = std::make_unique<PortSet>();

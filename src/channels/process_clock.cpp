@@ -47,6 +47,7 @@ void ProcessClock::connect_all() {
         add_loop(machine.loops[loop].shape(), channels_of(machine.loops[loop].writes),
                  channels_of(machine.loops[loop].reads));
     set_setup_cycles(process.setup_cycles);
+    timing_.let_stamps_look_back(process.stamps_look_back);
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {

@@ -80,6 +80,7 @@ class Maker {
     void add_process(ModuleDescription const& module) {
         MachineProcess process;
         process.name = module.name;
+        process.stamps_look_back = module.stamps_look_back;
         decide(process, first_failing(module.conditions));
         machine_.processes.push_back(std::move(process));
         machine_.line_buffers.insert(machine_.line_buffers.end(), module.line_buffers.begin(),

@@ -29,6 +29,7 @@ struct MachineProcess {
     std::string name;
     bool is_present = true;
     std::string decided_by;  ///< key that takes it away, if it is not there
+    bool stamps_look_back = false;
     Cycles setup_cycles = 0;
     std::string setup_activity;                ///< "setting up triangles", for reports
     std::optional<std::size_t> setup_counter;  ///< FIFO with a write for every setup

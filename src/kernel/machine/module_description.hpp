@@ -141,6 +141,7 @@ class ModuleDescription {
     std::vector<MemoryDescription> memories;
     std::vector<LineBuffer> line_buffers;
     std::optional<SetupDescription> setup;
+    bool stamps_look_back = false;  ///< a stamp notes the last cycle that has passed, not the one to come
 
   private:
     FifoEnd& add_end(std::string fifo, bool writes) {

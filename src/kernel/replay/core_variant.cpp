@@ -37,6 +37,7 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
             variant.add_loop(variant_of(loop, variant, machine));
         copy_sites(process, variant);
         variant.set_setup_cycles(machine.processes[variant.index()].setup_cycles);
+        variant.let_stamps_look_back(machine.processes[variant.index()].stamps_look_back);
     }
     return core;
 }

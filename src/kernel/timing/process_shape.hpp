@@ -61,6 +61,7 @@ struct ProcessShape {
     std::vector<LoopShape> loops;
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
+    Cycles stamps_back = 0;       ///< cycles between what a stamp notes and the local time
 };
 
 }  // namespace faster::timing

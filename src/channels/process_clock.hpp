@@ -42,10 +42,11 @@ class ProcessClock {
     /// simulation starts.
     void connect_reads(FifoChannel& fifo);
     void connect_writes(FifoChannel& fifo);
-    /// A pipelined loop of the process, the FIFOs it writes, and those that it reads as well (connected before).
+    /// A pipelined loop of the process, the FIFOs it writes, and those it reads (connected before), which need no
+    /// telling in a loop that writes none and reads in the first step of each iteration. The FIFOs tell the stages.
     /// Returns its number for enter_loop().
     unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {},
-                      std::vector<FifoChannel*> const& read_as_well = {});
+                      std::vector<FifoChannel*> const& read = {});
     /// The cycles of a setup. Once, before simulation starts.
     void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
 

@@ -9,7 +9,8 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
     timing::LoopShape shape = machine.loops[machine.loop(variant.index(), loop.name)].shape();
     for (timing::LoopWrite const& write : loop.writes)
         shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
-    shape.reads = loop.reads;
+    for (timing::LoopRead const& read : loop.reads)
+        shape.reads.push_back({read.port, variant.fifo(read.port).shape().read_stage});
     return shape;
 }
 

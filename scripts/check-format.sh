@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the format of all C++ files of src, tests and bench; --fix rewrites them instead.
+# Checks the format of all C++ files of src, tests, bench and examples; --fix rewrites them instead.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

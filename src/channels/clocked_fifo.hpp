@@ -79,6 +79,16 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
             reader_->wait_for_tokens(*this);
         return there;
     }
+    /// The next token, as soon as the host has it, whatever the cycle: for loops that read in a later stage. A module
+    /// tells its clock of iteration i first and takes its token later, as the hardware does, by as many iterations as
+    /// the stage is behind at most; behind the last iterations, after leave_loop().
+    Token take() {
+        while (tokens_.size() == 0)
+            reader_->wait_for_tokens(*this);
+        Token const token = *tokens_.front();
+        consume(1);
+        return token;
+    }
     Token const* front() const { return tokens_.front(); }
     void consume(std::size_t count) {
         tokens_.drop(count);
@@ -127,10 +137,10 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
                     *at++ = TokenFields<Token>::values(*token)[i];
         }
     }
-    /// Enough for what the modelled FIFO and the pipeline in front of it can hold, or the host would add stalls of its
+    /// Enough for what the modelled FIFO and the pipelines at its ends can hold, or the host would add stalls of its
     /// own.
     static std::size_t host_limit(timing::FifoShape const& shape) {
-        return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency) + 64);
+        return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency + shape.read_stage) + 64);
     }
     std::size_t visible() const {
         return reader_->lockstep() ? std::min<std::size_t>(1, timing().known_reads()) : tokens_.size();

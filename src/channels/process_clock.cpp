@@ -47,6 +47,7 @@ void ProcessClock::connect_all() {
         add_loop(machine.loops[loop].shape(), channels_of(machine.loops[loop].writes),
                  channels_of(machine.loops[loop].reads));
     set_setup_cycles(process.setup_cycles);
+    timing_.let_stamps_look_back(process.stamps_look_back);
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
@@ -90,11 +91,11 @@ void ProcessClock::connect_writes(FifoChannel& fifo) {
 }
 
 unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written,
-                                std::vector<FifoChannel*> const& read_as_well) {
+                                std::vector<FifoChannel*> const& read) {
     for (FifoChannel const* fifo : written)
         shape.writes.push_back({fifo->write_port().first(), fifo->timing().shape().write_latency});
-    for (FifoChannel const* fifo : read_as_well)
-        shape.reads.push_back(fifo->read_port().first());
+    for (FifoChannel const* fifo : read)
+        shape.reads.push_back({fifo->read_port().first(), fifo->timing().shape().read_stage});
     return timing_.add_loop(std::move(shape));
 }
 

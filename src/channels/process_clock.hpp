@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "channels/time_base.hpp"
@@ -41,10 +42,11 @@ class ProcessClock {
     /// simulation starts.
     void connect_reads(FifoChannel& fifo);
     void connect_writes(FifoChannel& fifo);
-    /// A pipelined loop of the process, the FIFOs it writes, and those that it reads as well (connected before).
+    /// A pipelined loop of the process, the FIFOs it writes, and those it reads (connected before), which need no
+    /// telling in a loop that writes none and reads in the first step of each iteration. The FIFOs tell the stages.
     /// Returns its number for enter_loop().
     unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {},
-                      std::vector<FifoChannel*> const& read_as_well = {});
+                      std::vector<FifoChannel*> const& read = {});
     /// The cycles of a setup. Once, before simulation starts.
     void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
 
@@ -74,7 +76,8 @@ class ProcessClock {
     void step(timing::Ports ports) {
         say([ports](OperationLog& log) { log.step(ports.number(), 0); });
     }
-    /// Notes the local time; read back from timing().stamps().
+    /// Notes the local time, or the cycle before it: see ModuleDescription::stamps_look_back. Read back from
+    /// timing().stamps().
     void stamp() {
         say([](OperationLog& log) { log.stamp(); });
         core_.shorten_trail();
@@ -111,6 +114,20 @@ class ProcessClock {
     void leave_loop() {
         say([](OperationLog& log) { log.leave(); });
     }
+    /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it reads
+    /// and writes through plain ports are the accesses of the iteration; time passes between iterations only.
+    template <class Body>
+    void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
+        enter_loop(loop(loop_name), site);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            collecting_ = true;
+            body(i);
+            collecting_ = false;
+            iterate(std::exchange(collected_, timing::Ports()), 1);
+        }
+        leave_loop();
+    }
+
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     void access(timing::Ports port) {
         timing_.note_site(port.first(), site_);

@@ -26,7 +26,7 @@ LeadCore pair(bool prepares) {
     core.add_process("reader").add_writes(observed);
     timing::LoopShape shape;
     if (prepares)
-        shape.reads = {0};
+        shape.reads = {{0}};
     core.process(0).add_loop(shape);
     core.process(1).add_loop({});
     return {core, timing::Lead{0, {{1, 0}}}};

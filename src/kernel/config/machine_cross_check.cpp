@@ -14,34 +14,36 @@ std::int64_t integer_of(LoadedConfig const& loaded, std::string const& key) {
     return std::get<std::int64_t>(find_key(key)->read(loaded.config));
 }
 
-/// The token leaves before the pipeline ends. If only the loop's depth was set, that is what the message blames.
-/// `loop`: the writing one, MODULE.LOOP.
-void check_write_latency(LoadedConfig const& loaded, std::string const& fifo, std::string const& loop,
-                         std::vector<std::string>& complaints) {
-    std::string const latency_key = fifo_key_name(fifo, "write_latency");
+/// An access happens before the pipeline ends. If only the loop's depth was set, that is what the message blames.
+/// `loop`: the one that accesses, MODULE.LOOP.
+void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::string const& loop,
+                 std::vector<std::string>& complaints) {
     std::string const depth_key = loop_key_name(loop, "depth");
-    std::int64_t const latency = integer_of(loaded, latency_key);
+    std::int64_t const stage = integer_of(loaded, stage_key);
     std::int64_t const depth = integer_of(loaded, depth_key);
-    if (latency < depth)
+    if (stage < depth)
         return;
-    if (loaded.origins.is_explicit(latency_key)) {
+    if (loaded.origins.is_explicit(stage_key)) {
         complaints.push_back(
-            complaint(loaded, latency_key,
+            complaint(loaded, stage_key,
                       fmt::format("at most {}, one less than {}", depth - 1, with_value(loaded, depth_key))));
     } else {
         complaints.push_back(complaint(loaded, depth_key,
-                                       fmt::format("at least {} because of {}: set that too, to at most {}",
-                                                   latency + 1, with_value(loaded, latency_key), depth - 1)));
+                                       fmt::format("at least {} because of {}: set that too, to at most {}", stage + 1,
+                                                   with_value(loaded, stage_key), depth - 1)));
     }
 }
 
-/// Of a FIFO that several modules may write, what the one says that does.
-void check_write_latency(LoadedConfig const& loaded, CoreDescription const& core, MachineFifo const& fifo,
-                         std::vector<std::string>& complaints) {
-    ModuleDescription const& module = core.modules[fifo.writer];
-    for (FifoEnd const& end : module.ends)
-        if (end.writes && end.fifo == fifo.name && !end.loop.empty())
-            check_write_latency(loaded, fifo.name, keyed_loop(module, end.loop), complaints);
+/// Of a FIFO that several modules may write, or read, what the ones say that do.
+void check_stages(LoadedConfig const& loaded, CoreDescription const& core, MachineFifo const& fifo,
+                  std::vector<std::string>& complaints) {
+    for (bool const writes : {true, false}) {
+        ModuleDescription const& module = core.modules[writes ? fifo.writer : fifo.reader];
+        std::string const stage_key = fifo_key_name(fifo.name, writes ? "write_latency" : "read_stage");
+        for (FifoEnd const& end : module.ends)
+            if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty())
+                check_stage(loaded, stage_key, keyed_loop(module, end.loop), complaints);
+    }
 }
 
 std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {
@@ -88,7 +90,7 @@ std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     CoreDescription const core = design().core(loaded.config);
     std::vector<std::string> complaints;
     for (MachineFifo const& fifo : make_machine(core, loaded.config.machine()).fifos)
-        check_write_latency(loaded, core, fifo, complaints);
+        check_stages(loaded, core, fifo, complaints);
     for (ModuleDescription const& module : core.modules)
         for (MemoryDescription const& memory : module.memories)
             check_partition(loaded, memory, complaints);

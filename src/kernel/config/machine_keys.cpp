@@ -49,44 +49,69 @@ Key choice_key(KeyText text, Part part, Field field, Choice otherwise) {
     return key;
 }
 
-/// The end of a FIFO that writes it, and the module that has it. Of several, the first: all say the same of the tokens.
-struct WritingEnd {
+/// An end of a FIFO, and the module that has it.
+struct EndOfModule {
     ModuleDescription const& module;
     FifoEnd const& end;
+
+    std::string depth_key() const { return loop_key_name(keyed_loop(module, end.loop), "depth"); }
 };
 
-WritingEnd writing_end(CoreDescription const& core, std::string const& fifo) {
+template <class Is> std::optional<EndOfModule> find_end(CoreDescription const& core, Is is) {
     for (ModuleDescription const& module : core.modules)
         for (FifoEnd const& end : module.ends)
-            if (end.writes && end.fifo == fifo)
-                return {module, end};
-    throw std::logic_error("nobody writes the FIFO " + fifo);
+            if (is(end))
+                return EndOfModule{module, end};
+    return std::nullopt;
 }
 
-std::string write_latency_meaning(WritingEnd const& written) {
+/// The end that writes a FIFO. Of several, the first: all say the same of the tokens.
+EndOfModule writing_end(CoreDescription const& core, std::string const& fifo) {
+    auto const end = find_end(core, [&](FifoEnd const& one) { return one.writes && one.fifo == fifo; });
+    if (!end)
+        throw std::logic_error("nobody writes the FIFO " + fifo);
+    return *end;
+}
+
+/// The end that says in which stage of its loop it reads a FIFO; mostly, none does.
+std::optional<EndOfModule> taking_end(CoreDescription const& core, std::string const& fifo) {
+    return find_end(core, [&](FifoEnd const& one) { return one.read_stage && one.fifo == fifo; });
+}
+
+std::string write_latency_meaning(EndOfModule const& written) {
     if (written.end.loop.empty())
         return written.end.latency_meaning;
-    return fmt::format("Stage of the writing loop in which the token leaves, below {}.",
-                       loop_key_name(keyed_loop(written.module, written.end.loop), "depth"));
+    return fmt::format("Stage of the writing loop in which the token leaves, below {}.", written.depth_key());
+}
+
+void add_stage_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
+    EndOfModule const written = writing_end(core, name);
+    std::optional<EndOfModule> const taken = taking_end(core, name);
+    auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
+    constexpr IntegerRange stages{0, 1'000'000};
+    if (written.end.write_latency)
+        keys.push_back(step_key(
+            {fifo_key_name(name, "write_latency"), "cycles", write_latency_meaning(written), "timing model"}, stages,
+            fifo, [](auto& settings) -> auto& { return settings.write_latency; }, *written.end.write_latency));
+    if (taken)
+        keys.push_back(step_key(
+            {fifo_key_name(name, "read_stage"), "cycles",
+             fmt::format("Stage of the reading loop in which the token is taken, below {}.", taken->depth_key()),
+             "timing model"},
+            stages, fifo, [](auto& settings) -> auto& { return settings.read_stage; }, *taken->end.read_stage));
 }
 
 void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
-    WritingEnd const written = writing_end(core, name);
     auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
     keys.push_back(step_key(
-        {fifo_key_name(name, "depth"), "tokens", fmt::format("Depth of the FIFO: {}.", written.end.tokens),
-         "HLS default"},
+        {fifo_key_name(name, "depth"), "tokens",
+         fmt::format("Depth of the FIFO: {}.", writing_end(core, name).end.tokens), "HLS default"},
         {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, default_fifo_depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
          "How the FIFO is built; auto is a shift register up to depth 2, else a memory.", "timing model"},
         fifo, [](auto& settings) -> auto& { return settings.kind; }, FifoKind::automatic));
-    if (written.end.write_latency) {
-        keys.push_back(step_key(
-            {fifo_key_name(name, "write_latency"), "cycles", write_latency_meaning(written), "timing model"},
-            {0, 1'000'000}, fifo, [](auto& settings) -> auto& { return settings.write_latency; },
-            *written.end.write_latency));
-    }
+    add_stage_keys(keys, core, name);
 }
 
 void add_setup_key(Keys& keys, std::string const& module, SetupDescription const& setup) {

@@ -23,14 +23,16 @@ Json ports_json(timing::ProcessTiming const& process) {
 Json loops_json(timing::ProcessTiming const& process) {
     Json loops = Json::array();
     for (unsigned i = 0; i < process.loops().size(); ++i) {
-        Json writes = Json::array();
+        Json writes = Json::array(), reads = Json::array();
         for (timing::LoopWrite const& write : process.loops()[i].writes)
             writes.push_back(write.port);
+        for (timing::LoopRead const& read : process.loops()[i].reads)
+            reads.push_back(read.port);
         loops.push_back({{"loop", process.loops()[i].name},
                          {"writes", std::move(writes)},
                          {"source", site_json(process.loop_site(i))}});
-        if (!process.loops()[i].reads.empty())
-            loops.back()["reads"] = process.loops()[i].reads;
+        if (!reads.empty())
+            loops.back()["reads"] = std::move(reads);
     }
     return loops;
 }
@@ -88,7 +90,7 @@ class MachineReader {
             auto const port = read.get<unsigned>();
             if (port >= process.port_count() || process.writes(port))
                 throw std::invalid_argument("loop " + shape.name + " reads no such port");
-            shape.reads.push_back(port);
+            shape.reads.push_back({port, 0});
         }
         unsigned const loop = process.add_loop(shape);
         process.note_loop_site(loop, read_site(json.at("source")));

@@ -80,6 +80,7 @@ class Maker {
     void add_process(ModuleDescription const& module) {
         MachineProcess process;
         process.name = module.name;
+        process.stamps_look_back = module.stamps_look_back;
         decide(process, first_failing(module.conditions));
         machine_.processes.push_back(std::move(process));
         machine_.line_buffers.insert(machine_.line_buffers.end(), module.line_buffers.begin(),
@@ -115,6 +116,8 @@ class Maker {
         fifo.configured_kind = settings.kind.value_or(FifoKind::automatic);
         fifo.kind = resolved_kind(fifo.configured_kind, fifo.depth);
         fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
+        if (read.end->read_stage)
+            fifo.read_stage = settings.read_stage.value_or(*read.end->read_stage);
         fifo.flushes = written.end->flushes;
         fifo.bits = fifo.is_present ? written.end->bits : 0;
         machine_.fifos.push_back(std::move(fifo));
@@ -157,8 +160,17 @@ class Maker {
         loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
         loop.writes = numbers_of(description.writes);
-        loop.reads = numbers_of(description.reads);
+        loop.reads = numbers_of(reads_of(core_.modules[module], description));
         machine_.loops.push_back(std::move(loop));
+    }
+
+    /// Also those of which an end says that the loop takes them.
+    static std::vector<std::string> reads_of(ModuleDescription const& module, LoopDescription const& loop) {
+        std::vector<std::string> reads = loop.reads;
+        for (FifoEnd const& end : module.ends)
+            if (end.read_stage && end.loop == loop.name && std::count(reads.begin(), reads.end(), end.fifo) == 0)
+                reads.push_back(end.fifo);
+        return reads;
     }
 
     void add_setup(std::size_t module) {
@@ -221,6 +233,7 @@ timing::FifoShape MachineFifo::shape() const {
     shape.capacity = capacity_of(kind, depth);
     shape.read_latency = read_latency_of(kind);
     shape.write_latency = write_latency;
+    shape.read_stage = read_stage;
     shape.issue_latency = flushes ? write_latency : 0;
     return shape;
 }

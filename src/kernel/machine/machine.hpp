@@ -29,6 +29,7 @@ struct MachineProcess {
     std::string name;
     bool is_present = true;
     std::string decided_by;  ///< key that takes it away, if it is not there
+    bool stamps_look_back = false;
     Cycles setup_cycles = 0;
     std::string setup_activity;                ///< "preparing rows", for reports
     std::optional<std::size_t> setup_counter;  ///< FIFO with a write for every setup
@@ -46,6 +47,7 @@ struct MachineFifo {
     FifoKind kind = FifoKind::shift_register;  ///< resolved
     std::uint64_t depth = 2;                   ///< tokens
     Cycles write_latency = 0;
+    Cycles read_stage = 0;
     bool flushes = false;
     unsigned bits = 0;  ///< of a token; 0: not there
 
@@ -62,7 +64,7 @@ struct MachineLoop {
     timing::InitiationInterval interval;
     Cycles depth = 1;
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
-    std::vector<std::size_t> reads;   ///< of a loop that writes as well
+    std::vector<std::size_t> reads;   ///< those it was told of: all if it writes, or reads in a later stage
     bool is_listed = true;            ///< in loops.csv
 
     /// Without its FIFOs.

@@ -16,6 +16,7 @@ struct FifoSettings {
     std::optional<std::uint64_t> depth;   ///< tokens, >= 1
     std::optional<FifoKind> kind;
     std::optional<Cycles> write_latency;  ///< stage of the writing loop in which a token leaves
+    std::optional<Cycles> read_stage;     ///< stage of the reading loop in which a token is taken
 };
 
 /// One pipelined loop; keys `accelerator.loops.MODULE.LOOP.*`.

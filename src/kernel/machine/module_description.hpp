@@ -25,7 +25,8 @@ struct FifoEnd {
     std::string tokens;                   ///< "pixels from the reader to the filter", for the documentation
     unsigned bits = 0;                    ///< of a token, in wires
     std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
-    std::string loop;                     ///< the loop that writes it, whose depth bounds the write latency; or empty
+    std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
+    std::string loop;                     ///< the loop whose depth bounds the write latency or read stage; or empty
     bool flushes = false;                 ///< behind a flushing pipeline, whose stages hold tokens of their own
     std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
 
@@ -33,6 +34,11 @@ struct FifoEnd {
     FifoEnd& of_bits(std::uint64_t wires) { return bits = static_cast<unsigned>(wires), *this; }
     FifoEnd& leaves(std::string its_loop, Cycles stage) {
         return loop = std::move(its_loop), write_latency = stage, *this;
+    }
+    /// Read by a loop that may take it in a later step than an iteration's first. Such a loop says it of all FIFOs that
+    /// it reads, or names the others by also_reads().
+    FifoEnd& taken(std::string its_loop, Cycles stage) {
+        return loop = std::move(its_loop), read_stage = stage, *this;
     }
     /// Leaves a pipeline of so many stages that drains by itself, whatever its module reads.
     FifoEnd& flushes_after(Cycles stages, std::string meaning) {
@@ -56,7 +62,7 @@ struct LoopDescription {
     Cycles recurrence = 1;   ///< initiation interval that the design's own dependences demand
     std::vector<MemoryAccess> accesses;
     std::vector<std::string> writes;  ///< FIFOs that iterations write
-    std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well
+    std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well; those taken() besides
     std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
 
     bool is_listed = true;            ///< in loops.csv; reports list it all the same
@@ -141,6 +147,7 @@ class ModuleDescription {
     std::vector<MemoryDescription> memories;
     std::vector<LineBuffer> line_buffers;
     std::optional<SetupDescription> setup;
+    bool stamps_look_back = false;  ///< a stamp notes the last cycle that has passed, not the one to come
 
   private:
     FifoEnd& add_end(std::string fifo, bool writes) {

@@ -9,7 +9,8 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
     timing::LoopShape shape = machine.loops[machine.loop(variant.index(), loop.name)].shape();
     for (timing::LoopWrite const& write : loop.writes)
         shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
-    shape.reads = loop.reads;
+    for (timing::LoopRead const& read : loop.reads)
+        shape.reads.push_back({read.port, variant.fifo(read.port).shape().read_stage});
     return shape;
 }
 
@@ -37,6 +38,7 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
             variant.add_loop(variant_of(loop, variant, machine));
         copy_sites(process, variant);
         variant.set_setup_cycles(machine.processes[variant.index()].setup_cycles);
+        variant.let_stamps_look_back(machine.processes[variant.index()].stamps_look_back);
     }
     return core;
 }

@@ -15,6 +15,7 @@ struct FifoShape {
     std::uint64_t capacity = 2;  ///< C: tokens that fit; `unlimited` or more: never full
     Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
     Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
+    Cycles read_stage = 0;       ///< stage of the reading loop in which a token is taken; 0 outside loops
     Cycles issue_latency = 0;    ///< stages of a flushing pipeline in front of the FIFO, which hold tokens of their own
 
     bool is_unlimited() const { return capacity >= unlimited; }

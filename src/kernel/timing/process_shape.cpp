@@ -5,17 +5,35 @@
 
 namespace faster::timing {
 
-LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
-    Cycles shortest = loop.writes.empty() || !loop.reads.empty() ? 0 : loop.writes.front().write_latency;
+namespace {
+struct Access {
+    unsigned port = 0;
+    Cycles stage = 0;
+};
+
+std::vector<Access> accesses_of(LoopShape const& loop) {
+    std::vector<Access> accesses;
     for (LoopWrite const& write : loop.writes)
-        shortest = std::min(shortest, write.write_latency);
-    std::vector<LoopWrite> accesses = loop.writes;
-    for (unsigned const port : loop.reads)
-        accesses.push_back({port, 0});
-    aligned = loop.reads.empty();  // otherwise not all accesses have one direction
+        accesses.push_back({write.port, write.write_latency});
+    for (LoopRead const& read : loop.reads)
+        accesses.push_back({read.port, read.stage});
+    return accesses;
+}
+
+Cycles first_stage(std::vector<Access> const& accesses) {
+    auto const is_before = [](Access const& one, Access const& other) { return one.stage < other.stage; };
+    auto const first = std::min_element(accesses.begin(), accesses.end(), is_before);
+    return first == accesses.end() ? 0 : first->stage;
+}
+}  // namespace
+
+LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
+    std::vector<Access> const accesses = accesses_of(loop);
+    fill = first_stage(accesses);
+    aligned = loop.reads.empty() || loop.writes.empty();
     std::map<Cycles, LoopPhase> phase_at;
-    for (LoopWrite const& access : accesses) {
-        Cycles const behind = access.write_latency - shortest;
+    for (Access const& access : accesses) {
+        Cycles const behind = access.stage - fill;
         aligned = aligned && behind == 0;
         longest_lag = std::max(longest_lag, behind / ii);
         LoopPhase& phase = phase_at[behind % ii];
@@ -24,8 +42,7 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
     }
     for (auto& phase : phase_at)
         phases.push_back(std::move(phase.second));
-    fill = shortest;
-    drain = static_cast<std::int64_t>(loop.depth) - static_cast<std::int64_t>(ii + shortest);
+    drain = static_cast<std::int64_t>(loop.depth) - static_cast<std::int64_t>(ii + fill);
     while (delay_line_length <= longest_lag)
         delay_line_length *= 2;
 }

@@ -15,13 +15,20 @@ struct LoopWrite {
     Cycles write_latency = 0;  ///< Lw, below the loop's depth
 };
 
+/// A FIFO read by a loop: the token of iteration i is taken in step i * II + stage.
+struct LoopRead {
+    unsigned port = 0;
+    Cycles stage = 0;  ///< below the loop's depth
+};
+
 /// One pipelined loop of a process (SPEC section 3).
 struct LoopShape {
     std::string name;
     InitiationInterval interval;
-    Cycles depth = 1;               ///< L
-    std::vector<LoopWrite> writes;  ///< empty: the loop only reads, each iteration in its first step
-    std::vector<unsigned> reads;    ///< ports read by a loop that writes as well, each iteration in its first step
+    Cycles depth = 1;  ///< L
+    std::vector<LoopWrite> writes;
+    /// All ports that the loop reads. May be empty if it writes none, and each iteration reads in its first step.
+    std::vector<LoopRead> reads;
 };
 
 /// What leaving a loop adds to its counters.
@@ -41,8 +48,9 @@ struct LoopPhase {
     std::vector<std::pair<unsigned, std::uint64_t>> ports;  ///< port, and iterations that its token is behind
 };
 
-/// How the steps of a loop are laid out. `aligned`: all accesses of an iteration fall in one step, so that the pipeline
-/// needs no memory; otherwise a delay line holds what the last iterations have yet to write.
+/// How the steps of a loop are laid out. `aligned`: all accesses of an iteration fall in one step and have one
+/// direction, so that the pipeline needs no memory; otherwise a delay line holds what the last iterations have yet to
+/// read and to write.
 struct LoopPlan {
     explicit LoopPlan(LoopShape const& loop);
 
@@ -61,6 +69,7 @@ struct ProcessShape {
     std::vector<LoopShape> loops;
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
+    Cycles stamps_back = 0;       ///< cycles between what a stamp notes and the local time
 };
 
 }  // namespace faster::timing

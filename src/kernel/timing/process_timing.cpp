@@ -97,9 +97,10 @@ void ProcessTiming::left() {
 }
 
 void ProcessTiming::stamped() {
-    figures_.stamps.push_back(state_.time);
+    Cycles const cycle = state_.time - std::min(state_.time, shape_->stamps_back);
+    figures_.stamps.push_back(cycle);
     if (observer_ != nullptr)
-        observer_->stamped(*this, state_.time);
+        observer_->stamped(*this, cycle);
 }
 
 void ProcessTiming::count_end() {

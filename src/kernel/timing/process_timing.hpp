@@ -80,6 +80,8 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
 
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
     void set_setup_cycles(Cycles cycles) { shape_->setup_cycles = cycles; }
+    /// Stamps note the last cycle that has passed, instead of the one to come.
+    void let_stamps_look_back(bool look_back) { shape_->stamps_back = look_back ? 1 : 0; }
     Cycles setup_cycles() const { return shape_->setup_cycles; }
     /// What loops stood still for setups that had begun and were not done.
     Cycles awaited_setup_cycles() const { return figures_.awaited_setup_cycles; }

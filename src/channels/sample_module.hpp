@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <systemc>
+
+#include "channels/dataflow_core.hpp"
+#include "channels/process_clock.hpp"
+
+namespace faster {
+
+/// A module with one process, which does its part of one sample after the other. The derived class says in work() what
+/// that is; everything that all such modules do alike is done here. Its name is the one in its description.
+///
+/// What the last module ends with is the end of the sample: the last cycle that work() lets pass counts.
+class SampleModule : public sc_core::sc_module {
+  public:
+    ProcessClock const& clock() const { return clock_; }
+
+  protected:
+    SampleModule(sc_core::sc_module_name const& name, DataflowCore& core);
+
+    /// Sample number `sample` of the run. At least one cycle has to pass.
+    virtual void work(std::size_t sample) = 0;
+
+    ProcessClock clock_;
+
+  private:
+    void end_of_elaboration() override { clock_.connect_all(); }
+    void run();
+
+    DataflowCore& core_;
+};
+
+}  // namespace faster

@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernel/config/design.hpp"
+
+namespace faster {
+
+/// A whole number of a design's own: one configuration key.
+struct DesignNumber {
+    std::string key;              ///< e.g. "workload.rows"
+    std::uint64_t otherwise = 1;  ///< its value where a configuration does not say it
+    std::string meaning;          ///< one sentence
+    IntegerRange range{1, 1'000'000};
+};
+
+/// What a configuration says of a design's numbers.
+class Numbers {
+  public:
+    /// By key. Errors: std::out_of_range if the design has no such number.
+    std::uint64_t operator[](std::string const& key) const { return values_.at(key); }
+    std::uint64_t& of(std::string const& key) { return values_[key]; }
+    std::uint64_t const& of(std::string const& key) const { return values_.at(key); }
+
+  private:
+    std::map<std::string, std::uint64_t> values_;
+};
+
+/// What the keys of a simple design say.
+struct SimpleConfig final : DesignConfig {
+    MachineSettings settings;
+    Numbers numbers;
+
+    std::unique_ptr<DesignConfig> clone() const override { return std::make_unique<SimpleConfig>(*this); }
+    MachineSettings& machine() override { return settings; }
+    MachineSettings const& machine() const override { return settings; }
+};
+
+/// What there is to know of a simple design besides its modules.
+struct SimpleFacts {
+    std::string name;                   ///< one word
+    std::vector<DesignNumber> numbers;  ///< its own keys
+    std::vector<ColumnFacts> counters;  ///< what its last module makes of a sample; may be empty
+};
+
+/// A design whose keys are those of its machine, `workload.samples`, and a few whole numbers. That is enough for all
+/// that need no files and no choices. The derived class describes a core.
+class SimpleDesign : public Design {
+  public:
+    explicit SimpleDesign(SimpleFacts facts);
+
+    std::string name() const override { return facts_.name; }
+    std::unique_ptr<DesignConfig> default_config() const override;
+    std::vector<Key> keys() const override;
+    CoreDescription core(RunConfig const& config) const override { return describe(numbers_of(config)); }
+    std::vector<ColumnFacts> const& counters() const override { return facts_.counters; }
+
+    static Numbers const& numbers_of(RunConfig const& config) { return config.as<SimpleConfig>().numbers; }
+
+  protected:
+    virtual CoreDescription describe(Numbers const& numbers) const = 0;
+
+  private:
+    SimpleConfig defaults() const;
+
+    SimpleFacts facts_;
+};
+
+}  // namespace faster

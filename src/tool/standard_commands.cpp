@@ -1,0 +1,19 @@
+#include "tool/standard_commands.hpp"
+
+#include "tool/check_command.hpp"
+#include "tool/compare_command.hpp"
+#include "tool/keys_command.hpp"
+#include "tool/run_command.hpp"
+#include "tool/sensitivities_command.hpp"
+#include "tool/size_fifos_command.hpp"
+#include "tool/sweep_command.hpp"
+#include "tool/whatif_command.hpp"
+
+namespace faster {
+
+std::vector<Subcommand> standard_commands() {
+    return {run_command(),        check_command(),   whatif_command(), sensitivities_command(),
+            size_fifos_command(), compare_command(), sweep_command(),  keys_command()};
+}
+
+}  // namespace faster

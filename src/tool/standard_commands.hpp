@@ -1,0 +1,11 @@
+#pragma once
+#include <vector>
+
+#include "tool/subcommand.hpp"
+
+namespace faster {
+
+/// The commands that any design has: run, check, whatif, sensitivities, size-fifos, compare, sweep, keys.
+std::vector<Subcommand> standard_commands();
+
+}  // namespace faster

@@ -13,7 +13,7 @@ class Reader : public SampleModule {
     static ModuleDescription describe() {
         ModuleDescription module("reader");
         module.writes_to("number").carries("numbers from the reader to the scaler").of_bits(32).leaves("fetch", 2);
-        module.loop("fetch").does("fetches one number per iteration").of_depth(3).writes_to({"number"});
+        module.loop("fetch").does("fetches one number per iteration").of_depth(3);
         return module;
     }
     Reader(sc_core::sc_module_name const& name, SimpleCore& core)
@@ -36,13 +36,9 @@ class Scaler : public SampleModule {
 
     static ModuleDescription describe() {
         ModuleDescription module("scaler");
-        module.reads_from("number");
+        module.reads_from("number").taken("scale", 0);
         module.writes_to("product").carries("products from the scaler to the writer").of_bits(32).leaves("scale", 3);
-        module.loop("scale")
-            .does("multiplies one number per iteration")
-            .of_depth(4)
-            .writes_to({"product"})
-            .also_reads({"number"});
+        module.loop("scale").does("multiplies one number per iteration").of_depth(4);
         return module;
     }
     Scaler(sc_core::sc_module_name const& name, SimpleCore& core)
@@ -63,7 +59,7 @@ class Writer : public SampleModule {
 
     static ModuleDescription describe() {
         ModuleDescription module("writer");
-        module.reads_from("product");
+        module.reads_from("product").taken("store", 0);
         module.loop("store").does("adds up one product per iteration").of_depth(2);
         return module;
     }

@@ -49,9 +49,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     sc_core::sc_event const& data_written_event() const override { return written_; }
 
     void write(Token const& token) override {
-        await_room();
-        *reserve(1) = token;
-        commit(1);
+        put(token);
         writer_->access(write_port_);
     }
     bool nb_write(Token const& token) override {
@@ -88,6 +86,12 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         Token const token = *tokens_.front();
         consume(1);
         return token;
+    }
+    /// A token, whenever the host has it: the module tells its clock of the write on its own.
+    void put(Token const& token) {
+        await_room();
+        *reserve(1) = token;
+        commit(1);
     }
     Token const* front() const { return tokens_.front(); }
     void consume(std::size_t count) {
@@ -143,7 +147,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency + shape.read_stage) + 64);
     }
     std::size_t visible() const {
-        return reader_->lockstep() ? std::min<std::size_t>(1, timing().known_reads()) : tokens_.size();
+        return reader_->lockstep() ? std::min({std::size_t{1}, timing().known_reads(), tokens_.size()})
+                                   : tokens_.size();
     }
     void require_lockstep(char const* call) const {
         if (!(reader_ ? reader_ : writer_)->lockstep())

@@ -5,7 +5,9 @@
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/budgets/starting_budget.hpp"
+#include "kernel/config/design.hpp"
 #include "tool/budget_run.hpp"
 #include "tool/exit_codes.hpp"
 
@@ -56,8 +58,8 @@ int start_budget(CheckRequest const& request) {
     }
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
-    file.commit(budgets::starting_budget(budget, measurement, {"inlier", "inlier_unit"}, today()));
-    fmt::print("written: {}\nnext: faster-sim check {}\n", budget.file.string(), budget.file.string());
+    file.commit(budgets::starting_budget(budget, measurement, design().guarded(), today()));
+    fmt::print("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
     return exit_done;
 }
 

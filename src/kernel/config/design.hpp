@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/idle_keys.hpp"
 #include "kernel/base/column.hpp"
+#include "kernel/config/idle_keys.hpp"
 #include "kernel/config/key.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/presets.hpp"
@@ -40,10 +40,21 @@ class Design {
     virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
     /// The counters that a sample's result consists of.
     virtual std::vector<ColumnFacts> const& counters() const = 0;
+
+    /// What a first budget guards besides times and intervals.
+    struct Guarded {
+        std::string counter;  ///< of samples: none may score differently; empty: there is none
+        std::string module;   ///< whose wait for input may move a little
+    };
+    /// The first counter, and the module that ends samples.
+    virtual Guarded guarded() const;
 };
 
 /// The design of this program.
 Design const& design();
+
+/// What reports call the cores of this program's design.
+std::string const& cores_are();
 
 /// The machine of a configuration.
 Machine machine_of(RunConfig const& config);

@@ -36,7 +36,7 @@ ModuleDescription Convolve::describe(Images const& images) {
 }
 
 Convolve::Convolve(sc_core::sc_module_name const& name, faster::SimpleCore& core)
-    : SampleModule(name, core), images_(images_of(core.numbers())) {
+    : SimpleModule(name, core), images_(images_of(core.numbers())) {
     for (std::vector<Pixel>& row : line_buffer_)
         row.resize(images_.cols);
 }
@@ -82,7 +82,7 @@ void Writer::work(std::size_t image) {
         if (sum != plain_sum(images_, image, i / images_.cols, i % images_.cols))
             ++wrong;
     });
-    results_.push_back({total, wrong});
+    add_result({total, wrong});
 }
 
 }  // namespace convolution

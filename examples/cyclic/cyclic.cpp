@@ -10,7 +10,7 @@ using Message = std::uint32_t;
 
 Message answer_to(Message request) { return 2 * request; }
 
-class Processor : public SampleModule {
+class Processor : public SimpleModule {
   public:
     sc_core::sc_fifo_in<Message> request_in{"request_in"};
     sc_core::sc_fifo_out<Message> response_out{"response_out"};
@@ -22,8 +22,7 @@ class Processor : public SampleModule {
         module.loop("double").does("answers one request per iteration").of_depth(2);
         return module;
     }
-    Processor(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), messages_(core.numbers()["workload.messages"]) {}
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
@@ -31,14 +30,12 @@ class Processor : public SampleModule {
         auto& responses = channel_of(response_out);
         clock_.advance(1);  // its start token
         clock_.pipeline(
-            "double", messages_, [&](std::uint64_t) { clock_.access(responses.write_port()); }, requests,
-            [&](std::uint64_t) { responses.put(answer_to(requests.take())); });
+            "double", number("workload.messages"), [&](std::uint64_t) { clock_.access(responses.write_port()); },
+            requests, [&](std::uint64_t) { responses.put(answer_to(requests.take())); });
     }
-
-    std::uint64_t messages_;
 };
 
-class Controller : public SampleModule {
+class Controller : public SimpleModule {
   public:
     sc_core::sc_fifo_out<Message> request_out{"request_out"};
     sc_core::sc_fifo_in<Message> response_in{"response_in"};
@@ -50,27 +47,19 @@ class Controller : public SampleModule {
         module.loop("exchange").does("sends one request and reads its answer per iteration").of_depth(3);
         return module;
     }
-    Controller(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core),
-          messages_(core.numbers()["workload.messages"]),
-          entry_states_(core.numbers()["accelerator.controller.entry_states"]) {}
-    /// By sample: the sum of all answers.
-    std::vector<Counters> const& sums() const { return sums_; }
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         auto& responses = channel_of(response_in);
         std::uint64_t sum = 0;
-        clock_.advance(entry_states_);
+        clock_.advance(number("accelerator.controller.entry_states"));
         clock_.pipeline(
-            "exchange", messages_, [&](std::uint64_t i) { request_out.write(static_cast<Message>(i)); }, responses,
+            "exchange", number("workload.messages"),
+            [&](std::uint64_t i) { request_out.write(static_cast<Message>(i)); }, responses,
             [&](std::uint64_t) { sum += responses.take(); });
-        sums_.push_back({sum});
+        add_result({sum});
     }
-
-    std::uint64_t messages_;
-    std::uint64_t entry_states_;
-    std::vector<Counters> sums_;
 };
 
 class CyclicCore : public SimpleCore {
@@ -84,8 +73,6 @@ class CyclicCore : public SimpleCore {
         processor_.request_in(request_);
         processor_.response_out(response_);
     }
-    std::size_t results() const override { return controller_.sums().size(); }
-    Counters result(std::size_t i) const override { return controller_.sums()[i]; }
 
   private:
     ClockedFifo<Message> request_{"request", fifo_timing("request")};

@@ -6,7 +6,7 @@ using namespace faster;
 
 namespace {
 
-class Reader : public SampleModule {
+class Reader : public SimpleModule {
   public:
     sc_core::sc_fifo_out<std::uint32_t> number_out{"number_out"};
 
@@ -16,20 +16,17 @@ class Reader : public SampleModule {
         module.loop("fetch").does("fetches one number per iteration").of_depth(3);
         return module;
     }
-    Reader(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("fetch", numbers_,
+        clock_.pipeline("fetch", number("workload.numbers"),
                         [this](std::uint64_t i) { number_out.write(static_cast<std::uint32_t>(i)); });
     }
-
-    std::uint64_t numbers_;
 };
 
-class Scaler : public SampleModule {
+class Scaler : public SimpleModule {
   public:
     sc_core::sc_fifo_in<std::uint32_t> number_in{"number_in"};
     sc_core::sc_fifo_out<std::uint32_t> product_out{"product_out"};
@@ -41,19 +38,17 @@ class Scaler : public SampleModule {
         module.loop("scale").does("multiplies one number per iteration").of_depth(4);
         return module;
     }
-    Scaler(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("scale", numbers_, [this](std::uint64_t) { product_out.write(3 * number_in.read()); });
+        clock_.pipeline("scale", number("workload.numbers"),
+                        [this](std::uint64_t) { product_out.write(3 * number_in.read()); });
     }
-
-    std::uint64_t numbers_;
 };
 
-class Writer : public SampleModule {
+class Writer : public SimpleModule {
   public:
     sc_core::sc_fifo_in<std::uint32_t> product_in{"product_in"};
 
@@ -63,20 +58,15 @@ class Writer : public SampleModule {
         module.loop("store").does("adds up one product per iteration").of_depth(2);
         return module;
     }
-    Writer(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
-    std::vector<Counters> const& sums() const { return sums_; }
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         std::uint64_t sum = 0;
         clock_.advance(1);
-        clock_.pipeline("store", numbers_, [&](std::uint64_t) { sum += product_in.read(); });
-        sums_.push_back({sum});
+        clock_.pipeline("store", number("workload.numbers"), [&](std::uint64_t) { sum += product_in.read(); });
+        add_result({sum});
     }
-
-    std::uint64_t numbers_;
-    std::vector<Counters> sums_;
 };
 
 class Pipeline : public SimpleCore {
@@ -90,8 +80,6 @@ class Pipeline : public SimpleCore {
         scaler_.product_out(product_);
         writer_.product_in(product_);
     }
-    std::size_t results() const override { return writer_.sums().size(); }
-    Counters result(std::size_t i) const override { return writer_.sums()[i]; }
 
   private:
     ClockedFifo<std::uint32_t> number_{"number", fifo_timing("number")};

@@ -123,7 +123,7 @@ Measurement with_vcd(Engine kind, std::uint64_t samples, std::optional<std::size
         AcceleratorConfig const& accelerator = accelerator_of(config);
         Machine const machine = make_machine(describe_raster_core(accelerator), accelerator);
         vcd.done = [&file, machine](std::vector<recording::RecordedCore> const& cores) {
-            recording::write_vcd(file, machine, cores, recording::SignalFilter{});
+            recording::write_vcd(file, machine, cores, recording::SignalFilter({}, machine));
         };
         SimulationOptions options;
         options.recordings.push_back(vcd);

@@ -77,9 +77,10 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
             reader_->wait_for_tokens(*this);
         return there;
     }
-    /// The next token, as soon as the host has it, whatever the cycle: for loops that read in a later stage. A module
-    /// tells its clock of iteration i first and takes its token later, as the hardware does, by as many iterations as
-    /// the stage is behind at most; behind the last iterations, after leave_loop().
+    /// The next token, as soon as the host has it, whatever its cycle: for loops that read in a later stage. The module
+    /// tells its clock of iteration i, then of as many more as the stage is behind, and only then takes the token of
+    /// iteration i, as the hardware does; the last ones after leave_loop(). A token that decides what is written in the
+    /// very step in which it is read is taken, and the answer written, before the clock is told of that iteration.
     Token take() {
         while (tokens_.size() == 0)
             reader_->wait_for_tokens(*this);
@@ -147,8 +148,9 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency + shape.read_stage) + 64);
     }
     std::size_t visible() const {
-        return reader_->lockstep() ? std::min({std::size_t{1}, timing().known_reads(), tokens_.size()})
-                                   : tokens_.size();
+        if (!reader_->lockstep())
+            return tokens_.size();
+        return timing().known_reads() > 0 ? std::min<std::size_t>(1, tokens_.size()) : 0;
     }
     void require_lockstep(char const* call) const {
         if (!(reader_ ? reader_ : writer_)->lockstep())

@@ -24,7 +24,8 @@ void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const
     }
     auto const cols = static_cast<std::size_t>(box.cols());
     clock_.enter_loop(loop_);
-    clock_.iterate(timing::no_ports, static_cast<std::size_t>(box.rows()) * cols + extract_design(core_.config).lead(cols));
+    clock_.iterate(timing::no_ports,
+                   static_cast<std::size_t>(box.rows()) * cols + extract_design(core_.config).lead(cols));
     clock_.leave_loop();
 }
 

@@ -18,7 +18,7 @@ class FasterDesign final : public Design {
     /// Of a stimulus trace.
     std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const override;
     std::vector<ColumnFacts> const& counters() const override;
-    Guarded guarded() const override { return {"inlier", "inlier_unit"}; }
+    std::string main_counter() const override { return "inlier"; }
 };
 
 }  // namespace faster

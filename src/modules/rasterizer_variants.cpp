@@ -29,8 +29,7 @@ template <bool Ahead> void Rasterizer::send_near_edge_line(datapath::NearEdgeLin
         send_stretch(line.inside, stretch);
         timing::Ports const fragment_ports = stretch.is_inside ? pixel_ports_ : timing::Ports();
         timing::Ports const token_port = stretch.is_near ? edge_port_ : timing::Ports();
-        iterate<Ahead>(fragment_ports | token_port,
-                       static_cast<std::uint32_t>(stretch.end - stretch.first));
+        iterate<Ahead>(fragment_ports | token_port, static_cast<std::uint32_t>(stretch.end - stretch.first));
         pixel = stretch.end;
     }
 }

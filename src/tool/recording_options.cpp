@@ -113,7 +113,7 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
     for_vcd(
         command
             .add_option("--vcd-modules", request.vcd_modules,
-                        "Only modules, FIFOs and block RAMs whose name matches, e.g. 'inlier*'; a module's FIFOs and "
+                        "Only modules, FIFOs and block RAMs whose name matches, e.g. '*_token'; a module's FIFOs and "
                         "block RAMs come with it")
             ->delimiter(','),
         "GLOB,...");

@@ -41,6 +41,18 @@ Budget new_budget(CheckRequest const& request) {
     return budget;
 }
 
+/// The module that makes the results: it writes what the one that ends samples reads.
+budgets::GuardedFigures guarded_figures() {
+    Machine const machine = machine_of(RunConfig());
+    std::size_t module = machine.ends;
+    for (MachineFifo const& fifo : machine.fifos)
+        if (fifo.is_present && fifo.reader == machine.ends) {
+            module = fifo.writer;
+            break;
+        }
+    return {design().main_counter(), machine.processes[module].name};
+}
+
 }  // namespace
 
 int start_budget(CheckRequest const& request) {
@@ -58,7 +70,7 @@ int start_budget(CheckRequest const& request) {
     }
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
-    file.commit(budgets::starting_budget(budget, measurement, design().guarded(), today()));
+    file.commit(budgets::starting_budget(budget, measurement, guarded_figures(), today()));
     fmt::print("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
     return exit_done;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/path_sweep.hpp"
 
 // Loops whose reads sit in later stages, against a simulation of the same processes cycle by cycle that shares nothing
 // with the timing but the description below.
@@ -452,6 +453,39 @@ Cycles stuck_from(Cyclic const& cyclic) {
     return outcome.total();
 }
 
+/// What a critical path is made of: cycles of processes, and those that tokens and free places take to be usable.
+Cycles length_of(PathSums const& path, Design const& design, CoreTiming const& core) {
+    Cycles cycles = 0;
+    for (ProcessTiming const& process : core.processes())
+        for (unsigned number = 0; number < Region::count(static_cast<unsigned>(process.loops().size())); ++number) {
+            Region const region = Region::numbered(number);
+            for (PathSums::Share const share :
+                 {PathSums::Share::own, PathSums::Share::recurrence, PathSums::Share::port_conflict})
+                cycles += path.of(process.index(), region, share);
+            for (unsigned i = 0; i < process.port_count(); ++i) {
+                PortOf const& port = design.programs[process.index()].ports[i];
+                cycles +=
+                    path.turns(process.index(), region, i) * (port.writes ? 1 : design.fifos[port.fifo].read_latency);
+            }
+        }
+    return cycles;
+}
+
+/// The path to the last access of each FIFO explains all of its cycle.
+void check_paths(Design const& design, Outcome const& simulated) {
+    Timed timed(design);
+    timed.core().leave_trail();
+    timed.run_at_once();
+    for (unsigned i = 0; i < design.programs.size(); ++i)
+        for (PortOf const& port : design.programs[i].ports) {
+            FifoFigures const& figures = simulated.fifos[port.fifo];
+            std::vector<Cycles> const& accesses = port.writes ? figures.written : figures.read;
+            if (!accesses.empty())
+                CHECK(length_of(critical_path(timed.core(), i, accesses.back()), design, timed.core()) ==
+                      accesses.back());
+        }
+}
+
 // Machines by chance.
 
 class Dice {
@@ -630,7 +664,9 @@ TEST_CASE("random machines take the cycles that a simulation step by step takes"
         Dice dice(seed);
         Design const design = random_design(dice);
         std::mt19937 random(seed);
-        stuck += check_all_ways(design, random).is_stuck ? 1 : 0;
+        Outcome const simulated = check_all_ways(design, random);
+        check_paths(design, simulated);
+        stuck += simulated.is_stuck ? 1 : 0;
     }
     CHECK(stuck > 50);
     CHECK(stuck < 1000);  // most get to their ends

@@ -36,7 +36,7 @@ std::vector<std::string> const& template_names() {
     return names;
 }
 
-/// "samples.17.inlier" as "samples.*.inlier": whether there is such a sample is the run's business.
+/// "samples.17.latency_cycles" as "samples.*.latency_cycles": whether there is such a sample is the run's business.
 std::string with_any_number(std::string const& pattern) {
     std::vector<std::string> parts = parts_of(pattern);
     bool const has_number = parts.size() > 1 && (parts[0] == "samples" || parts[0] == "cores");

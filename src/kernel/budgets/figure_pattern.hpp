@@ -7,7 +7,7 @@
 namespace faster::budgets {
 
 /// A figure's name in which each part may hold the wildcards of file names: `*`, `?` and `[...]`. A wildcard stands for
-/// letters of one part, never for a point: "fifos.*.max_occupancy", "fifos.fragment_*.full_stall_cycles".
+/// letters of one part, never for a point: "fifos.*.max_occupancy", "fifos.pixel_*.full_stall_cycles".
 class FigurePattern {
   public:
     explicit FigurePattern(std::string const& text)

@@ -9,7 +9,7 @@
 namespace faster::budgets {
 
 /// One figure of a run, by its dotted name: a path through the output files, e.g. "fifos.edge_token.max_occupancy",
-/// "samples.3.latency_cycles" or "cores.0.loops.inlier_unit.sweep.ii".
+/// "samples.3.latency_cycles" or "cores.0.loops.filter.rows.ii".
 struct Figure {
     std::string name;
     std::uint64_t value = 0;

@@ -35,17 +35,7 @@ std::string head(Budget const& budget, std::string const& date) {
     return text;
 }
 
-std::string limits_of_samples(std::string const& counter) {
-    constexpr char const* latencies = "  samples.*.latency_cycles: {max: baseline}\n";
-    if (counter.empty())
-        return std::string("  # No sample later than it is today.\n") + latencies;
-    return fmt::format(
-        "  # No sample later than it is today, and none may score differently.\n{}"
-        "  samples.*.{}: {{exact: baseline}}\n",
-        latencies, counter);
-}
-
-std::string limit_lines(Measurement const& measurement, Design::Guarded const& guarded) {
+std::string limit_lines(Measurement const& measurement, GuardedFigures const& guarded) {
     auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
     std::string text = fmt::format(
         "\nlimits:\n"
@@ -53,7 +43,11 @@ std::string limit_lines(Measurement const& measurement, Design::Guarded const& g
         "  total_cycles: {{max: {:.0f} us}}\n",
         total, std::ceil(total * slack / measurement.clock_mhz));
     if (measurement.figures.find("samples").value_or(0) > 0)
-        text += limits_of_samples(guarded.counter);
+        text += fmt::format(
+            "  # No sample later than it is today{}.\n"
+            "  samples.*.latency_cycles: {{max: baseline}}\n{}",
+            guarded.counter.empty() ? "" : ", and none may score differently",
+            guarded.counter.empty() ? "" : fmt::format("  samples.*.{}: {{exact: baseline}}\n", guarded.counter));
     text += fmt::format(
         "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
         "  loops.*.*.ii: {{max: baseline}}\n"
@@ -70,7 +64,7 @@ std::string limit_lines(Measurement const& measurement, Design::Guarded const& g
 
 }  // namespace
 
-std::string starting_budget(Budget const& budget, Measurement const& measurement, Design::Guarded const& guarded,
+std::string starting_budget(Budget const& budget, Measurement const& measurement, GuardedFigures const& guarded,
                             std::string const& date) {
     // Figures of samples that limit_lines() compares with the baseline.
     std::vector<Limit> compared(guarded.counter.empty() ? 1 : 2);

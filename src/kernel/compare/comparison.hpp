@@ -19,7 +19,7 @@ struct SettingChange {
 
 /// One figure of one item in two runs; nothing where a run does not know it, which counts as 0.
 struct Change {
-    std::string item;    ///< e.g. "rasterizer"
+    std::string item;    ///< e.g. "reader"
     std::string figure;  ///< e.g. "busy_cycles"
     std::optional<std::uint64_t> a;
     std::optional<std::uint64_t> b;

@@ -17,6 +17,8 @@ std::vector<Preset> const& Design::presets() const {
     return none;
 }
 
+std::string Design::main_counter() const { return counters().empty() ? "" : counters().front().name; }
+
 std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const& folder) const {
     std::vector<std::filesystem::path> files;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(folder))
@@ -24,10 +26,6 @@ std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const&
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
-}
-
-Design::Guarded Design::guarded() const {
-    return {counters().empty() ? std::string() : counters().front().name, core(RunConfig()).ends};
 }
 
 std::string const& cores_are() {

@@ -40,14 +40,8 @@ class Design {
     virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
     /// The counters that a sample's result consists of.
     virtual std::vector<ColumnFacts> const& counters() const = 0;
-
-    /// What a first budget guards besides times and intervals.
-    struct Guarded {
-        std::string counter;  ///< of samples: none may score differently; empty: there is none
-        std::string module;   ///< whose wait for input may move a little
-    };
-    /// The first counter, and the module that ends samples.
-    virtual Guarded guarded() const;
+    /// The one that says most: new budgets guard it. Empty if there are none.
+    virtual std::string main_counter() const;
 };
 
 /// The design of this program.

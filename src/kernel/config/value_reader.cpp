@@ -20,7 +20,7 @@ bool is_plain_scalar(YAML::Node const& node) {
 
 int line_of(YAML::Node const& node, int otherwise) { return node.Mark().is_null() ? otherwise : node.Mark().line + 1; }
 
-/// Reads one value, of a key or of a part of it (`name` is then like "workload.pose.translation_m[1]").
+/// Reads one value, of a key or of a part of it (`name` is then like "workload.offset[1]").
 class Reader {
   public:
     Reader(std::string name, int line, std::filesystem::path const& folder, KeyFaults& faults)

@@ -17,8 +17,7 @@ struct MemoryShape {
 ///
 /// Every bank is laid out in one of the primitive's true dual-port shapes, the one that takes fewest; a bank for which
 /// one RAMB18 is enough takes that, any other whole RAMB36. A primitive has two ports: where the banks together have
-/// fewer than `ports`, the whole memory is there several times. Each buffer is a memory of its own. Source: AMD UG573
-/// (shapes); thesis Table 6.2 (whole RAMB36: two maps of 40,000 x 1 on ten cores make 40).
+/// fewer than `ports`, the whole memory is there several times. Each buffer is a memory of its own. Source: AMD UG573.
 double ramb36_count(MemoryShape const& memory);
 /// That the ZCU102's XCZU9EG has.
 constexpr double ramb36_of_device = 912;

@@ -22,7 +22,7 @@ struct FifoEnd {
     std::string fifo;
     bool writes = false;
     Conditions conditions;
-    std::string tokens;                   ///< "triangle areas", for the documentation
+    std::string tokens;                   ///< "pixels from the reader to the filter", for the documentation
     unsigned bits = 0;                    ///< of a token, in wires
     std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
@@ -113,7 +113,7 @@ struct SetupDescription {
     Cycles depth = 1;              ///< default number of cycles
     Cycles extra = 0;              ///< cycles that other keys add
     std::string meaning;           ///< one sentence, for the documentation
-    std::string activity;          ///< "setting up triangles", for reports
+    std::string activity;          ///< "preparing rows", for reports
     std::string before_loop;       ///< the loop before whose keys its key stands
     std::string one_per_token_of;  ///< FIFO with a write for every setup; empty: the process counts what it waits for
 };

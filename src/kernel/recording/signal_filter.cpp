@@ -33,7 +33,7 @@ void require_matches(std::vector<std::string> const& patterns, Machine const& ma
         if (std::none_of(names.begin(), names.end(), hit))
             throw InputError(
                 fmt::format("--vcd-modules {}: matches no module, FIFO or block RAM, expected a name or a "
-                            "pattern such as 'inlier*'{}",
+                            "pattern such as '*_in'{}",
                             pattern, did_you_mean(pattern, names)));
     }
 }

@@ -168,7 +168,8 @@ class ProcessDecoder {
         for (std::uint64_t i = 0; i < count; ++i) {
             unsigned const kind = bytes_.byte();
             Shape shape;
-            if (!read_ports(shape.ports) || !read_ports(shape.tail_ports) || kind > static_cast<unsigned>(Kind::flanked))
+            if (!read_ports(shape.ports) || !read_ports(shape.tail_ports) ||
+                kind > static_cast<unsigned>(Kind::flanked))
                 return false;
             shape.kind = static_cast<Kind>(kind);
             shapes_.push_back(shape);

@@ -99,7 +99,8 @@ bool read_numbers(std::string_view bytes, std::vector<OwnPhrase> const& phrases,
 bool read_next_ports(ByteReader& bytes, timing::Group const& group, timing::Script& script) {
     for (std::size_t m = 0; m < script.next_ports.size(); ++m) {
         std::uint64_t const ports = bytes.number();
-        timing::Ports::Number const inner = m > 0 && m < group.members().size() ? group.members()[m].inner_ports : timing::Ports::Number{0};
+        timing::Ports::Number const inner =
+            m > 0 && m < group.members().size() ? group.members()[m].inner_ports : timing::Ports::Number{0};
         if ((ports & ~std::uint64_t{inner}) != 0)
             return false;
         script.next_ports[m] = static_cast<timing::Ports::Number>(ports);

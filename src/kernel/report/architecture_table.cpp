@@ -38,7 +38,7 @@ bool has_quality(Rows const& rows) {
     return std::any_of(rows.begin(), rows.end(), [](ArchitectureRow const& row) { return row.judged_samples > 0; });
 }
 
-/// Cells with the quality of the edge maps of an architecture, every sample counting once.
+/// Cells with the quality of the results of an architecture, every sample counting once.
 std::string quality_cells(Rows::const_iterator begin, Rows::const_iterator end) {
     std::size_t samples = 0;
     std::array<double, 4> sums{};

@@ -17,7 +17,7 @@ struct ArchitectureRow {
     Cycles full_stall_cycles = 0;
     Cycles port_conflict_cycles = 0;
     double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores
-    /// The edge maps that were judged (docs/validation.md); the rest is means and shares over them.
+    /// Samples whose results were judged (docs/validation.md); the rest is means and shares over them.
     std::size_t judged_samples = 0;
     double precision = 0;
     double recall = 0;

@@ -10,7 +10,7 @@ std::string share(Cycles part, Diagnosis const& diagnosis) {
     return fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(diagnosis.cycles));
 }
 
-/// "depth_buffer has 5 accesses per iteration on 2 ports"
+/// "line_buffer has 5 accesses per iteration on 2 ports"
 std::string crowding(LoopStatistics const& loop, Machine const& machine) {
     MachineMemory const& memory = machine.memories[machine.memory(loop.bram)];
     return fmt::format("{}{} has {} accesses per iteration on {} port{}",

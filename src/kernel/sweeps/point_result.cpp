@@ -11,7 +11,7 @@ namespace {
 
 using Status = PointResult::Status;
 
-/// "rasterizer -> inlier_unit -> rasterizer": each waits for the next.
+/// "reader -> filter -> reader": each waits for the next.
 std::string circle_of(RunStatistics const& run) {
     std::vector<StuckProcess> const circle = run.wait_cycle();
     if (circle.empty())

@@ -17,9 +17,12 @@ class CycleLine {
     using Reader = Cycles const*;
     using Writer = Cycles*;
 
-    /// At most so many are known at a time. As many are kept.
+    /// Of those appended last, so many are kept, or as many as can be known at a time, if that is less.
+    static constexpr std::uint64_t longest_past = 1024;
+
+    /// At most so many are known at a time.
     explicit CycleLine(std::uint64_t most)
-        : kept_(most),
+        : most_(most),
           length_(2 * most + between_moves),
           gone_(0 - most),
           front_(most),
@@ -59,7 +62,7 @@ class CycleLine {
     }
     /// Makes room for as many again.
     void grow() {
-        CycleLine larger(2 * kept_ + 1);
+        CycleLine larger(2 * most_ + 1);
         larger.gone_ += consumed();
         for (std::uint64_t i = 0; i < known(); ++i)
             larger.append((*this)[i]);
@@ -94,6 +97,8 @@ class CycleLine {
     }
     template <class Word>
     void load_front(std::uint64_t over, Cycles when, std::uint64_t count, Cycles base, Word const* from) {
+        if (end_ < over + count)
+            move_forward();
         front_ = end_ - over - count;
         load(over, when, count, base, from);
     }
@@ -109,15 +114,21 @@ class CycleLine {
             (*this)[over + i] = base + static_cast<Cycles>(std::int64_t{from[i]});
     }
     [[gnu::noinline]] void move_back() {
-        std::uint64_t const by = end_ - kept_;
-        for (std::uint64_t at = 0; at < cycles_.size(); at += length_)
-            std::copy(cycles_.data() + at + by, cycles_.data() + at + end_, cycles_.data() + at);
+        std::uint64_t const by = end_ - std::max(known(), std::min(most_, longest_past));
+        Cycles* const appended = cycles_.data() + appended_at_;
+        std::copy(appended + by, appended + end_, appended);
         gone_ += by;
         front_ -= by;
         end_ -= by;
     }
 
-    std::uint64_t kept_;
+    /// So that there is room for all that can be known before the end. What is there is lost.
+    void move_forward() {
+        gone_ -= most_ - end_;
+        end_ = most_;
+    }
+
+    std::uint64_t most_;
     std::uint64_t length_;
     std::uint64_t appended_at_ = 0;  ///< so far behind their place are those put that are appended
     std::uint64_t gone_;             ///< moved out, from the beginning on

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "kernel/timing/fifo_rules.hpp"
@@ -176,8 +177,8 @@ template <class Process, class Port> class ProcessRules {
             log_.consume();
     }
 
-    PortSet const& port_set(Ports::Number ports) const {
-        if (ports >= sets_.size() || sets_[ports] == nullptr)
+    [[gnu::always_inline]] PortSet const& port_set(Ports::Number ports) const {
+        if (__builtin_expect(ports >= sets_.size() || sets_[ports] == nullptr ? 1 : 0, 0) != 0)
             make_port_set(ports);
         return *sets_[ports];
     }
@@ -413,10 +414,19 @@ template <class Process, class Port> class ProcessRules {
             }
         }
 
+        /// Whether any of the accesses to come may have to wait: those of a FIFO never become legal earlier than the
+        /// one before.
+        bool may_wait(std::uint64_t whole, std::uint64_t all) const {
+            bool waits = whole == 0;
+            for (unsigned i = 0; i < N && !waits; ++i)
+                waits = earliest_[i][(i + 1 < N ? whole : all) - 1] > time_;
+            return waits;
+        }
+
         /// The next iteration is `stride` cycles after this one.
-        void iterate(bool is_tail, Time stride) {
+        template <bool MayWait> [[gnu::always_inline]] void iterate(bool is_tail, Time stride) {
             unsigned waited_for = N;
-            for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i) {
+            for (unsigned i = is_tail ? N - 1 : 0; MayWait && i < N; ++i) {
                 Time const later = std::max<Time>(earliest_[i][accesses_of(i)], time_);
                 stalls_[i] += later - time_;
                 waited_for = later > time_ ? i : waited_for;
@@ -504,8 +514,11 @@ template <class Process, class Port> class ProcessRules {
     }
     template <unsigned N, class Stride> void run(PortSet const& set, std::uint32_t wanted, Stride const& stride) {
         Burst<N> burst(*this, set, wanted, wanted);
-        for (std::uint32_t k = 0; k < wanted; ++k)
-            burst.iterate(false, stride(k));
+        auto const run = [&](auto may_wait) {
+            for (std::uint32_t k = 0; k < wanted; ++k)
+                burst.template iterate<decltype(may_wait)::value>(false, stride(k));
+        };
+        burst.may_wait(wanted, wanted) ? run(std::true_type()) : run(std::false_type());
         burst.end();
     }
 
@@ -561,12 +574,16 @@ template <class Process, class Port> class ProcessRules {
         std::uint32_t const last = length_of_line(line) - 1;
         std::uint32_t const other_tail = line.kind() == Kind::flanked ? 1 : last;
         auto const interval = static_cast<Time>(plan_->ii);
-        Burst<N> burst(*this, set, count - tails_of(line, count), count);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            bool const is_tail = k == last || k == other_tail;
-            std::uint32_t const silent = k == last ? line.tail_gap() : is_tail ? 0U : line.gap();
-            burst.iterate(is_tail, interval * static_cast<Time>(1U + silent));
-        }
+        std::uint32_t const whole = count - tails_of(line, count);
+        Burst<N> burst(*this, set, whole, count);
+        auto const run = [&](auto may_wait) {
+            for (std::uint32_t k = 0; k < count; ++k) {
+                bool const is_tail = k == last || k == other_tail;
+                std::uint32_t const silent = k == last ? line.tail_gap() : is_tail ? 0U : line.gap();
+                burst.template iterate<decltype(may_wait)::value>(is_tail, interval * static_cast<Time>(1U + silent));
+            }
+        };
+        burst.may_wait(whole, count) ? run(std::true_type()) : run(std::false_type());
         burst.end();
     }
 
@@ -588,7 +605,7 @@ template <class Process, class Port> class ProcessRules {
             log_.put_back(Operation(Kind::iterate, line.tail_ports(), 0, 1));
     }
 
-    void make_port_set(Ports::Number ports) const {
+    [[gnu::noinline]] void make_port_set(Ports::Number ports) const {
         if (ports >= sets_.size())
             sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);
         auto set = std::make_unique<PortSet>();

@@ -15,8 +15,8 @@ class StepObserver {
     virtual ~StepObserver() = default;
     virtual void entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) = 0;
     virtual void left_loop(ProcessTiming const& process, Cycles cycle) = 0;
-    /// `count` iterations, numbered from `first` on, begin a stride apart, the first of them in `cycle`. In a loop that
-    /// writes, an iteration begins when its token leaves.
+    /// `count` iterations, numbered from `first` on, begin a stride apart, the first of them in `cycle`. An
+    /// iteration begins in the stage of its first access: where the loop only writes, when its token leaves.
     virtual void iterated(ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
                           Cycles stride) = 0;
     /// Waited for the access of a port in [from, until).

@@ -8,8 +8,8 @@
 
 namespace faster::timing {
 
-/// The next few operations of a driver, with those by which its followers answer to them: a line of pixels, the head of
-/// a triangle. Written as a list of codes, so that equal phrases are equal lists.
+/// The next few operations of a driver, with those by which its followers answer to them: a row of iterations,
+/// the steps between two loops. Written as a list of codes, so that equal phrases are equal lists.
 class Phrase {
   public:
     using Code = Operation::Code;

@@ -193,7 +193,7 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
         std::size_t const at = 1 + 3 * group_.size() + 2 * i;
         std::uint64_t const accesses = now.growing[at] - before_.growing[at];
         if (ends_[i].open() && accesses > 0)
-            periods = std::min(periods, ends_[i].free / accesses);
+            periods = accesses > CycleLine::longest_past ? 0 : std::min(periods, ends_[i].free / accesses);
     }
     return periods;
 }

@@ -1,10 +1,11 @@
-# faster_add_budget(NAME BUDGET... [SET KEY=VALUE...] [JUNIT FILE] [JSON FILE] [TIMEOUT SECONDS])
+# faster_add_budget(NAME BUDGET... [SET KEY=VALUE...] [JUNIT FILE] [JSON FILE] [TIMEOUT SECONDS]
+#                   [PROGRAM TARGET])
 #
 # A CTest test NAME with label `budget` that passes if `faster-sim check` finds every limit of the budget files kept.
 # Files are relative to the current source folder. TIMEOUT is CTest's, for all files together (300); each budget has a
-# time_limit_s of its own. Needs enable_testing().
+# time_limit_s of its own. PROGRAM is the executable of another design than FASTER. Needs enable_testing().
 function(faster_add_budget name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "JUNIT;JSON;TIMEOUT" "SET")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "JUNIT;JSON;TIMEOUT;PROGRAM" "SET")
   if(NOT ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "faster_add_budget(${name}): expected at least one budget file")
   endif()
@@ -28,6 +29,9 @@ function(faster_add_budget name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
-  add_test(NAME ${name} COMMAND faster-sim::faster-sim check ${arguments})
+  if(NOT ARG_PROGRAM)
+    set(ARG_PROGRAM faster-sim::faster-sim)
+  endif()
+  add_test(NAME ${name} COMMAND ${ARG_PROGRAM} check ${arguments})
   set_tests_properties(${name} PROPERTIES LABELS budget TIMEOUT ${ARG_TIMEOUT})
 endfunction()

@@ -1,17 +1,21 @@
 # Compiler flags of every target of ours, on one INTERFACE target. No -march=native and no -ffast-math: both move
 # floating-point results, and with them the bit-exact vertex transform (SPEC section 2).
+# Who uses the installed libraries gets the headers and the language standard alone.
 add_library(faster_options INTERFACE)
-target_include_directories(faster_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
-target_compile_options(faster_options INTERFACE
+target_include_directories(faster_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/faster-sim>)
+target_compile_features(faster_options INTERFACE cxx_std_17)
+set(faster_compile_options
   -ffp-contract=off -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual)
 if(FASTER_WARNINGS_AS_ERRORS)
-  target_compile_options(faster_options INTERFACE -Werror)
+  list(APPEND faster_compile_options -Werror)
 endif()
 if(FASTER_SANITIZERS)
-  target_compile_options(faster_options INTERFACE -fsanitize=${FASTER_SANITIZERS} -fno-omit-frame-pointer)
+  list(APPEND faster_compile_options -fsanitize=${FASTER_SANITIZERS} -fno-omit-frame-pointer)
   target_link_options(faster_options INTERFACE -fsanitize=${FASTER_SANITIZERS})
 endif()
+target_compile_options(faster_options INTERFACE "$<BUILD_INTERFACE:${faster_compile_options}>")
 
 find_program(FASTER_CCACHE ccache)
 if(FASTER_CCACHE)
@@ -26,6 +30,7 @@ function(faster_add_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(faster_${name} STATIC ${ARG_SOURCES})
   add_library(faster::${name} ALIAS faster_${name})
+  set_target_properties(faster_${name} PROPERTIES EXPORT_NAME ${name})
   target_link_libraries(faster_${name} PUBLIC faster_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 

@@ -16,7 +16,7 @@ function(faster_add_test_library name type)
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
-# faster_add_test(NAME LABEL <unit|golden|engine|cli|browser|budget> TIMEOUT seconds SOURCES... LIBRARIES...)
+# faster_add_test(NAME LABEL <unit|golden|engine|cli|browser|budget|examples> TIMEOUT seconds SOURCES... LIBRARIES...)
 # One executable; each of its test cases is one CTest test NAME.CASE with the label, and the timeout for itself.
 # A test that prints "skipped: " could not run, and CTest says so.
 # No ';' and no lone bracket in the name of a case: CMake would take it for a list, and the case would not run. That

@@ -19,8 +19,6 @@ class ConvolutionCore : public SimpleCore {
         writer_.sum_in(sum_);
     }
 
-    std::size_t results() const override { return writer_.results().size(); }
-    Counters result(std::size_t i) const override { return writer_.results()[i]; }
     std::unique_ptr<recording::MemoryActivity> memory_activity() const override {
         return std::make_unique<LineBufferActivity>(images_of(numbers()), machine());
     }

@@ -7,7 +7,7 @@ using faster::ModuleDescription;
 ModuleDescription Reader::describe() {
     ModuleDescription module("reader");
     module.writes_to("pixel").carries("pixels from the reader to the convolution").of_bits(8).leaves("read", 2);
-    module.loop("read").does("sends one pixel per iteration").of_depth(3).writes_to({"pixel"});
+    module.loop("read").does("sends one pixel per iteration").of_depth(3);
     return module;
 }
 
@@ -22,14 +22,12 @@ void Reader::work(std::size_t image) {
 /// is all that decides its initiation interval: the ports and banks of a configuration do the rest.
 ModuleDescription Convolve::describe(Images const& images) {
     ModuleDescription module("convolve");
-    module.reads_from("pixel");
+    module.reads_from("pixel").taken("convolve", 0);
     module.writes_to("sum").carries("sums from the convolution to the writer").of_bits(16).leaves("convolve", 5);
     module.loop("convolve")
         .does("works out the sum of one window per iteration")
         .of_depth(6)
-        .accesses_memory("line_buffer", {{{0, 0}, {1, 0}}, {{0, 0}}})
-        .writes_to({"sum"})
-        .also_reads({"pixel"});
+        .accesses_memory("line_buffer", {{{0, 0}, {1, 0}}, {{0, 0}}});
     module.memory("line_buffer")
         .holds("the last two rows of the image")
         .of_words(2, images.cols, 8)
@@ -38,7 +36,7 @@ ModuleDescription Convolve::describe(Images const& images) {
 }
 
 Convolve::Convolve(sc_core::sc_module_name const& name, faster::SimpleCore& core)
-    : SampleModule(name, core), images_(images_of(core.numbers())) {
+    : SimpleModule(name, core), images_(images_of(core.numbers())) {
     for (std::vector<Pixel>& row : line_buffer_)
         row.resize(images_.cols);
 }
@@ -69,7 +67,7 @@ Sum Convolve::take(Pixel newest, std::size_t row, std::size_t col) {
 
 ModuleDescription Writer::describe() {
     ModuleDescription module("writer");
-    module.reads_from("sum");
+    module.reads_from("sum").taken("write", 0);
     module.loop("write").does("stores one sum per iteration").of_depth(2);
     return module;
 }
@@ -84,7 +82,7 @@ void Writer::work(std::size_t image) {
         if (sum != plain_sum(images_, image, i / images_.cols, i % images_.cols))
             ++wrong;
     });
-    results_.push_back({total, wrong});
+    add_result({total, wrong});
 }
 
 }  // namespace convolution

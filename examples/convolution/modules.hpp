@@ -10,13 +10,13 @@ namespace convolution {
 inline Images images_of(faster::Numbers const& numbers) { return {numbers["workload.rows"], numbers["workload.cols"]}; }
 
 /// Sends the pixels of an image, row by row.
-class Reader : public faster::SampleModule {
+class Reader : public faster::SimpleModule {
   public:
     sc_core::sc_fifo_out<Pixel> pixel_out{"pixel_out"};
 
     static faster::ModuleDescription describe();
     Reader(sc_core::sc_module_name const& name, faster::SimpleCore& core)
-        : SampleModule(name, core), images_(images_of(core.numbers())) {}
+        : SimpleModule(name, core), images_(images_of(core.numbers())) {}
 
   private:
     void work(std::size_t image) override;
@@ -26,7 +26,7 @@ class Reader : public faster::SampleModule {
 
 /// Adds up the 3 x 3 pixels that end at each pixel. The two rows above come from the line buffer, a block RAM of two
 /// rows: row y of the image lies in its row y mod 2, so that the newest pixel takes the place of the oldest.
-class Convolve : public faster::SampleModule {
+class Convolve : public faster::SimpleModule {
   public:
     sc_core::sc_fifo_in<Pixel> pixel_in{"pixel_in"};
     sc_core::sc_fifo_out<Sum> sum_out{"sum_out"};
@@ -44,21 +44,18 @@ class Convolve : public faster::SampleModule {
 };
 
 /// Counts the sums that are not those of the plain loop.
-class Writer : public faster::SampleModule {
+class Writer : public faster::SimpleModule {
   public:
     sc_core::sc_fifo_in<Sum> sum_in{"sum_in"};
 
     static faster::ModuleDescription describe();
     Writer(sc_core::sc_module_name const& name, faster::SimpleCore& core)
-        : SampleModule(name, core), images_(images_of(core.numbers())) {}
-    /// By image: the sum of its sums, and how many of them are wrong.
-    std::vector<faster::Counters> const& results() const { return results_; }
+        : SimpleModule(name, core), images_(images_of(core.numbers())) {}
 
   private:
     void work(std::size_t image) override;
 
     Images images_;
-    std::vector<faster::Counters> results_;
 };
 
 }  // namespace convolution

@@ -6,81 +6,67 @@ using namespace faster;
 
 namespace {
 
-class Reader : public SampleModule {
+class Reader : public SimpleModule {
   public:
     sc_core::sc_fifo_out<std::uint32_t> number_out{"number_out"};
 
     static ModuleDescription describe() {
         ModuleDescription module("reader");
         module.writes_to("number").carries("numbers from the reader to the scaler").of_bits(32).leaves("fetch", 2);
-        module.loop("fetch").does("fetches one number per iteration").of_depth(3).writes_to({"number"});
+        module.loop("fetch").does("fetches one number per iteration").of_depth(3);
         return module;
     }
-    Reader(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("fetch", numbers_,
+        clock_.pipeline("fetch", number("workload.numbers"),
                         [this](std::uint64_t i) { number_out.write(static_cast<std::uint32_t>(i)); });
     }
-
-    std::uint64_t numbers_;
 };
 
-class Scaler : public SampleModule {
+class Scaler : public SimpleModule {
   public:
     sc_core::sc_fifo_in<std::uint32_t> number_in{"number_in"};
     sc_core::sc_fifo_out<std::uint32_t> product_out{"product_out"};
 
     static ModuleDescription describe() {
         ModuleDescription module("scaler");
-        module.reads_from("number");
+        module.reads_from("number").taken("scale", 0);
         module.writes_to("product").carries("products from the scaler to the writer").of_bits(32).leaves("scale", 3);
-        module.loop("scale")
-            .does("multiplies one number per iteration")
-            .of_depth(4)
-            .writes_to({"product"})
-            .also_reads({"number"});
+        module.loop("scale").does("multiplies one number per iteration").of_depth(4);
         return module;
     }
-    Scaler(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("scale", numbers_, [this](std::uint64_t) { product_out.write(3 * number_in.read()); });
+        clock_.pipeline("scale", number("workload.numbers"),
+                        [this](std::uint64_t) { product_out.write(3 * number_in.read()); });
     }
-
-    std::uint64_t numbers_;
 };
 
-class Writer : public SampleModule {
+class Writer : public SimpleModule {
   public:
     sc_core::sc_fifo_in<std::uint32_t> product_in{"product_in"};
 
     static ModuleDescription describe() {
         ModuleDescription module("writer");
-        module.reads_from("product");
+        module.reads_from("product").taken("store", 0);
         module.loop("store").does("adds up one product per iteration").of_depth(2);
         return module;
     }
-    Writer(sc_core::sc_module_name const& name, SimpleCore& core)
-        : SampleModule(name, core), numbers_(core.numbers()["workload.numbers"]) {}
-    std::vector<Counters> const& sums() const { return sums_; }
+    using SimpleModule::SimpleModule;
 
   private:
     void work(std::size_t /*sample*/) override {
         std::uint64_t sum = 0;
         clock_.advance(1);
-        clock_.pipeline("store", numbers_, [&](std::uint64_t) { sum += product_in.read(); });
-        sums_.push_back({sum});
+        clock_.pipeline("store", number("workload.numbers"), [&](std::uint64_t) { sum += product_in.read(); });
+        add_result({sum});
     }
-
-    std::uint64_t numbers_;
-    std::vector<Counters> sums_;
 };
 
 class Pipeline : public SimpleCore {
@@ -94,8 +80,6 @@ class Pipeline : public SimpleCore {
         scaler_.product_out(product_);
         writer_.product_in(product_);
     }
-    std::size_t results() const override { return writer_.sums().size(); }
-    Counters result(std::size_t i) const override { return writer_.sums()[i]; }
 
   private:
     ClockedFifo<std::uint32_t> number_{"number", fifo_timing("number")};

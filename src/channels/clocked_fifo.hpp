@@ -49,9 +49,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     sc_core::sc_event const& data_written_event() const override { return written_; }
 
     void write(Token const& token) override {
-        await_room();
-        *reserve(1) = token;
-        commit(1);
+        put(token);
         writer_->access(write_port_);
     }
     bool nb_write(Token const& token) override {
@@ -89,6 +87,12 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         Token const token = *tokens_.front();
         consume(1);
         return token;
+    }
+    /// A token, whenever the host has it: the module tells its clock of the write on its own.
+    void put(Token const& token) {
+        await_room();
+        *reserve(1) = token;
+        commit(1);
     }
     Token const* front() const { return tokens_.front(); }
     void consume(std::size_t count) {

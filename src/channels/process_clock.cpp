@@ -76,6 +76,13 @@ unsigned ProcessClock::loop(std::string_view name) const {
     throw std::out_of_range("process " + timing_.name() + " has no loop " + std::string(name));
 }
 
+timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.read_port(); }
+
+/// How many iterations after the one that takes a token of the FIFO the loop has begun by then.
+std::uint64_t ProcessClock::iterations_behind(std::string_view name, FifoChannel const& fifo) const {
+    return fifo.timing().shape().read_stage / timing_.loops()[loop(name)].interval.achieved;
+}
+
 void ProcessClock::begin_sample() { dataflow_core_->begin_sample(timing_.index()); }
 
 void ProcessClock::end_sample() { dataflow_core_->end_sample(); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -114,8 +115,8 @@ class ProcessClock {
     void leave_loop() {
         say([](OperationLog& log) { log.leave(); });
     }
-    /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it reads
-    /// and writes through plain ports are the accesses of the iteration; time passes between iterations only.
+    /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
+    /// reads and writes through plain ports are the accesses of the iteration; time passes between iterations only.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
         enter_loop(loop(loop_name), site);
@@ -126,6 +127,24 @@ class ProcessClock {
             iterate(std::exchange(collected_, timing::Ports()), 1);
         }
         leave_loop();
+    }
+
+    /// The same for a loop that reads a FIFO in a later stage (FifoEnd::taken): each iteration reads one token of it,
+    /// in that stage. `take` is called with the iteration's number when it has got there, and takes the token.
+    template <class Body, class Take>
+    void pipeline(std::string_view loop_name, std::uint64_t count, Body body, FifoChannel& late_fifo, Take take,
+                  SourceSite site = SourceSite::here()) {
+        timing::Ports const read = read_port_of(late_fifo);
+        std::uint64_t const behind = iterations_behind(loop_name, late_fifo);
+        auto const whole_body = [&](std::uint64_t i) {
+            if (i > behind)
+                take(i - behind - 1);  // the iteration that was in that stage in the step before
+            access(read);
+            body(i);
+        };
+        pipeline(loop_name, count, whole_body, site);
+        for (std::uint64_t i = count - std::min(count, behind + 1); i < count; ++i)
+            take(i);
     }
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
@@ -175,6 +194,8 @@ class ProcessClock {
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
 
+    static timing::Ports read_port_of(FifoChannel const& fifo);
+    std::uint64_t iterations_behind(std::string_view loop, FifoChannel const& fifo) const;
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 

@@ -13,11 +13,10 @@ namespace faster {
 /// What the last module ends with is the end of the sample: the last cycle that work() lets pass counts.
 class SampleModule : public sc_core::sc_module {
   public:
+    SampleModule(sc_core::sc_module_name const& name, DataflowCore& core);
     ProcessClock const& clock() const { return clock_; }
 
   protected:
-    SampleModule(sc_core::sc_module_name const& name, DataflowCore& core);
-
     /// Sample number `sample` of the run. At least one cycle has to pass.
     virtual void work(std::size_t sample) = 0;
 

@@ -1,7 +1,10 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "channels/sample_module.hpp"
 #include "channels/simulated_design.hpp"
 #include "kernel/config/simple_design.hpp"
 
@@ -26,8 +29,39 @@ class SimpleCore : public DataflowCore {
     /// What the configuration says of the design's numbers.
     Numbers const& numbers() const { return numbers_; }
 
+    /// What comes out of a sample: its counters. The last module tells it at the end of each, if the design has any.
+    void add_result(Counters counters) { results_.push_back(std::move(counters)); }
+    std::size_t results() const override { return results_.empty() ? DataflowCore::results() : results_.size(); }
+    Counters result(std::size_t i) const override { return results_.empty() ? Counters() : results_[i]; }
+
   private:
     Numbers const& numbers_;
+    std::vector<Counters> results_;
+};
+
+/// A module of a simple design. The derived class says in work() what it does for a sample:
+///
+///     class Counter : public SimpleModule {
+///       public:
+///         sc_core::sc_fifo_out<int> number_out{"number_out"};
+///         static ModuleDescription describe();
+///         using SimpleModule::SimpleModule;
+///
+///       private:
+///         void work(std::size_t sample) override;
+///     };
+class SimpleModule : public SampleModule {
+  public:
+    SimpleModule(sc_core::sc_module_name const& name, SimpleCore& core) : SampleModule(name, core), core_(core) {}
+
+  protected:
+    /// What the configuration says of one of the design's numbers.
+    std::uint64_t number(std::string const& key) const { return core_.numbers()[key]; }
+    /// What comes out of the sample that ends: see SimpleCore.
+    void add_result(Counters counters) { core_.add_result(std::move(counters)); }
+
+  private:
+    SimpleCore& core_;
 };
 
 /// All that the commands ask of a simple design whose cores are `Core`s. A program makes one, and says so:

@@ -11,17 +11,19 @@
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/process_pool.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/budgets/baseline_text.hpp"
 #include "kernel/budgets/budget_file.hpp"
 #include "kernel/budgets/check_json.hpp"
 #include "kernel/budgets/check_text.hpp"
 #include "kernel/budgets/junit_xml.hpp"
 #include "kernel/budgets/replace_baseline.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "tool/budget_run.hpp"
 #include "tool/exit_codes.hpp"
-#include "tool/start_budget.hpp"
 #include "tool/options.hpp"
+#include "tool/start_budget.hpp"
 
 namespace faster {
 
@@ -133,7 +135,7 @@ CheckResult result_of(Budget const& budget, Outcome const& outcome, CheckRequest
 void print(std::vector<CheckResult> const& results) {
     for (CheckResult const& result : results)
         if (result.status == Status::bad)
-            fmt::print(stderr, "faster-sim: {}\n", result.message);
+            fmt::print(stderr, "{}: {}\n", program_name(), result.message);
         else
             fmt::print("{}\n", budgets::check_text(result));
     fmt::print("{}", budgets::totals_text(results));
@@ -198,16 +200,16 @@ Subcommand check_command() {
                     ->type_name("SECONDS")
                     ->check(number_in(0.001, 86400));
                 add_overrides(command, request->overrides);
-                command.add_flag("--update", request->update,
-                                 "Take today's figures as the baselines (needs --reason)");
+                command.add_flag("--update", request->update, "Take today's figures as the baselines (needs --reason)");
                 command
                     .add_option("--reason", request->reason,
                                 "Why the figures may move; kept in the file with date and hash")
                     ->type_name("TEXT");
                 command.add_option("--init", request->init, "Start a budget from a run of this configuration")
                     ->type_name("CONFIG");
-                command.add_option("--trace", request->trace, "With --init: replay this stimulus trace")
-                    ->type_name("DIR");
+                if (find_key("workload.trace") != nullptr)
+                    command.add_option("--trace", request->trace, "With --init: replay this stimulus trace")
+                        ->type_name("DIR");
                 command.add_option("--out", request->out, "With --init: where to (CONFIG's name .budget.yaml)")
                     ->type_name("FILE");
                 command.footer(

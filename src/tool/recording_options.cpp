@@ -9,9 +9,9 @@
 
 #include "kernel/base/files/atomic_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/machine/core_share.hpp"
 #include "kernel/recording/timeline_json.hpp"
 #include "kernel/recording/vcd_trace.hpp"
-#include "kernel/machine/core_share.hpp"
 
 namespace faster {
 
@@ -79,8 +79,7 @@ void require_writable(char const* option, std::string const& file) {
 }
 
 /// The first samples of every core, as far as they go.
-std::vector<Recording> timeline_recordings(RecordingRequest const& request, Machine const& machine,
-                                           std::size_t samples,
+std::vector<Recording> timeline_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples,
                                            std::shared_ptr<std::vector<recording::CoreTimeline>> const& timelines) {
     std::vector<Recording> recordings;
     for (std::size_t core = 0; core < machine.cores; ++core) {
@@ -110,7 +109,7 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
     auto const for_vcd = [&](CLI::Option* option, char const* type) {
         option->type_name(type)->group(vcd)->needs("--vcd");
     };
-    for_vcd(command.add_option("--vcd-cores", request.vcd_cores, "Only these raster cores, e.g. 0,2-4"), "LIST");
+    for_vcd(command.add_option("--vcd-cores", request.vcd_cores, "Only these cores, e.g. 0,2-4"), "LIST");
     for_vcd(
         command
             .add_option("--vcd-modules", request.vcd_modules,
@@ -151,8 +150,7 @@ Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
     return recording;
 }
 
-std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine,
-                                       std::size_t samples) {
+std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
     std::vector<Recording> recordings;
     if (!request.timeline.empty()) {
         require_writable("--timeline", request.timeline);

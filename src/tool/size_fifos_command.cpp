@@ -9,14 +9,15 @@
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/retimed_config.hpp"
 #include "kernel/report/html/sizing_html.hpp"
 #include "kernel/sizing/sizing_files.hpp"
 #include "kernel/sizing/sizing_text.hpp"
 #include "tool/exit_codes.hpp"
-#include "tool/progress_line.hpp"
 #include "tool/options.hpp"
+#include "tool/progress_line.hpp"
 
 namespace faster {
 
@@ -33,8 +34,7 @@ sizing::SizingOptions options_of(SizeFifosRequest const& request) {
     return options;
 }
 
-sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile const& recorded,
-                          RunConfig const& config) {
+sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile const& recorded, RunConfig const& config) {
     ProgressLine line("steps");
     auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
     try {
@@ -46,8 +46,8 @@ sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile con
 
 void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, io::AtomicFolder& folder) {
     std::string const title =
-        fmt::format("faster-sim size-fifos {} --within {}", std::filesystem::path(request.events).filename().string(),
-                    request.within_percent);
+        fmt::format("{} size-fifos {} --within {}", program_name(),
+                    std::filesystem::path(request.events).filename().string(), request.within_percent);
     std::string const json = sizing::sizing_json(sizing);
     io::write_file(folder.path() / "sizing.json", json);
     io::write_file(folder.path() / "sizing.html", report::sizing_html(title, json));
@@ -75,40 +75,40 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
 }
 
 Subcommand size_fifos_command() {
-    return {"size-fifos",
-            "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones",
-            [](CLI::App& command) {
-                auto const request = std::make_shared<SizeFifosRequest>();
-                command.add_option("events", request->events, "Event file of run --events")
-                    ->required()
-                    ->type_name("EVENTS");
-                command
-                    .add_option("--within", request->within_percent,
-                                "How much longer than with unbounded FIFOs, in per cent")
-                    ->required()
-                    ->type_name("PERCENT")
-                    ->check(number_in(0, 1e6));
-                command
-                    .add_option("--out", request->out,
-                                "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
-                    ->type_name("DIR");
-                command
-                    .add_option("--ramb36-luts", request->luts_per_ramb36,
-                                "LUTs that a block RAM of 36 Kbit is worth (300.53)")
-                    ->type_name("LUTS")
-                    ->check(number_in(0.01, 1e6));
-                command
-                    .add_option("--points", request->front_points,
-                                "Bounds at which cost is weighed against cycles; 0: none")
-                    ->type_name("N")
-                    ->capture_default_str()
-                    ->check(CLI::Range(0, 1000));
-                add_jobs(command, request->jobs, "Threads");
-                add_overrides(command, request->overrides);
-                command.footer(
-                    "Only depths are searched; kinds stay as configured, auto being a memory above depth 2.");
-                return [request] { return print_fifo_sizes(*request); };
-            }};
+    return {
+        "size-fifos",
+        "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones",
+        [](CLI::App& command) {
+            auto const request = std::make_shared<SizeFifosRequest>();
+            command.add_option("events", request->events, "Event file of run --events")
+                ->required()
+                ->type_name("EVENTS");
+            command
+                .add_option("--within", request->within_percent,
+                            "How much longer than with unbounded FIFOs, in per cent")
+                ->required()
+                ->type_name("PERCENT")
+                ->check(number_in(0, 1e6));
+            command
+                .add_option("--out", request->out,
+                            "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
+                ->type_name("DIR");
+            command
+                .add_option("--ramb36-luts", request->luts_per_ramb36,
+                            "LUTs that a block RAM of 36 Kbit is worth (300.53)")
+                ->type_name("LUTS")
+                ->check(number_in(0.01, 1e6));
+            command
+                .add_option("--points", request->front_points,
+                            "Bounds at which cost is weighed against cycles; 0: none")
+                ->type_name("N")
+                ->capture_default_str()
+                ->check(CLI::Range(0, 1000));
+            add_jobs(command, request->jobs, "Threads");
+            add_overrides(command, request->overrides);
+            command.footer("Only depths are searched; kinds stay as configured, auto being a memory above depth 2.");
+            return [request] { return print_fifo_sizes(*request); };
+        }};
 }
 
 }  // namespace faster

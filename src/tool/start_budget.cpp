@@ -5,6 +5,7 @@
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/budgets/starting_budget.hpp"
 #include "kernel/config/design.hpp"
 #include "tool/budget_run.hpp"
@@ -70,7 +71,7 @@ int start_budget(CheckRequest const& request) {
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
     file.commit(budgets::starting_budget(budget, measurement, guarded_figures(), today()));
-    fmt::print("written: {}\nnext: faster-sim check {}\n", budget.file.string(), budget.file.string());
+    fmt::print("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
     return exit_done;
 }
 

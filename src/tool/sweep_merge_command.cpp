@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/sweeps/merge.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
 #include "tool/exit_codes.hpp"
@@ -17,11 +18,12 @@ namespace {
 void name_missing(sweeps::Merged const& merged) {
     constexpr std::size_t most_named = 10;
     std::size_t const count = merged.missing.size();
-    fmt::print(stderr, "faster-sim: {} of {} points are missing:", count, merged.manifest.points.size());
+    fmt::print(stderr, "{}: {} of {} points are missing:", program_name(), count, merged.manifest.points.size());
     for (std::size_t i = 0; i < std::min(count, most_named); ++i)
         fmt::print(stderr, "{} {}", i == 0 ? "" : ",", merged.manifest.name(merged.missing[i]));
-    fmt::print(stderr, "{}; faster-sim sweep {} --out with this folder does them\n",
-               count > most_named ? fmt::format(" and {} more", count - most_named) : "", merged.manifest.sweep);
+    fmt::print(stderr, "{}; {} sweep {} --out with this folder does them\n",
+               count > most_named ? fmt::format(" and {} more", count - most_named) : "", program_name(),
+               merged.manifest.sweep);
 }
 
 }  // namespace

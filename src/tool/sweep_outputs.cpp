@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/sweeps/results_table.hpp"
 #include "kernel/sweeps/sweep_page.hpp"
 #include "tool/exit_codes.hpp"
@@ -28,7 +29,7 @@ void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& 
         auto const found = results.find(manifest.points[i].id);
         if (found == results.end() || found->second.status != Status::failed)
             continue;
-        fmt::print(stderr, "faster-sim: {} points failed, the first is {}: {}\n", count, manifest.name(i),
+        fmt::print(stderr, "{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
                    found->second.message);
         return;
     }

@@ -8,6 +8,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/keep_memory.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/program_name.hpp"
 #include "tool/exit_codes.hpp"
 
 namespace faster {
@@ -82,6 +83,7 @@ class Tool {
 
 int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv) {
     keep_freed_memory();
+    program_name() = text.name;
     return Tool(text, commands).run(argc, argv);
 }
 

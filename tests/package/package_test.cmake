@@ -1,5 +1,7 @@
 # Installs the tool into a fresh folder, configures a project that knows nothing but that folder, and runs its tests.
-#   cmake -D BUILD=build/ci -D CONSUMER=tests/package/consumer -D SCRATCH=folder -P package_test.cmake
+# Then does the same with examples of designs, which are projects of their own too.
+#   cmake -D BUILD=build/ci -D CONSUMER=tests/package/consumer -D SCRATCH=folder
+#         -D EXAMPLES_FOLDER=examples -D "EXAMPLES=pipeline;cyclic" -P package_test.cmake
 function(run_checked what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -41,4 +43,14 @@ expect_in_output("modules.rasterizer.setup_cycles")
 if(NOT EXISTS ${SCRATCH}/build/design.xml)
   message(FATAL_ERROR "no JUnit file")
 endif()
+
+# Designs of their own find the kernel there, and nothing of the model.
+foreach(name IN LISTS EXAMPLES)
+  file(COPY ${EXAMPLES_FOLDER}/${name} DESTINATION ${SCRATCH})
+  run_checked(configure ${CMAKE_COMMAND} -S ${SCRATCH}/${name} -B ${SCRATCH}/${name}/build
+    -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix -D CMAKE_BUILD_TYPE=Release)
+  run_checked(build ${CMAKE_COMMAND} --build ${SCRATCH}/${name}/build)
+  run_checked(run ${SCRATCH}/${name}/build/${name} run ${SCRATCH}/${name}/${name}.yaml)
+  run_checked(budget ${CMAKE_CTEST_COMMAND} --test-dir ${SCRATCH}/${name}/build -L budget --no-tests=error)
+endforeach()
 file(REMOVE_RECURSE ${SCRATCH})

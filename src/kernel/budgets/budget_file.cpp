@@ -6,6 +6,7 @@
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/budgets/baseline_reader.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
 #include "kernel/budgets/limit_reader.hpp"
@@ -140,10 +141,9 @@ class BudgetReader {
             if (!is_given(required))
                 faults_.push_back({1, required, std::nullopt, "missing, expected one"});
         if (need_ == BaselineNeed::required && !is_given("baseline"))
-            faults_.push_back(
-                {1, "baseline", std::nullopt,
-                 fmt::format("missing, expected one; faster-sim check {} --update --reason TEXT writes it",
-                             budget_.file.string())});
+            faults_.push_back({1, "baseline", std::nullopt,
+                               fmt::format("missing, expected one; {} check {} --update --reason TEXT writes it",
+                                           program_name(), budget_.file.string())});
     }
 
     /// A limit that refers to figures of one name needs just that figure in the baseline.

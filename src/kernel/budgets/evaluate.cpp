@@ -6,6 +6,7 @@
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
+#include "kernel/config/design.hpp"
 
 namespace faster::budgets {
 
@@ -105,9 +106,9 @@ Verdict judge(Budget const& budget, Limit const& limit, Measurement const& measu
     }
     if (verdict.matches == 0)
         fail(budget, limit,
-             fmt::format("matches no figure of the run, expected at least one; it has {} samples and {} raster cores",
+             fmt::format("matches no figure of the run, expected at least one; it has {} samples and {} {}",
                          measurement.figures.find("samples").value_or(0),
-                         measurement.figures.find("raster_cores").value_or(0)));
+                         measurement.figures.find("raster_cores").value_or(0), cores_are()));
     if (limit.needs_baseline())
         require_all_of_baseline(budget, limit, pattern, measurement.figures, baseline);
     return verdict;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "kernel/base/program_name.hpp"
 #include "kernel/budgets/baseline_text.hpp"
 
 namespace faster::budgets {
@@ -17,12 +18,12 @@ std::string quoted(std::string const& text) { return nlohmann::json(text).dump()
 std::string head(Budget const& budget, std::string const& date) {
     std::string const name = budget.file.filename().string();
     std::string text = fmt::format(
-        "# Latency budget, started from a run on {0} (faster-sim check --init).\n"
-        "#   faster-sim check {1}   exit code 1 if a limit is broken\n"
-        "#   faster-sim check {1} --update --reason \"why\"   takes today's figures as the baseline\n"
+        "# Latency budget, started from a run on {0} ({3} check --init).\n"
+        "#   {3} check {1}   exit code 1 if a limit is broken\n"
+        "#   {3} check {1} --update --reason \"why\"   takes today's figures as the baseline\n"
         "# Figures, limits and wildcards: docs/budgets.md, \"What can be limited\".\n"
         "format: faster-budget\nversion: 1\nconfiguration: {2}  # relative to this file\n",
-        date, name, quoted(budget.configuration));
+        date, name, quoted(budget.configuration), program_name());
     if (!budget.trace.empty())
         text += fmt::format("trace: {}  # replayed instead of the configured workload\n", quoted(budget.trace));
     if (!budget.overrides.empty())
@@ -66,9 +67,10 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
 std::string starting_budget(Budget const& budget, Measurement const& measurement, GuardedFigures const& guarded,
                             std::string const& date) {
     // Figures of samples that limit_lines() compares with the baseline.
-    std::vector<Limit> compared(2);
+    std::vector<Limit> compared(guarded.counter.empty() ? 1 : 2);
     compared[0].figure = "samples.*.latency_cycles";
-    compared[1].figure = "samples.*." + guarded.counter;
+    if (!guarded.counter.empty())
+        compared[1].figure = "samples.*." + guarded.counter;
     for (Limit& limit : compared)
         limit.max = Quantity{Quantity::Kind::baseline, 0, "baseline"};
     return head(budget, date) + limit_lines(measurement, guarded) +

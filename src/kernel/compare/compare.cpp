@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/compare/figure_changes.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/figures/column_values.hpp"
 
 namespace faster::runs {
@@ -40,7 +41,7 @@ bool are_identical(RunRecord const& a, RunRecord const& b) {
 std::vector<std::string> notes_on(RunRecord const& a, RunRecord const& b) {
     std::vector<std::string> notes;
     if (a.raster_cores != b.raster_cores)
-        notes.push_back(fmt::format("A has {} raster cores, B {}; figures are sums over all of them", a.raster_cores,
+        notes.push_back(fmt::format("A has {} {}, B {}; figures are sums over all of them", a.raster_cores, cores_are(),
                                     b.raster_cores));
     if (a.samples.size() != b.samples.size())
         notes.push_back(fmt::format("A has {} samples, B {}; results are compared for those that both have",

@@ -53,7 +53,7 @@ Row row_of(std::string const& name, Change const& change) {
 }
 
 void run_line(std::string& text, char const* name, RunHead const& run) {
-    line(text, "{}  {} ({} samples, {} raster cores)", name, run.folder, run.samples, run.raster_cores);
+    line(text, "{}  {} ({} samples, {} {})", name, run.folder, run.samples, run.raster_cores, cores_are());
 }
 
 void heads(std::string& text, Comparison const& comparison) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 
 namespace faster::runs {
 
@@ -32,7 +33,8 @@ JsonSection::JsonSection(std::string file, std::string name, Json const& object)
 Json const& JsonSection::at(std::string const& key) const {
     auto const found = object_.find(key);
     if (found == object_.end())
-        throw InputError(fmt::format("{}: no key {}, expected one as faster-sim run writes it", file_, path_of(key)));
+        throw InputError(
+            fmt::format("{}: no key {}, expected one as {} run writes it", file_, path_of(key), program_name()));
     return *found;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/compare/json_section.hpp"
 #include "kernel/compare/summary_file.hpp"
 #include "kernel/compare/table_files.hpp"
@@ -12,7 +13,7 @@ namespace faster::runs {
 RunRecord read_run(std::filesystem::path const& folder) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
-        throw InputError(folder.string() + ": no such folder, expected the output of faster-sim run --out");
+        throw InputError(folder.string() + ": no such folder, expected the output of " + program_name() + " run --out");
     std::filesystem::path const file = folder / "summary.json";
     Json const document = parse_summary(file);
     JsonSection const summary(file.string(), "", document);

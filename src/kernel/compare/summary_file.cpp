@@ -7,8 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "kernel/base/input_error.hpp"
 #include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/figures/column_values.hpp"
 
 namespace faster::runs {
@@ -80,7 +82,7 @@ std::vector<Record> read_table(JsonSection const& summary, std::string const& ta
             row.fail("core", fmt::format("one row only for its {}", name));
     }
     if (records.empty() || records.size() != cores * names.size())
-        summary.fail(table, fmt::format("a row for each item of each of the {} raster cores", cores));
+        summary.fail(table, fmt::format("a row for each item of each of the {} {}", cores, cores_are()));
     return records;
 }
 
@@ -92,11 +94,11 @@ Json parse_summary(std::filesystem::path const& path) {
         return Json::parse(text);
     } catch (Json::parse_error const& error) {
         auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected a summary of faster-sim run",
-                                     path.string(), std::count(text.begin(), end, '\n') + 1));
+        throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected a summary of {} run",
+                                     path.string(), std::count(text.begin(), end, '\n') + 1, program_name()));
     } catch (Json::exception const&) {  // no other is documented, and it is what a number like 1e999 gives
-        throw InputError(
-            fmt::format("{}: holds a number beyond all limits, expected a summary of faster-sim run", path.string()));
+        throw InputError(fmt::format("{}: holds a number beyond all limits, expected a summary of {} run",
+                                     path.string(), program_name()));
     }
 }
 

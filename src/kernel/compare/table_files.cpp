@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/input_error.hpp"
 #include "kernel/base/files/csv_cells.hpp"
 #include "kernel/base/files/csv_integers.hpp"
+#include "kernel/base/input_error.hpp"
 #include "kernel/compare/json_section.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/figures/column_values.hpp"
@@ -166,7 +166,7 @@ void check_loops(fs::path const& path, RunRecord const& run) {
     if (rows != most * run.raster_cores)
         fail_rows(
             path, rows,
-            fmt::format("{}, as many for each of the {} raster cores", most * run.raster_cores, run.raster_cores));
+            fmt::format("{}, as many for each of the {} {}", most * run.raster_cores, run.raster_cores, cores_are()));
 }
 
 }  // namespace faster::runs

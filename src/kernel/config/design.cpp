@@ -28,6 +28,11 @@ std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const&
     return files;
 }
 
+std::string const& cores_are() {
+    static std::string const name = design().core(RunConfig()).cores_are;
+    return name;
+}
+
 Machine machine_of(RunConfig const& config) { return make_machine(design().core(config), config.machine()); }
 
 }  // namespace faster

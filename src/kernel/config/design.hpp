@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/idle_keys.hpp"
 #include "kernel/base/column.hpp"
+#include "kernel/config/idle_keys.hpp"
 #include "kernel/config/key.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/presets.hpp"
@@ -46,6 +46,9 @@ class Design {
 
 /// The design of this program.
 Design const& design();
+
+/// What reports call the cores of this program's design.
+std::string const& cores_are();
 
 /// The machine of a configuration.
 Machine machine_of(RunConfig const& config);

@@ -4,6 +4,7 @@
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
@@ -66,7 +67,7 @@ class Reader {
     }
 
     void read_opening() {
-        constexpr char const* expected = "is no event file, expected what faster-sim run --events wrote";
+        std::string const expected = "is no event file, expected what " + program_name() + " run --events wrote";
         if (size_ < opening_bytes)
             fail(expected);
         std::string const bytes = bytes_at(0, opening_bytes);
@@ -80,7 +81,8 @@ class Reader {
     }
 
     void read_closing() {
-        constexpr char const* cut_off = "is cut off, expected the whole file that faster-sim run --events wrote";
+        std::string const cut_off =
+            "is cut off, expected the whole file that " + program_name() + " run --events wrote";
         if (size_ < opening_bytes + closing_bytes)
             fail(cut_off);
         std::string const bytes = bytes_at(size_ - closing_bytes, closing_bytes);

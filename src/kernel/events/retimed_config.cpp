@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/key_faults.hpp"
@@ -23,9 +24,9 @@ void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed
         if (is_retimable(key, recorded.config) ||
             json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
             continue;
-        throw InputError(
-            fmt::format("{}: {} {}, expected a key that decides about time only; use faster-sim run for it",
-                        changed.origins.of(key.name()).place, key.name(), why_not(key.name())));
+        throw InputError(fmt::format("{}: {} {}, expected a key that decides about time only; use {} run for it",
+                                     changed.origins.of(key.name()).place, key.name(), why_not(key.name()),
+                                     program_name()));
     }
 }
 

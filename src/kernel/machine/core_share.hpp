@@ -4,7 +4,7 @@
 
 namespace faster {
 
-/// The samples a raster core scores: [first, first + count).
+/// The samples that a core does: [first, first + count).
 struct CoreShare {
     std::size_t first = 0;
     std::size_t count = 0;

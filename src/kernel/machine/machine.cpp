@@ -127,8 +127,8 @@ class Maker {
         MemorySettings const settings = settings_.memory(description.name);
         BankPartition const partition(settings.partition, static_cast<std::int64_t>(description.rows),
                                       static_cast<std::int64_t>(description.cols));
-        MachineMemory memory{description.name, true,           {}, module,   module, 0, description.cols,
-                             settings.ports,   {}, partition};
+        MachineMemory memory{description.name, true,           {}, module,   module, 0,
+                             description.cols, settings.ports, {}, partition};
         decide(memory, first_failing(core_.modules[module].conditions, description.conditions));
         if (!description.reader.empty())
             memory.reader = machine_.process(description.reader);
@@ -148,8 +148,8 @@ class Maker {
         decide(loop, first_failing(core_.modules[module].conditions, description.conditions));
         loop.process = module;
         loop.is_listed = description.is_listed;
-        loop.timed_by = description.timed_by.empty() ? core_.modules[module].name + '.' + description.name
-                                                     : description.timed_by;
+        loop.timed_by =
+            description.timed_by.empty() ? core_.modules[module].name + '.' + description.name : description.timed_by;
         LoopSettings const settings = settings_.loop(loop.timed_by);
         std::vector<timing::BramDemand> demands;
         for (MachineMemory const& memory : machine_.memories)
@@ -159,18 +159,20 @@ class Maker {
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
-        loop.writes = numbers_of(description.writes);
-        loop.reads = numbers_of(reads_of(core_.modules[module], description));
+        loop.writes = numbers_of(fifos_of(core_.modules[module], description, true));
+        loop.reads = numbers_of(fifos_of(core_.modules[module], description, false));
         machine_.loops.push_back(std::move(loop));
     }
 
-    /// Also those of which an end says that the loop takes them.
-    static std::vector<std::string> reads_of(ModuleDescription const& module, LoopDescription const& loop) {
-        std::vector<std::string> reads = loop.reads;
+    /// Those that the loop says it writes, or reads, and those of which an end says so.
+    static std::vector<std::string> fifos_of(ModuleDescription const& module, LoopDescription const& loop,
+                                             bool writes) {
+        std::vector<std::string> fifos = writes ? loop.writes : loop.reads;
         for (FifoEnd const& end : module.ends)
-            if (end.read_stage && end.loop == loop.name && std::count(reads.begin(), reads.end(), end.fifo) == 0)
-                reads.push_back(end.fifo);
-        return reads;
+            if (end.writes == writes && !end.loop.empty() && end.loop == loop.name &&
+                std::count(fifos.begin(), fifos.end(), end.fifo) == 0)
+                fifos.push_back(end.fifo);
+        return fifos;
     }
 
     void add_setup(std::size_t module) {

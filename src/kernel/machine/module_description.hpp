@@ -37,9 +37,7 @@ struct FifoEnd {
     }
     /// Read by a loop that may take it in a later step than an iteration's first. Such a loop says it of all FIFOs that
     /// it reads, or names the others by also_reads().
-    FifoEnd& taken(std::string its_loop, Cycles stage) {
-        return loop = std::move(its_loop), read_stage = stage, *this;
-    }
+    FifoEnd& taken(std::string its_loop, Cycles stage) { return loop = std::move(its_loop), read_stage = stage, *this; }
     /// Leaves a pipeline of so many stages that drains by itself, whatever its module reads.
     FifoEnd& flushes_after(Cycles stages, std::string meaning) {
         return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
@@ -61,11 +59,11 @@ struct LoopDescription {
     Cycles extra_depth = 0;  ///< stages that other keys add
     Cycles recurrence = 1;   ///< initiation interval that the design's own dependences demand
     std::vector<MemoryAccess> accesses;
-    std::vector<std::string> writes;  ///< FIFOs that iterations write
-    std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well; those taken() besides
+    std::vector<std::string> writes;  ///< FIFOs that iterations write, but for those that say so: FifoEnd::leaves()
+    std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well; likewise: taken()
     std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
 
-    bool is_listed = true;            ///< in loops.csv; reports list it all the same
+    bool is_listed = true;  ///< in loops.csv; reports list it all the same
 
     LoopDescription& unlisted() { return is_listed = false, *this; }
     LoopDescription& does(std::string text) { return task = std::move(text), *this; }
@@ -84,7 +82,7 @@ struct LoopDescription {
 struct MemoryDescription {
     std::string name;
     Conditions conditions;
-    std::string contents;     ///< "edge bits of the window", for the documentation
+    std::string contents;  ///< "edge bits of the window", for the documentation
     std::string partition_source = "HLS array_partition";
     std::uint64_t rows = 1;
     std::uint64_t cols = 1;
@@ -170,11 +168,11 @@ struct CoreDescription {
 
     std::vector<ModuleDescription> modules;
     std::vector<std::string> fifos;
-    std::string begins;  ///< module whose stamps begin samples
-    std::string ends;    ///< module whose stamps end them
+    std::string begins;               ///< module whose stamps begin samples
+    std::string ends;                 ///< module whose stamps end them
     std::string cores_are = "cores";  ///< what reports call cores
     std::string remark;               ///< what reports say of the machine besides, e.g. "window 200 x 200 px"
-    Pace pace;           ///< about speed of simulation only, see timing::Lead
+    Pace pace;                        ///< about speed of simulation only, see timing::Lead
 };
 
 }  // namespace faster

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/replay/sample_codec.hpp"
 
 namespace faster::retiming {
@@ -18,7 +19,7 @@ ScriptedSample TapeReader::read(std::size_t sample) {
     if (!content || content->size() != block.content_bytes || io::checksum_of_zstd_frame(frame) != block.checksum ||
         !decode(*content, known_, scripted))
         throw InputError(tape_.name() + ": the operations of sample " + std::to_string(sample) +
-                         " are damaged, expected them as faster-sim run --events wrote them");
+                         " are damaged, expected them as " + program_name() + " run --events wrote them");
     return scripted;
 }
 

@@ -77,6 +77,8 @@ void fifo_table(std::string& text, RunStatistics const& run) {
 }
 
 void bram_table(std::string& text, RunStatistics const& run) {
+    if (brams_of(run.machine).empty() && run.machine.line_buffers.empty())
+        return;
     auto const cores = static_cast<double>(run.cores.size());
     line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
          ramb36_of_core(run.machine) * cores, ramb36_of_device);

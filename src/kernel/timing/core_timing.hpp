@@ -23,7 +23,7 @@ struct Wait {
     std::string other;  ///< the process at the other end of the FIFO
 };
 
-/// The FIFOs and processes of one raster core, and the calculation of their times. Which process goes first never
+/// The FIFOs and processes of one core, and the calculation of their times. Which process goes first never
 /// matters: an access gets its cycle once everything that decides it is known.
 class CoreTiming {
   public:

@@ -15,7 +15,7 @@ function after_all(cycles) {
 
 function show_headline() {
   by_id("machine").textContent =
-    `${count_of(data.raster_cores, "raster core")} at ${data.clock_mhz} MHz, within ${data.within_percent} % of unbounded FIFOs`;
+    `${count_of(data.raster_cores, "core")} at ${data.clock_mhz} MHz, within ${data.within_percent} % of unbounded FIFOs`;
   fill_figures(by_id("headline"), [
     ["cycles, unbounded", whole(data.unbounded.total_cycles)],
     ["cycles, at most", whole(data.bound_cycles)],

@@ -1,0 +1,213 @@
+// The designs of examples/: each by the commands that every design has, and its cycles against closed forms.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+namespace {
+
+std::map<std::string, std::string> const binaries{
+    {"pipeline", PIPELINE_BINARY}, {"cyclic", CYCLIC_BINARY}, {"convolution", CONVOLUTION_BINARY}};
+
+/// One of the examples, with a folder for what it writes.
+class Example {
+  public:
+    explicit Example(std::string name) : name_(std::move(name)) {}
+
+    fs::path source(std::string const& file) const { return fs::path(FASTER_SOURCE_DIR) / "examples" / name_ / file; }
+    fs::path configuration() const { return source(name_ + ".yaml"); }
+    fs::path operator/(std::string const& file) const { return folder_ / file; }
+    std::string text(std::string const& file) const { return content_of(folder_ / file); }
+
+    CommandResult call(Words const& arguments) const {
+        return run_command(binaries.at(name_), arguments, folder_.path());
+    }
+    CommandResult done(Words const& arguments) const {
+        CommandResult result = call(arguments);
+        require_done(result);
+        return result;
+    }
+    CommandResult run(Words const& settings, Words const& more = {}) const {
+        Words arguments{"run", configuration().string()};
+        for (std::string const& setting : settings)
+            arguments.insert(arguments.end(), {"--set", setting});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return done(arguments);
+    }
+    /// Of a run with these settings; its files are in the folder `out`.
+    std::uint64_t cycles(Words const& settings, std::string const& out = "out") const {
+        run(settings, {"--out", out});
+        return nlohmann::json::parse(text(out + "/summary.json")).at("total_cycles").get<std::uint64_t>();
+    }
+    std::string tables(std::string const& out) const {
+        return text(out + "/samples.csv") + text(out + "/fifos.csv") + text(out + "/loops.csv");
+    }
+
+  private:
+    std::string name_;
+    TempFolder folder_;
+};
+
+Words const all_examples{"pipeline", "cyclic", "convolution"};
+
+/// Timing keys that each example has, with values other than its configuration's.
+Words timing_settings(std::string const& example) {
+    if (example == "pipeline")
+        return {"accelerator.loops.scaler.scale.ii=3", "accelerator.fifos.number.depth=5",
+                "accelerator.fifos.number.read_stage=2", "accelerator.loops.writer.store.depth=9"};
+    if (example == "cyclic")
+        return {"accelerator.fifos.request.depth=4", "accelerator.fifos.response.kind=memory",
+                "accelerator.loops.processor.double.ii=3"};
+    return {"accelerator.brams.line_buffer.ports=1", "accelerator.fifos.pixel.depth=7",
+            "accelerator.loops.convolve.convolve.depth=11"};
+}
+
+}  // namespace
+
+TEST_CASE("Every example runs, and its engines agree", "[examples]") {
+    for (std::string const& name : all_examples) {
+        CAPTURE(name);
+        Example const example(name);
+        Words all = timing_settings(name);
+        all.emplace_back("workload.samples=3");
+        for (std::string const& setting : all) {
+            CAPTURE(setting);
+            Words settings{"workload.samples=3", "accelerator.cores=2", setting};
+            example.cycles(settings, "decoupled");
+            settings.emplace_back("simulation.engine=lockstep");
+            example.cycles(settings, "lockstep");
+            CHECK(example.tables("decoupled") == example.tables("lockstep"));
+            CHECK(lines_of(example.text("lockstep/samples.csv")).size() == 4);
+        }
+    }
+}
+
+TEST_CASE("What-if answers what a run would", "[examples]") {
+    for (std::string const& name : all_examples) {
+        Example const example(name);
+        example.run({}, {"--events", "events"});
+        for (std::string const& setting : timing_settings(name)) {
+            CAPTURE(name, setting);
+            example.cycles({setting}, "run");
+            example.done({"whatif", "events", "--set", setting, "--out", "whatif"});
+            CHECK(example.tables("whatif") == example.tables("run"));
+            fs::remove_all(example / "run");
+            fs::remove_all(example / "whatif");
+        }
+    }
+}
+
+TEST_CASE("The other commands know every example", "[examples]") {
+    for (std::string const& name : all_examples) {
+        CAPTURE(name);
+        Example const example(name);
+        example.run({}, {"--events", "events", "--report", "run.html", "--out", "a", "--critical-path"});
+        example.run({"accelerator.clock_mhz=100"}, {"--out", "b"});
+        CHECK_THAT(example.text("run.html"), Contains(name + ".yaml"));
+        CHECK_THAT(example.done({"keys"}).out, Contains("accelerator.clock_mhz") && Contains("workload.samples"));
+        CHECK_THAT(example.done({"sensitivities", "events"}).out, Contains("exact"));
+        CHECK_THAT(example.done({"size-fifos", "events", "--within", "0"}).out, Contains("no depths within the bound"));
+        CHECK_THAT(example.done({"compare", "a", "b"}).out, Contains("accelerator.clock_mhz: 200 -> 100"));
+        CHECK(example.call({"run", example.configuration().string(), "--set", "accelerator.window=3"}).exit_code == 2);
+    }
+}
+
+TEST_CASE("Every example keeps its budget, and a first one can be made", "[examples]") {
+    for (std::string const& name : all_examples) {
+        CAPTURE(name);
+        Example const example(name);
+        example.done({"check", example.source(name + ".budget.yaml").string()});
+        example.done({"check", "--init", example.configuration().string(), "--out", "first.yaml"});
+        example.done({"check", "first.yaml"});
+        CHECK(example.call({"check", "first.yaml", "--set", "accelerator.clock_mhz=1"}).exit_code == 1);
+    }
+}
+
+TEST_CASE("A sweep varies the keys of an example", "[examples]") {
+    Example const example("pipeline");
+    example.done({"sweep", example.source("pipeline.sweep.yaml").string(), "--out", "swept"});
+    CHECK_THAT(example.text("swept/results.csv"), Contains("4021") && Contains("8017"));
+}
+
+TEST_CASE("Waveforms show FIFOs and block RAMs of an example", "[examples]") {
+    Example const example("convolution");
+    example.run({}, {"--vcd", "run.vcd"});
+    CHECK_THAT(example.text("run.vcd"), Contains("fifo_pixel") && Contains("bram_line_buffer") && Contains("addr"));
+    Example const cyclic("cyclic");
+    for (char const* engine : {"decoupled", "lockstep"})
+        cyclic.run({"workload.samples=3", "workload.messages=20", std::string("simulation.engine=") + engine},
+                   {"--vcd", std::string(engine) + ".vcd"});
+    CHECK(cyclic.text("decoupled.vcd") == cyclic.text("lockstep.vcd"));
+}
+
+/// The first number gets through in 10 cycles, each further one takes an interval. Between samples the scaler drains,
+/// 4 cycles, and begins anew with one.
+TEST_CASE("The pipeline takes what its slowest loop says", "[examples]") {
+    Example const example("pipeline");
+    for (std::uint64_t const ii : {1U, 2U, 5U})
+        for (std::uint64_t const n : {1U, 7U, 100U})
+            for (std::uint64_t const samples : {1U, 3U}) {
+                CAPTURE(ii, n, samples);
+                std::uint64_t const first = ii * (n - 1) + 10;
+                std::uint64_t const next = ii * (n - 1) + 5;
+                CHECK(example.cycles({"accelerator.loops.scaler.scale.ii=" + std::to_string(ii),
+                                      "workload.numbers=" + std::to_string(n),
+                                      "workload.samples=" + std::to_string(samples)}) == first + (samples - 1) * next);
+            }
+}
+
+TEST_CASE("The cyclic design takes two cycles per message, and three", "[examples]") {
+    Example const example("cyclic");
+    CHECK(example.cycles({}) == 4053);
+    CHECK(example.cycles({"accelerator.controller.entry_states=0"}) == 4052);
+    for (std::uint64_t const n : {1U, 2U, 10U})
+        CHECK(example.cycles({"workload.messages=" + std::to_string(n)}) == 2 * n + 3);
+    CHECK_THAT(example.text("out/samples.csv"), Contains("0,0,0,22,23,90"));  // 2 * (0 + ... + 9)
+}
+
+TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {
+    Example const example("cyclic");
+    for (char const* engine : {"decoupled", "lockstep"}) {
+        CAPTURE(engine);
+        CommandResult const result = example.call(
+            {"run", example.source("deadlock.yaml").string(), "--set", std::string("simulation.engine=") + engine});
+        CHECK(result.exit_code == 3);
+        CHECK_THAT(result.err,
+                   Contains("controller") && Contains("processor") && Contains("request") && Contains("response"));
+    }
+}
+
+TEST_CASE("Ports and banks of the line buffer decide the convolution's pace", "[examples]") {
+    struct Memory {
+        Words settings;
+        std::uint64_t interval;
+    };
+    std::string const brams = "accelerator.brams.line_buffer.";
+    std::vector<Memory> const memories{
+        {{brams + "ports=1"}, 3},
+        {{brams + "ports=2"}, 2},
+        {{brams + "ports=4"}, 1},
+        {{brams + "partition.type=cyclic", brams + "partition.factor=2", brams + "partition.dimension=1"}, 1}};
+    Example const example("convolution");
+    for (Memory const& memory : memories)
+        for (auto const& [rows, cols] : {std::pair{1, 1}, {4, 5}, {16, 16}}) {
+            CAPTURE(memory.settings, rows, cols);
+            Words settings = memory.settings;
+            settings.insert(settings.end(), {"workload.samples=1", "workload.rows=" + std::to_string(rows),
+                                             "workload.cols=" + std::to_string(cols)});
+            auto const pixels = static_cast<std::uint64_t>(rows * cols);
+            CHECK(example.cycles(settings) == memory.interval * (pixels - 1) + 12);
+            CHECK_THAT(lines_of(example.text("out/samples.csv")).at(1), Catch::Matchers::EndsWith(",0"));  // none wrong
+        }
+}

@@ -1,0 +1,87 @@
+// docs/tutorial.md shows the program as it is, and prints what its commands print.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+fs::path const example = fs::path(FASTER_SOURCE_DIR) / "examples" / "pipeline";
+
+/// The fenced blocks of a language in the tutorial.
+std::vector<Lines> blocks_of(std::string const& language) {
+    std::vector<Lines> blocks;
+    bool is_inside = false;
+    for (std::string const& line : lines_of(content_of(fs::path(FASTER_SOURCE_DIR) / "docs" / "tutorial.md"))) {
+        if (line.rfind("```", 0) == 0) {
+            is_inside = line == "```" + language;
+            if (is_inside)
+                blocks.emplace_back();
+        } else if (is_inside) {
+            blocks.back().push_back(line);
+        }
+    }
+    return blocks;
+}
+
+std::vector<std::string> words_of(std::string const& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+        words.push_back(word);
+    return words;
+}
+
+bool has_line(Lines const& lines, std::string const& line) {
+    return std::find(lines.begin(), lines.end(), line) != lines.end();
+}
+
+}  // namespace
+
+TEST_CASE("The tutorial shows the program as it is", "[examples]") {
+    Lines const program = lines_of(content_of(example / "pipeline.cpp"));
+    Lines const settings = lines_of(content_of(example / "pipeline.yaml"));
+    for (Lines const& block : blocks_of("cpp"))
+        for (std::string const& line : block)
+            CHECK((has_line(program, line) ? std::string() : line).empty());
+    for (Lines const& block : blocks_of("yaml"))
+        for (std::string const& line : block)
+            CHECK((has_line(settings, line) ? std::string() : line).empty());
+}
+
+/// What follows a command is in its output, in the page's order; "..." stands for what is left out.
+TEST_CASE("The tutorial's commands print what it says", "[examples]") {
+    TempFolder const folder;
+    for (auto const& entry : fs::directory_iterator(example))
+        if (entry.path().extension() == ".yaml")
+            fs::copy(entry.path(), folder / entry.path().filename().string());
+    std::vector<Lines> const blocks = blocks_of("console");
+    CHECK(blocks.size() == 8);
+    for (Lines const& block : blocks) {
+        std::vector<std::string> words = words_of(block.at(0));
+        INFO(block.at(0));
+        REQUIRE(words.at(1) == "pipeline");
+        words.erase(words.begin(), words.begin() + 2);
+        CommandResult const result = run_command(PIPELINE_BINARY, words, folder.path());
+        Lines const printed = lines_of(result.out + result.err);
+        auto at = printed.begin();
+        for (auto line = block.begin() + 1; line != block.end(); ++line) {
+            if (*line == "...")
+                continue;
+            INFO(*line);
+            at = std::find(at, printed.end(), *line);
+            REQUIRE(at != printed.end());
+            ++at;
+        }
+    }
+}

@@ -1,17 +1,13 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with the checks of .clang-tidy on the C++ files of src, tests and bench, on all cores; any finding is an error.
-#   scripts/check-tidy.sh [build folder [folder]]    the build folder's compile_commands.json says how each file is compiled
-#                                                    (build/ci); a folder, or a pattern of grep, checks only what is in it
+#   scripts/check-tidy.sh [folder]    a folder, or a pattern of grep, checks only what is in it
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build="${1:-build/ci}"
-if [[ ! -f "$build/compile_commands.json" ]]; then
-    echo "check-tidy: no compile_commands.json in $build; cmake --preset ci writes it to build/ci" >&2
-    exit 1
-fi
+build=build/tidy
+cmake --preset tidy >/dev/null
 
-mapfile -t files < <(bash scripts/list-cpp-files.sh cpp | { grep "^${2:-}" || true; })  # headers are checked where they are included
+mapfile -t files < <(bash scripts/list-cpp-files.sh cpp | { grep "^${1:-}" || true; })  # headers are checked where they are included
 if ((${#files[@]} == 0)); then
     echo "check-tidy: no files found" >&2
     exit 1

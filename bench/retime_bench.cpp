@@ -128,4 +128,5 @@ int sc_main(int argc, char** argv) {
         if (!all.empty())
             print_distribution(name, all);
     }
+    return 0;
 }

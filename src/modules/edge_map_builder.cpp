@@ -33,7 +33,7 @@ ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
                               .does("takes one edge token per iteration, or finishes the object token before it")
                               .of_depth(4)
                               .recurs_every(design.token_recurrence),
-                          design.token, config.rasterizer.lanes);
+                          design.token, config.flow == Flow::faster ? config.rasterizer.lanes : 1);
     EdgeMapReadOut::describe_loop(module, config).only_if(has_map_buffers(config, false));
     auto const side = static_cast<std::uint64_t>(config.window);
     auto const add_map = [&](char const* name, char const* contents, std::uint64_t bits) {

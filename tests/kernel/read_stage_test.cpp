@@ -280,7 +280,7 @@ class Timed {
             if (logs_[i].exhausted())
                 continue;
             say(i, std::min<std::size_t>(logs_[i].pending(), 1 + random() % 4));
-            left -= logs_[i].exhausted() ? 1 : 0;
+            left -= logs_[i].exhausted() ? 1U : 0U;
             core_.resolve(false);
         }
         core_.resolve();

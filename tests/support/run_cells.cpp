@@ -72,7 +72,7 @@ void add_stalls(CellList& cells, ProcessStatistics const& process, Cycles) {
     cells.add("idle", process[CycleClass::idle_after]);
 }
 void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles) {
-    cells.add("empty_stall", process.empty_stall);
+    cells.add("empty_stall", std::min(process.empty_stall, total_cycles));  // what is waited for may come later
     cells.add("full_stall", process.full_stall);
     cells.add("idle", total_cycles - std::min(process.end_cycle, total_cycles));
 }

@@ -43,7 +43,7 @@ TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     CHECK(data["headline"]["total_cycles"] == run.total_cycles);
     CHECK(data["headline"]["milliseconds"] == 5.0);
     CHECK(data["headline"]["samples"] == 5);
-    CHECK(data["headline"]["raster_cores"] == 2);
+    CHECK(data["headline"]["cores"] == 2);
     CHECK(data["bound_by"][0].get<std::string>().rfind("Bound by ", 0) == 0);
     CHECK(data["cycle_classes"].size() == cycle_class_count);
     REQUIRE(data["modules"].size() == modules_of(run.machine).size());

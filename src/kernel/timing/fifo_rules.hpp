@@ -43,8 +43,8 @@ template <class Line> struct FifoEnd {
 /// written issue_latency cycles later, and the stages of the pipeline add to the room:
 /// issue_n >= r_(n-C-issue_latency) + 1.
 ///
-/// `Line` is how cycles are held: absolute ones of 64 bits, for a core (CycleLine), or relative ones of 32 bits, for
-/// what is looked up (BenchLine). line[i] is the i-th cycle from the front on; negative: one consumed before.
+/// `Line` is how cycles are held: absolute ones of 64 bits in a ring, for a core (CycleRing), or relative ones of 32
+/// bits, for what is looked up (BenchLine). line[i] is the i-th cycle from the front on; negative: one consumed before.
 template <class Line> struct FifoRules {
     using Time = typename Line::Time;
 

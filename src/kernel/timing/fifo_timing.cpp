@@ -8,7 +8,7 @@ namespace faster::timing {
 namespace {
 std::uint64_t room_kept(FifoShape const& shape) {
     constexpr std::uint64_t kept_at_first = (1U << 10) - 1;
-    return shape.is_unlimited() ? kept_at_first : FifoRules<CycleLine>::room_of(shape);
+    return shape.is_unlimited() ? kept_at_first : FifoRules<CycleRing>::room_of(shape);
 }
 }  // namespace
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/timing/cycle_line.hpp"
+#include "kernel/timing/cycle_ring.hpp"
 #include "kernel/timing/fifo_rules.hpp"
 
 namespace faster::timing {
@@ -12,7 +12,7 @@ namespace faster::timing {
 /// it know its earliest legal cycle.
 class FifoTiming {
   public:
-    using End = FifoEnd<CycleLine>;
+    using End = FifoEnd<CycleRing>;
 
     explicit FifoTiming(FifoShape shape);
 
@@ -81,7 +81,7 @@ class FifoTiming {
     void look_at_reads(std::uint64_t first);
 
     FifoShape shape_;
-    FifoRules<CycleLine> rules_;
+    FifoRules<CycleRing> rules_;
     std::uint64_t passed_ = 0;         // tokens counted elsewhere, written and read
     std::uint64_t max_occupancy_ = 0;  // unlimited: not looked for
     Cycles full_stall_cycles_ = 0;

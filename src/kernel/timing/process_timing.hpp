@@ -32,7 +32,7 @@ struct LoopCost {
 
 /// A port of a process of a core.
 struct ProcessPort {
-    using Line = CycleLine;
+    using Line = CycleRing;
 
     FifoTiming::End end;
     unsigned number = 0;

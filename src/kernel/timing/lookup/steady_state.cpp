@@ -193,7 +193,7 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
         std::size_t const at = 1 + 3 * group_.size() + 2 * i;
         std::uint64_t const accesses = now.growing[at] - before_.growing[at];
         if (ends_[i].open() && accesses > 0)
-            periods = accesses > CycleLine::longest_past ? 0 : std::min(periods, ends_[i].free / accesses);
+            periods = std::min(periods, ends_[i].free / accesses);
     }
     return periods;
 }
@@ -265,10 +265,9 @@ void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t p
     if (accesses == 0)
         return;
     FifoTiming::End const fifo_end = end.fifo->end(end.writes);
-    CycleLine::Writer const line = fifo_end.appends->writer(accesses);
-    auto const period = static_cast<std::ptrdiff_t>(accesses / periods);
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(accesses); ++i)
-        line[i] = line[i - period] + cycles / periods;
+    CycleRing::Writer const line = fifo_end.appends->writer(accesses);
+    for (std::uint64_t i = 0; i < accesses; ++i)
+        line[i] = line[i - accesses / periods] + cycles / periods;
     fifo_end.consumes->consume(accesses);
     fifo_end.appends->done(accesses);
     end.fifo->note(end.writes, accesses);

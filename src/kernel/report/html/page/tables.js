@@ -88,7 +88,7 @@ function rows_of(rows, core, name_of, added, largest) {
 
 /// A choice of core, where there are several; `chosen` gets null for all of them.
 function add_core_choice(place, chosen) {
-  const cores = data.headline.raster_cores;
+  const cores = data.headline.cores;
   if (cores < 2) return;
   const texts = ["all, summed up", ...Array.from({ length: cores }, (_, core) => `core ${core}`)];
   place.append(labelled("Cores", choice(texts, (i) => chosen(i === 0 ? null : i - 1))));

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "kernel/figures/column_values.hpp"
+#include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/sensitivity_report.hpp"
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/table_rows.hpp"
 
 namespace faster::report {
 

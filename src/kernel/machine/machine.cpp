@@ -35,9 +35,9 @@ std::string first_failing(Conditions const& of_module, Conditions const& own) {
     return key.empty() ? first_failing(own) : key;
 }
 
-template <class Part> void decide(Part& part, std::string key) {
+template <class Part> void decide(Part& part, std::string const& key) {
     part.is_present = key.empty();
-    part.decided_by = std::move(key);
+    part.decided_by = key;
 }
 
 /// An end of a FIFO, and whose it is.
@@ -216,9 +216,9 @@ class Maker {
     }
 
     std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {
-        std::vector<std::size_t> numbers;
-        for (std::string const& fifo : fifos)
-            numbers.push_back(machine_.fifo(fifo));
+        std::vector<std::size_t> numbers(fifos.size());
+        std::transform(fifos.begin(), fifos.end(), numbers.begin(),
+                       [&](std::string const& fifo) { return machine_.fifo(fifo); });
         return numbers;
     }
 

@@ -77,7 +77,7 @@ struct Measured {
 
 template <class Run> Measured measure(Run const& run, AcceleratorConfig const& config) {
     double const start = processor_seconds();
-    RunStatistics const retimed = retiming::retime(run, testing::raster_machine(config));
+    RunStatistics const retimed = replay::retime(run, testing::raster_machine(config));
     return {0, 1e3 * (processor_seconds() - start), retimed.deadlocked()};
 }
 
@@ -109,7 +109,7 @@ int sc_main(int argc, char** argv) {
     fmt::print("read in {:.1f} ms\n", 1e3 * (processor_seconds() - start));
     fmt::print("as recorded, from the file: {:.2f} ms\n", measure(file.run, recorded).milliseconds);
     start = processor_seconds();
-    retiming::ScriptedRun const scripted(file.run, testing::raster_machine(recorded).lead);
+    replay::ScriptedRun const scripted(file.run, testing::raster_machine(recorded).lead);
     fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n",
                1e3 * (processor_seconds() - start), scripted.book().size());
     fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);

@@ -20,13 +20,13 @@ Taping::Timing timing_of_taping(Engine engine, SimulationOptions const& options)
 /// From cores that have kept the time.
 RunStatistics collect_from(DataflowAccelerator& accelerator) {
     std::vector<std::vector<Counters>> results;
-    std::vector<retiming::FinishedCore> cores;
+    std::vector<replay::FinishedCore> cores;
     for (auto const& core : accelerator.cores()) {
         core->timing().resolve();
         results.push_back(all_results(*core));
         cores.push_back({core->share(), core->timing(), results.back().data()});
     }
-    return retiming::collect(cores, accelerator.machine());
+    return replay::collect(cores, accelerator.machine());
 }
 
 /// Of a run that has come to its end, or is stuck.
@@ -47,7 +47,7 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
     std::vector<timing::CoreTiming const*> cores;
     for (auto const& core : accelerator.cores())
         cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
-    return retiming::critical_path_of(cores, accelerator.machine());
+    return replay::critical_path_of(cores, accelerator.machine());
 }
 }  // namespace
 

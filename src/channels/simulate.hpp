@@ -22,7 +22,7 @@ struct Recording {
 struct SimulationOptions {
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
     std::vector<Recording> recordings;
-    retiming::RecordedRun* recorded = nullptr;               ///< takes down what was done; may be null
+    replay::RecordedRun* recorded = nullptr;                 ///< takes down what was done; may be null
     bool critical_path = false;                              ///< to be traced
     std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
 };

@@ -9,8 +9,8 @@
 namespace faster {
 
 namespace {
-retiming::TapeWriter::Timed timed_cores(DataflowAccelerator const& accelerator) {
-    retiming::TapeWriter::Timed timed{&accelerator.machine(), {}};
+replay::TapeWriter::Timed timed_cores(DataflowAccelerator const& accelerator) {
+    replay::TapeWriter::Timed timed{&accelerator.machine(), {}};
     for (auto const& core : accelerator.cores())
         timed.shares.push_back(core->share());
     return timed;
@@ -24,13 +24,13 @@ std::vector<Counters> all_results(DataflowCore const& core) {
     return results;
 }
 
-Taping::Taping(DataflowAccelerator& accelerator, retiming::RecordedRun& run, Timing timing)
+Taping::Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run, Timing timing)
     : accelerator_(accelerator),
       timing_(timing),
       run_(run),
       tapes_(accelerator.cores().size()),
       writer_(run, accelerator.machine().lead, accelerator.machine().process_places(),
-              timing == Timing::from_tape ? timed_cores(accelerator) : retiming::TapeWriter::Timed()) {
+              timing == Timing::from_tape ? timed_cores(accelerator) : replay::TapeWriter::Timed()) {
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(
@@ -124,19 +124,19 @@ std::optional<RunStatistics> Taping::statistics() {
 
 /// What only the tape knows: the samples that all processes have left, and what some have done for later ones.
 void Taping::tell_cores() {
-    retiming::PlainReader reader(run_, accelerator_.machine().lead);
+    replay::PlainReader reader(run_, accelerator_.machine().lead);
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
         CoreShare const share = accelerator_.cores()[core]->share();
         timing.hold(false);
-        retiming::NoScripts const no_scripts;
-        retiming::Replay replay(
+        replay::NoScripts const no_scripts;
+        replay::Replay replay(
             no_scripts, [&reader](std::size_t sample) { return reader.read(sample); }, share, timing,
             accelerator_.machine().lead);
         replay.go_on_to(share.first + tapes_[core].done);
-        for (retiming::SampleOperations const& open : tapes_[core].open)
+        for (replay::SampleOperations const& open : tapes_[core].open)
             for (std::size_t process = 0; process < open.size(); ++process)
-                retiming::append_sample(open[process], timing.process(process).log());
+                replay::append_sample(open[process], timing.process(process).log());
     }
 }
 

@@ -22,7 +22,7 @@ class Taping {
     enum class Timing { by_cores, from_tape };
 
     /// Before simulation starts. `run` is complete after finish().
-    Taping(DataflowAccelerator& accelerator, retiming::RecordedRun& run, Timing timing);
+    Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run, Timing timing);
     /// When nothing moves any more.
     void finish();
     Timing timing() const { return timing_; }
@@ -36,7 +36,7 @@ class Taping {
         std::vector<timing::OperationLog> logs;  ///< by process, of the sample it is at, where cores keep the time
         std::vector<std::size_t> begun;          ///< by process: samples
         std::size_t done = 0;                    ///< samples that all processes have left
-        std::deque<retiming::SampleOperations> open;
+        std::deque<replay::SampleOperations> open;
         std::deque<std::size_t> left;  ///< by open sample: how many processes have left it
     };
 
@@ -50,10 +50,10 @@ class Taping {
 
     DataflowAccelerator& accelerator_;
     Timing timing_;
-    retiming::RecordedRun& run_;
+    replay::RecordedRun& run_;
     std::vector<CoreTape> tapes_;  // by core
     std::size_t taking_part_ = 0;  // processes that the core has
-    retiming::TapeWriter writer_;
+    replay::TapeWriter writer_;
 };
 
 }  // namespace faster

@@ -23,7 +23,7 @@ constexpr std::uint64_t write_vertical = 8;
 
 /// What an edge map algorithm asks of the hardware: the memories it keeps, and what an iteration does to them in its
 /// worst branch, reads and writes alike, as a static schedule has to provide for it. Source: thesis chapter 5, 4.1.2,
-/// 7.2 and A.2; docs/timing-model.md tells how each number comes about.
+/// 7.2 and A.2; docs/variants.md tells how each number comes about.
 struct EdgeMapDesign {
     PerMap bits;    ///< per pixel of the window; 0: there is no such map
     PerMap clear;   ///< bits of map_touch of an iteration of edge_map_builder.clear,

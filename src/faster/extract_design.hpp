@@ -7,7 +7,7 @@
 
 namespace faster {
 
-/// What inlier_unit.extract (flow fpga_grip) asks of the depth buffer. docs/timing-model.md tells how the numbers come
+/// What inlier_unit.extract (flow fpga_grip) asks of the depth buffer. docs/variants.md tells how the numbers come
 /// about.
 struct ExtractDesign {
     AccessPattern accesses;              ///< of an iteration: what it reads, and the judged word with its edge bit

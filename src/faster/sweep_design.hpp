@@ -7,7 +7,7 @@
 
 namespace faster {
 
-/// What the sweep of the inlier unit asks of the depth buffer. docs/timing-model.md tells how the numbers come about.
+/// What the sweep of the inlier unit asks of the depth buffer. docs/variants.md tells how the numbers come about.
 struct SweepDesign {
     AccessPattern accesses;  ///< of an iteration
     bool has_line_buffers = false;

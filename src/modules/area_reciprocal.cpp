@@ -11,7 +11,8 @@ ModuleDescription AreaReciprocal::describe(AcceleratorConfig const& config) {
     module.reads_from("area");
     module.writes_to("area_reciprocal")
         .carries("1 / area from the reciprocal unit to the inlier unit")
-        .of_bits(static_cast<unsigned>(fraction.area_reciprocal + 2 * fraction.vertex_xy) + 1)  // that of an area of code 1
+        .of_bits(static_cast<unsigned>(fraction.area_reciprocal + 2 * fraction.vertex_xy) +
+                 1)  // that of an area of code 1
         .flushes_after(36, "Pipeline stages from the read of an area to the write of its reciprocal.");
     return module;
 }

@@ -10,7 +10,7 @@ namespace faster {
 /// The inlier unit's part that flow fpga_grip has in place of the edge map builder: once a sample is drawn, it looks
 /// for edges in the depth buffer, and keeps an edge bit in each of its words.
 ///   time  loop `extract` of the inlier unit's process, one pixel per iteration
-/// Source: thesis eq. 2.2 and 6.2; docs/timing-model.md.
+/// Source: thesis eq. 2.2 and 6.2; docs/variants.md.
 class EdgeExtractor {
   public:
     EdgeExtractor(CoreContext const& core, ProcessClock& clock);

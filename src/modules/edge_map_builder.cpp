@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "faster/clear_design.hpp"
+#include "modules/conditions.hpp"
 #include "modules/read_corners.hpp"
 #include "modules/token_widths.hpp"
-#include "modules/conditions.hpp"
 
 namespace faster {
 
@@ -25,10 +25,9 @@ ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
         .of_bits(wires::buffer + wires::region(config))
         .only_if(two_buffers);
     module.reads_from("map_free").only_if(two_buffers);
-    EdgeMapReadOut::touch(module.loop("clear")
-                              .does("clears one pixel of both maps, or one of every bank, per iteration")
-                              .of_depth(2),
-                          design.clear);
+    EdgeMapReadOut::touch(
+        module.loop("clear").does("clears one pixel of both maps, or one of every bank, per iteration").of_depth(2),
+        design.clear);
     EdgeMapReadOut::touch(module.loop("token")
                               .does("takes one edge token per iteration, or finishes the object token before it")
                               .of_depth(4)
@@ -50,11 +49,7 @@ ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
 }
 
 EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "edge_map_builder"),
-      buffers_(buffers),
-      read_out_(core, clock_) {
+    : sc_module(name), core_(core), clock_(core.core, "edge_map_builder"), buffers_(buffers), read_out_(core, clock_) {
     SC_THREAD(run);
 }
 

@@ -1,8 +1,8 @@
 #include "modules/edge_map_output.hpp"
 
 #include "channels/port_binding.hpp"
-#include "modules/token_widths.hpp"
 #include "modules/conditions.hpp"
+#include "modules/token_widths.hpp"
 
 namespace faster {
 
@@ -20,11 +20,7 @@ ModuleDescription EdgeMapOutput::describe(AcceleratorConfig const& config) {
 }
 
 EdgeMapOutput::EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "edge_map_output"),
-      buffers_(buffers),
-      read_out_(core, clock_) {
+    : sc_module(name), core_(core), clock_(core.core, "edge_map_output"), buffers_(buffers), read_out_(core, clock_) {
     SC_THREAD(run);
 }
 

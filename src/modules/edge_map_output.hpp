@@ -15,7 +15,7 @@ namespace faster {
 ///         edge_map_out  W x W bits per sample, or those of the region, row-major, `sweep_lanes` bits of a row per
 ///         token
 ///   time  one step, loop `output`
-/// Source: this project; docs/timing-model.md.
+/// Source: this project; docs/variants.md.
 class EdgeMapOutput : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<FullMaps> map_full_in{"map_full_in"};

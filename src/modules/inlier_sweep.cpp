@@ -1,7 +1,7 @@
 #include "modules/inlier_sweep.hpp"
 
-#include "modules/token_widths.hpp"
 #include "modules/conditions.hpp"
+#include "modules/token_widths.hpp"
 
 namespace faster {
 
@@ -20,11 +20,7 @@ ModuleDescription InlierSweep::describe(AcceleratorConfig const& config) {
 }
 
 InlierSweep::InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "inlier_sweep"),
-      buffers_(buffers),
-      scoring_(core, clock_) {
+    : sc_module(name), core_(core), clock_(core.core, "inlier_sweep"), buffers_(buffers), scoring_(core, clock_) {
     SC_THREAD(run);
 }
 

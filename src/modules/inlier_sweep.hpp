@@ -19,7 +19,7 @@ namespace faster {
 ///   out   depth_free_out  the other buffer, which has been swept
 ///         result_out      one set of counters per sample
 ///   time  one step; in flow fpga_grip loop `extract`; loop `sweep`; one step
-/// Source: this project; docs/timing-model.md.
+/// Source: this project; docs/variants.md.
 class InlierSweep : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<FullDepthBuffer> depth_full_in{"depth_full_in"};

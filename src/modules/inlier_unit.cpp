@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "faster/clear_design.hpp"
+#include "modules/conditions.hpp"
 #include "modules/read_corners.hpp"
 #include "modules/token_widths.hpp"
-#include "modules/conditions.hpp"
 
 namespace faster {
 
@@ -69,8 +69,8 @@ void InlierUnit::end_of_elaboration() {
     if (result_ != nullptr)  // otherwise the sweep is another process's
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
     triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
-    fragment_ports_ = fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() |
-                      command_->read_port();
+    fragment_ports_ =
+        fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() | command_->read_port();
 }
 
 void InlierUnit::run() {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "modules/conditions.hpp"
 #include "modules/read_corners.hpp"
 #include "modules/token_widths.hpp"
-#include "modules/conditions.hpp"
 
 namespace faster {
 
@@ -15,7 +15,9 @@ ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
     module.reads_from("sample_observation");
     module.reads_from("region").only_if(sweeps_touched_region(config));
     module.writes_to("valid_depth")
-        .carries("observed pixels of valid depth from the observation reader to the result collector (sweep_region: touched)")
+        .carries(
+            "observed pixels of valid depth from the observation reader to the result collector (sweep_region: "
+            "touched)")
         .of_bits(wires::pixel_count(config))
         .only_if(sweeps_touched_region(config));
     module.writes_to("observed_depth")

@@ -7,11 +7,11 @@ namespace faster {
 
 CoreDescription describe_raster_core(AcceleratorConfig const& config) {
     CoreDescription core;
-    core.modules = {SampleDispatcher::describe(),       VertexTransform::describe(),
-                    Rasterizer::describe(config),       AreaReciprocal::describe(config),
-                    EdgeMapBuilder::describe(config),   ObservationReader::describe(config),
-                    InlierUnit::describe(config),       ResultCollector::describe(config),
-                    EdgeMapOutput::describe(config),    InlierSweep::describe(config)};
+    core.modules = {SampleDispatcher::describe(),     VertexTransform::describe(),
+                    Rasterizer::describe(config),     AreaReciprocal::describe(config),
+                    EdgeMapBuilder::describe(config), ObservationReader::describe(config),
+                    InlierUnit::describe(config),     ResultCollector::describe(config),
+                    EdgeMapOutput::describe(config),  InlierSweep::describe(config)};
     // In the order of the tables (SPEC section 4).
     core.fifos = {"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                   "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
@@ -120,13 +120,11 @@ void RasterCore::bind_scoring() {
     inlier_sweep->depth_free_out(depth_free_);
 }
 
-Counters RasterCore::result(std::size_t i) const {
-    return values_of(result_collector.results()[i]);
-}
+Counters RasterCore::result(std::size_t i) const { return values_of(result_collector.results()[i]); }
 
 /// By these the rasterizer can be ahead of the last process, and one: all get their headers in one step, and the
-/// observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it near
-/// the result collector.
+/// observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it
+/// near the result collector.
 std::size_t RasterCore::most_samples_ahead() const {
     auto const capacity = [this](char const* fifo) { return machine().fifos[machine().fifo(fifo)].shape().capacity; };
     std::uint64_t const headers = capacity("sample_observation");

@@ -67,8 +67,7 @@ class RasterCore : public DataflowCore {
     ClockedFifo<std::uint64_t> valid_depth_{"valid_depth", fifo_timing("valid_depth")};
     ClockedFifo<FullMaps> map_full_{"map_full", fifo_timing("map_full"), 1, fields_of<FullMaps>()};
     ClockedFifo<BufferNumber> map_free_{"map_free", fifo_timing("map_free")};
-    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing("depth_full"), 1,
-                                             fields_of<FullDepthBuffer>()};
+    ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing("depth_full"), 1, fields_of<FullDepthBuffer>()};
     ClockedFifo<BufferNumber> depth_free_{"depth_free", fifo_timing("depth_free")};
 
     EdgeMapBuffers edge_map_buffers_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "faster/sweep_design.hpp"
+#include "modules/conditions.hpp"
 #include "modules/rasterizer_scan.hpp"
 #include "modules/token_widths.hpp"
-#include "modules/conditions.hpp"
 
 namespace faster {
 
@@ -32,10 +32,7 @@ ModuleDescription Rasterizer::describe(AcceleratorConfig const& config) {
     module.writes_to("area")
         .carries("triangle areas from the rasterizer to the reciprocal unit")
         .of_bits(wires::magnitude_of_area + 1);  // signed
-    module.writes_to("command")
-        .carries("commands from the rasterizer to the inlier unit")
-        .of_bits(2)
-        .leaves("scan", 7);
+    module.writes_to("command").carries("commands from the rasterizer to the inlier unit").of_bits(2).leaves("scan", 7);
     module.writes_to("fragment_depth")
         .carries("z sums of fragments from the rasterizer to the inlier unit")
         .of_bits(z_sum_bits + (in_groups ? column_step_bits : 0))
@@ -50,7 +47,8 @@ ModuleDescription Rasterizer::describe(AcceleratorConfig const& config) {
         .leaves("scan", 7)
         .only_if(finds_edges_while_drawing(config));
     module.writes_to("region")
-        .carries("two corners of the touched region from the rasterizer to the observation reader (sweep_region: touched)")
+        .carries(
+            "two corners of the touched region from the rasterizer to the observation reader (sweep_region: touched)")
         .of_bits(wires::corner(config))
         .only_if(sweeps_touched_region(config));
     std::vector<std::string> written{"command", "fragment_depth", "fragment_index", "edge_token"};
@@ -61,9 +59,11 @@ ModuleDescription Rasterizer::describe(AcceleratorConfig const& config) {
         .of_depth(8)
         .writes_to(written)
         .also_reads(overlaps ? std::vector<std::string>{"vertex"} : std::vector<std::string>{});
-    module.setup = SetupDescription{12, config.rasterizer.scan == ScanPolicy::spans ? span_division_cycles : 0,
+    module.setup = SetupDescription{12,
+                                    config.rasterizer.scan == ScanPolicy::spans ? span_division_cycles : 0,
                                     "Cycles of the triangle setup, from the third vertex to the area.",
-                                    overlaps ? "waiting for triangles to be set up" : "setting up triangles", "scan",
+                                    overlaps ? "waiting for triangles to be set up" : "setting up triangles",
+                                    "scan",
                                     overlaps ? "" : "area"};
     return module;
 }

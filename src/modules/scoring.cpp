@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "faster/sweep_design.hpp"
 #include "faster/extract_design.hpp"
+#include "faster/sweep_design.hpp"
 #include "modules/conditions.hpp"
 #include "modules/token_widths.hpp"
 
@@ -33,13 +33,13 @@ void Scoring::describe_loops(ModuleDescription& module, AcceleratorConfig const&
         .only_if(condition);
 }
 
-/// The last rows of the depth buffer, side by side, that `neighbour_access: window` keeps: two of the sweep, a token per
-/// word, or all but one of eq. 2.2's neighbourhood, a pixel per word (flow fpga_grip).
+/// The last rows of the depth buffer, side by side, that `neighbour_access: window` keeps: two of the sweep, a token
+/// per word, or all but one of eq. 2.2's neighbourhood, a pixel per word (flow fpga_grip).
 void Scoring::describe_line_buffer(ModuleDescription& module, AcceleratorConfig const& config) {
     bool const extracts = config.flow == Flow::fpga_grip;  // pixel by pixel, whatever the sweep's lanes
-    std::uint64_t const rows = extracts                                  ? extract_design(config).line_buffer_rows
+    std::uint64_t const rows = extracts                                ? extract_design(config).line_buffer_rows
                                : sweep_design(config).has_line_buffers ? 2
-                                                                         : 0;
+                                                                       : 0;
     if (rows == 0)
         return;
     LaneRows const tokens(config.window, config.inlier_unit.sweep_lanes);

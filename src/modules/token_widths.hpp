@@ -9,7 +9,7 @@ namespace faster::wires {
 constexpr unsigned vertex_xy = 16;
 constexpr unsigned vertex_z = 16;
 constexpr unsigned depth = 11;
-constexpr unsigned header = 4 * 32;  ///< sample, centre_row, centre_col, triangles
+constexpr unsigned header = 4 * 32;    ///< sample, centre_row, centre_col, triangles
 constexpr unsigned valid_raster = 32;  ///< counts redraws
 constexpr unsigned buffer = 1;
 constexpr unsigned pixel = 2 * 16;  ///< row and column relative to the window, which may lie outside it

@@ -17,12 +17,12 @@
 #include "kernel/config/plain_value.hpp"
 #include "kernel/report/architecture_table.hpp"
 #include "kernel/report/html/architectures_html.hpp"
-#include "tb/edge_map_judge.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/progress_line.hpp"
 #include "modules/faster_simulation.hpp"
+#include "tb/edge_map_judge.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/progress_line.hpp"
 
 namespace faster {
 

@@ -5,18 +5,18 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include "faster/enum_names.hpp"
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
-#include "faster/enum_names.hpp"
 #include "reference/quality/survey_table.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
 #include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
 #include "workload/pictures/overlay.hpp"
-#include "tool/options.hpp"
 
 namespace faster {
 

@@ -20,8 +20,8 @@ class FasterRunExtras final : public RunExtras {
     std::vector<report::ReportPicture> pictures() const override;
 
   private:
-    std::string trace_;         ///< folder; empty: as configured
-    std::int64_t images_ = 0;   ///< samples to write pictures of
+    std::string trace_;        ///< folder; empty: as configured
+    std::int64_t images_ = 0;  ///< samples to write pictures of
     std::unique_ptr<SamplePictures> pictures_;
 };
 

@@ -16,7 +16,8 @@ std::unique_ptr<DataflowAccelerator> FasterSimulation::elaborate(RunConfig const
                                                                  std::shared_ptr<Machine const> machine,
                                                                  Workload& workload) const {
     auto const& ours = static_cast<FasterWorkload const&>(workload);
-    return make_accelerator(accelerator_of(config), ours.stimulus, std::move(machine), config.simulation.engine, ours.probe);
+    return make_accelerator(accelerator_of(config), ours.stimulus, std::move(machine), config.simulation.engine,
+                            ours.probe);
 }
 
 SimulatedDesign const& simulated_design() {

@@ -13,11 +13,11 @@
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/load_config.hpp"
 #include "reference/scorer.hpp"
-#include "tool/exit_codes.hpp"
 #include "tb/grip_comparison.hpp"
 #include "tb/workload_source.hpp"
-#include "workload/object_pose.hpp"
+#include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "workload/object_pose.hpp"
 
 namespace faster {
 
@@ -99,26 +99,24 @@ int grip_baseline(GripRequest const& request) {
 }
 
 Subcommand grip_command() {
-    return {"grip",
-            "Score the poses by the thesis's CPU and GPU baseline, untimed, and compare the ranking with the "
-            "configured design's",
-            [](CLI::App& command) {
-                auto const request = std::make_shared<GripRequest>();
-                command.add_option("config", request->config, "Configuration file (YAML)")
-                    ->required()
-                    ->type_name("CONFIG");
-                command.add_option("--out", request->out, "Write scores.csv and summary.json to this folder")
-                    ->type_name("DIR");
-                add_overrides(command, request->overrides);
-                add_jobs(command, request->jobs, "Threads");
-                command
-                    .add_option("--inlier-distance", request->inlier_distance_m,
-                                "Points closer than this agree (eq. 2.1)")
-                    ->type_name("METRES")
-                    ->capture_default_str()
-                    ->check(number_in(0.000001, 10));
-                return [request] { return grip_baseline(*request); };
-            }};
+    return {
+        "grip",
+        "Score the poses by the thesis's CPU and GPU baseline, untimed, and compare the ranking with the "
+        "configured design's",
+        [](CLI::App& command) {
+            auto const request = std::make_shared<GripRequest>();
+            command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+            command.add_option("--out", request->out, "Write scores.csv and summary.json to this folder")
+                ->type_name("DIR");
+            add_overrides(command, request->overrides);
+            add_jobs(command, request->jobs, "Threads");
+            command
+                .add_option("--inlier-distance", request->inlier_distance_m, "Points closer than this agree (eq. 2.1)")
+                ->type_name("METRES")
+                ->capture_default_str()
+                ->check(number_in(0.000001, 10));
+            return [request] { return grip_baseline(*request); };
+        }};
 }
 
 }  // namespace faster

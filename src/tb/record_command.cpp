@@ -21,15 +21,14 @@ int record(RecordRequest const& request) {
 }
 
 Subcommand record_command() {
-    return {"record", "Write a configuration's workload as a stimulus trace", [](CLI::App& command) {
-                auto const request = std::make_shared<RecordRequest>();
-                command.add_option("config", request->config, "Configuration file (YAML)")
-                    ->required()
-                    ->type_name("CONFIG");
-                command.add_option("--out", request->out, "Folder of the trace")->required()->type_name("DIR");
-                add_overrides(command, request->overrides);
-                return [request] { return record(*request); };
-            }};
+    return {
+        "record", "Write a configuration's workload as a stimulus trace", [](CLI::App& command) {
+            auto const request = std::make_shared<RecordRequest>();
+            command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+            command.add_option("--out", request->out, "Folder of the trace")->required()->type_name("DIR");
+            add_overrides(command, request->overrides);
+            return [request] { return record(*request); };
+        }};
 }
 
 }  // namespace faster

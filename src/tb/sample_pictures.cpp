@@ -95,7 +95,8 @@ void SamplePictures::write_contact_sheet(fs::path const& file, std::vector<Sampl
     pictures::ContactSheet sheet(maps_.size(), scale);
     for (auto const& [sample, maps] : maps_)
         if (sheet.room() > 0)
-            sheet.add(sample, counters_from(samples[sample].counters).inlier, overlay_of(sample, maps), maps.depth_buffer);
+            sheet.add(sample, counters_from(samples[sample].counters).inlier, overlay_of(sample, maps),
+                      maps.depth_buffer);
     io::write_colour_png(file, sheet.picture());
 }
 

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "tool/exit_codes.hpp"
 #include "tb/run_folder.hpp"
 #include "tb/terminal.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
 #include "workload/pictures/depth_scale.hpp"
 #include "workload/pictures/terminal_picture.hpp"
-#include "tool/options.hpp"
 
 namespace faster {
 

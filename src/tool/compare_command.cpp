@@ -21,20 +21,18 @@ int compare(CompareRequest const& request) {
 }
 
 Subcommand compare_command() {
-    return {"compare", "Say what changed from one run to another, largest first", [](CLI::App& command) {
-                auto const request = std::make_shared<CompareRequest>();
-                command.add_option("run_a", request->run_a, "Output folder of a run")->required()->type_name("RUN_A");
-                command.add_option("run_b", request->run_b, "Output folder of another run")
-                    ->required()
-                    ->type_name("RUN_B");
-                command.add_option("--top", request->top, "Rows of each list; the others are counted")
-                    ->type_name("N")
-                    ->capture_default_str()
-                    ->check(CLI::Range(0, 1000000));
-                command.add_option("--json", request->json, "Write the whole comparison to this file")
-                    ->type_name("FILE");
-                return [request] { return compare(*request); };
-            }};
+    return {
+        "compare", "Say what changed from one run to another, largest first", [](CLI::App& command) {
+            auto const request = std::make_shared<CompareRequest>();
+            command.add_option("run_a", request->run_a, "Output folder of a run")->required()->type_name("RUN_A");
+            command.add_option("run_b", request->run_b, "Output folder of another run")->required()->type_name("RUN_B");
+            command.add_option("--top", request->top, "Rows of each list; the others are counted")
+                ->type_name("N")
+                ->capture_default_str()
+                ->check(CLI::Range(0, 1000000));
+            command.add_option("--json", request->json, "Write the whole comparison to this file")->type_name("FILE");
+            return [request] { return compare(*request); };
+        }};
 }
 
 }  // namespace faster

@@ -19,8 +19,7 @@ inline CLI::Validator number_in(double least, double most) {
 }
 
 inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-    command
-        .add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16")
+    command.add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

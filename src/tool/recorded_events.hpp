@@ -8,7 +8,7 @@ namespace faster {
 
 /// The event file of a run that did not deadlock. Without what was asked for besides: an event file says what the run
 /// did and how long it took.
-void write_events(io::OutputFile const& file, LoadedConfig const& loaded, retiming::RecordedRun const& recorded,
+void write_events(io::OutputFile const& file, LoadedConfig const& loaded, replay::RecordedRun const& recorded,
                   RunStatistics run);
 
 }  // namespace faster

@@ -35,7 +35,6 @@ Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
 
 /// The recordings that a request asks of a run; each writes its files when the run is over. Both must outlive them.
 /// Errors: InputError for what the run cannot give, and for files that cannot be written.
-std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine,
-                                       std::size_t samples);
+std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples);
 
 }  // namespace faster

@@ -16,8 +16,7 @@ ResultsFolder::ResultsFolder(std::filesystem::path const& folder) : folder_(fold
 
 void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,
                           std::function<void(std::filesystem::path const&)> const& write_pictures) {
-    io::write_file(folder_.path() / "summary.json",
-                   report::summary_json(resolved_keys(config), run, host));
+    io::write_file(folder_.path() / "summary.json", report::summary_json(resolved_keys(config), run, host));
     io::write_file(folder_.path() / "samples.csv", report::samples_csv(run));
     io::write_file(folder_.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder_.path() / "loops.csv", report::loops_csv(run));

@@ -31,10 +31,10 @@ double seconds_since(HostClock::time_point start) {
     return std::chrono::duration<double>(HostClock::now() - start).count();
 }
 
-std::vector<Sensitivity> work_out_sensitivities(retiming::RecordedRun const& recorded, LoadedConfig const& loaded) {
+std::vector<Sensitivity> work_out_sensitivities(replay::RecordedRun const& recorded, LoadedConfig const& loaded) {
     ProgressLine progress("retimings");
-    return retiming::sensitivities(recorded, loaded,
-                                   [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+    return replay::sensitivities(recorded, loaded,
+                                 [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
 void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
@@ -83,7 +83,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     extras.before(*workload);
     start = HostClock::now();
     RunStatistics statistics;
-    retiming::RecordedRun recorded;
+    replay::RecordedRun recorded;
     std::vector<SampleTimeline> timelines;
     {
         ProgressLine progress("samples");
@@ -107,9 +107,8 @@ int run(RunRequest const& request, RunExtras& extras) {
     if (outputs.events)
         write_events(*outputs.events, loaded, recorded, statistics);
     if (outputs.folder && extras.writes_pictures())
-        outputs.folder->write(loaded.config, statistics, host, [&](std::filesystem::path const& images) {
-            extras.write(images, statistics.samples);
-        });
+        outputs.folder->write(loaded.config, statistics, host,
+                              [&](std::filesystem::path const& images) { extras.write(images, statistics.samples); });
     else if (outputs.folder)
         outputs.folder->write(loaded.config, statistics, host);
     if (outputs.report)  // may lie in the folder
@@ -122,29 +121,27 @@ int run(RunRequest const& request, RunExtras& extras) {
 }
 
 Subcommand run_command(MakeRunExtras const& make_extras) {
-    return {"run", "Simulate a configuration and print its report", [make_extras](CLI::App& command) {
-                auto const request = std::make_shared<RunRequest>();
-                std::shared_ptr<RunExtras> const extras = make_extras();
-                command.add_option("config", request->config, "Configuration file (YAML)")
-                    ->required()
-                    ->type_name("CONFIG");
-                command
-                    .add_option("--out", request->out,
-                                "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
-                    ->type_name("DIR");
-                command.add_option("--report", request->report, "Write the run as one HTML page")
-                    ->type_name("FILE.html");
-                command.add_option("--events", request->events, "Write what the run did, for whatif and sensitivities")
-                    ->type_name("FILE");
-                command.add_flag("--critical-path", request->critical_path,
-                                 "Trace along which operations the total comes about");
-                command.add_flag("--sensitivities", request->sensitivities,
-                                 "Work out what one step of each timing key changes (retimes the run about 100 times)");
-                extras->declare(command);
-                add_overrides(command, request->overrides);
-                add_recording_options(command, request->recording);
-                return [request, extras] { return run(*request, *extras); };
-            }};
+    return {
+        "run", "Simulate a configuration and print its report", [make_extras](CLI::App& command) {
+            auto const request = std::make_shared<RunRequest>();
+            std::shared_ptr<RunExtras> const extras = make_extras();
+            command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+            command
+                .add_option("--out", request->out,
+                            "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
+                ->type_name("DIR");
+            command.add_option("--report", request->report, "Write the run as one HTML page")->type_name("FILE.html");
+            command.add_option("--events", request->events, "Write what the run did, for whatif and sensitivities")
+                ->type_name("FILE");
+            command.add_flag("--critical-path", request->critical_path,
+                             "Trace along which operations the total comes about");
+            command.add_flag("--sensitivities", request->sensitivities,
+                             "Work out what one step of each timing key changes (retimes the run about 100 times)");
+            extras->declare(command);
+            add_overrides(command, request->overrides);
+            add_recording_options(command, request->recording);
+            return [request, extras] { return run(*request, *extras); };
+        }};
 }
 
 }  // namespace faster

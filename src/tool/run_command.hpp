@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "tool/subcommand.hpp"
 #include "tool/recording_options.hpp"
 #include "tool/run_extras.hpp"
+#include "tool/subcommand.hpp"
 
 namespace faster {
 

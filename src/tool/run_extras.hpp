@@ -28,7 +28,8 @@ class RunExtras {
     virtual void before(Workload& /*workload*/) {}
     /// Whether write() is to be called, with a folder for pictures and the samples of the run.
     virtual bool writes_pictures() const { return false; }
-    virtual void write(std::filesystem::path const& /*folder*/, std::vector<SampleStatistics> const& /*samples*/) const {}
+    virtual void write(std::filesystem::path const& /*folder*/,
+                       std::vector<SampleStatistics> const& /*samples*/) const {}
     /// For the HTML page.
     virtual std::vector<report::ReportPicture> pictures() const { return {}; }
 };

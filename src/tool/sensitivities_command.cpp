@@ -9,8 +9,8 @@
 #include "kernel/replay/slack.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "tool/exit_codes.hpp"
-#include "tool/progress_line.hpp"
 #include "tool/options.hpp"
+#include "tool/progress_line.hpp"
 
 namespace faster {
 
@@ -23,8 +23,8 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
         run.total_cycles = std::max(run.total_cycles, sample.end_cycle + 1);
     ProgressLine line("retimings");
     auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
-    run.sensitivities = retiming::sensitivities(recorded.run, recorded.loaded, progress);
-    retiming::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
+    run.sensitivities = replay::sensitivities(recorded.run, recorded.loaded, progress);
+    replay::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
     return run;
 }
 

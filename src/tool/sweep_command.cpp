@@ -13,10 +13,10 @@
 #include "kernel/sweeps/shard.hpp"
 #include "kernel/sweeps/sweep_file.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
-#include "tool/sweep_outputs.hpp"
-#include "tool/sweeper.hpp"
 #include "tool/options.hpp"
 #include "tool/sweep_merge_command.hpp"
+#include "tool/sweep_outputs.hpp"
+#include "tool/sweeper.hpp"
 
 namespace faster {
 
@@ -86,43 +86,42 @@ int sweep(SweepRequest const& request) {
 }
 
 Subcommand sweep_command() {
-    return {"sweep",
-            "Run a configuration in many variants, or merge what several hosts did; goes on where it was "
-            "(docs/sweeps.md)",
-            [](CLI::App& command) {
-                auto const request = std::make_shared<SweepRequest>();
-                command.add_option("sweep", request->sweep, "Sweep file (YAML); required, but for merge")
-                    ->type_name("SWEEP");
-                command.add_option("--out", request->out, "Folder of the results; required")->type_name("DIR");
-                add_jobs(command, request->jobs, "Processes at once");
-                command
-                    .add_option("--shard", request->shard,
-                                "Only part I of N parts of the same size; join them with sweep merge")
-                    ->type_name("I/N");
-                command.add_option("--time-limit", request->time_limit_s, "Give up a point after this time (86400)")
-                    ->type_name("SECONDS")
-                    ->check(number_in(0.001, 1e9));
-                command.add_flag("--retry-failed", request->retry_failed, "Do points that failed before again");
-                command.add_flag("--keep-events", request->keep_events,
-                                 "Keep the event files, in case points are added later");
-                auto const merge = std::make_shared<SweepMergeRequest>();
-                CLI::App* const merge_command = command.add_subcommand("merge", "Join the folders of a sweep's shards");
-                merge_command->add_option("folders", merge->folders, "Output folders of the shards")
-                    ->required()
-                    ->type_name("DIR");
-                merge_command->add_option("--out", merge->out, "Folder of the whole sweep")
-                    ->required()
-                    ->type_name("DIR");
-                std::string const tool = command.get_parent()->get_name();
-                return [request, merge, merge_command, tool] {
-                    if (merge_command->parsed())
-                        return merge_sweeps(*merge);
-                    if (request->sweep.empty() || request->out.empty())
-                        throw InputError(
-                            fmt::format("sweep: expected a sweep file and --out DIR (see {} sweep --help)", tool));
-                    return sweep(*request);
-                };
-            }};
+    return {
+        "sweep",
+        "Run a configuration in many variants, or merge what several hosts did; goes on where it was "
+        "(docs/sweeps.md)",
+        [](CLI::App& command) {
+            auto const request = std::make_shared<SweepRequest>();
+            command.add_option("sweep", request->sweep, "Sweep file (YAML); required, but for merge")
+                ->type_name("SWEEP");
+            command.add_option("--out", request->out, "Folder of the results; required")->type_name("DIR");
+            add_jobs(command, request->jobs, "Processes at once");
+            command
+                .add_option("--shard", request->shard,
+                            "Only part I of N parts of the same size; join them with sweep merge")
+                ->type_name("I/N");
+            command.add_option("--time-limit", request->time_limit_s, "Give up a point after this time (86400)")
+                ->type_name("SECONDS")
+                ->check(number_in(0.001, 1e9));
+            command.add_flag("--retry-failed", request->retry_failed, "Do points that failed before again");
+            command.add_flag("--keep-events", request->keep_events,
+                             "Keep the event files, in case points are added later");
+            auto const merge = std::make_shared<SweepMergeRequest>();
+            CLI::App* const merge_command = command.add_subcommand("merge", "Join the folders of a sweep's shards");
+            merge_command->add_option("folders", merge->folders, "Output folders of the shards")
+                ->required()
+                ->type_name("DIR");
+            merge_command->add_option("--out", merge->out, "Folder of the whole sweep")->required()->type_name("DIR");
+            std::string const tool = command.get_parent()->get_name();
+            return [request, merge, merge_command, tool] {
+                if (merge_command->parsed())
+                    return merge_sweeps(*merge);
+                if (request->sweep.empty() || request->out.empty())
+                    throw InputError(
+                        fmt::format("sweep: expected a sweep file and --out DIR (see {} sweep --help)", tool));
+                return sweep(*request);
+            };
+        }};
 }
 
 }  // namespace faster

@@ -32,7 +32,7 @@ void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& s
         reply.results.emplace_back(point, sweeps::failed(error.what()));
         return;
     }
-    retiming::RecordedRun recorded;
+    replay::RecordedRun recorded;
     SimulationOptions options;
     options.recorded = assignment.kind == Kind::record ? &recorded : nullptr;
     RunStatistics const run = simulate(loaded.config, *workload, options);
@@ -57,10 +57,10 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
     auto const start = std::chrono::steady_clock::now();
     try {
         events::EventFile const recorded = events::read_event_file(events);
-        retiming::ScriptedRun const run(recorded.run, machine_of(recorded.loaded.config).lead);
+        replay::ScriptedRun const run(recorded.run, machine_of(recorded.loaded.config).lead);
         for (std::size_t const point : assignment.points) {
             Machine const machine = with_timing_of(sweep.configuration(point), recorded.loaded.config);
-            reply.results.emplace_back(point, sweeps::result_of(retiming::retime(run, machine)));
+            reply.results.emplace_back(point, sweeps::result_of(replay::retime(run, machine)));
             if (std::chrono::steady_clock::now() - start > long_enough)
                 return;
         }

@@ -21,9 +21,9 @@
 #include "kernel/report/text_report.hpp"
 #include "kernel/report/whatif_table.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/results_folder.hpp"
-#include "tool/options.hpp"
 
 namespace faster {
 
@@ -44,7 +44,7 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     std::unique_ptr<ResultsFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
     auto const start = std::chrono::steady_clock::now();
-    RunStatistics const run = retiming::retime(recorded.run, machine_of(changed.config));
+    RunStatistics const run = replay::retime(recorded.run, machine_of(changed.config));
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
         fmt::print(stderr, "{}", report::deadlock_report(run));
@@ -90,7 +90,7 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     {
         ProgressLine progress("configurations");
         std::size_t done = 0;
-        retiming::retime_many(recorded.run, machines, [&](std::size_t i, RunStatistics const& run) {
+        replay::retime_many(recorded.run, machines, [&](std::size_t i, RunStatistics const& run) {
             table.set_result(i, run);
             progress.show(++done, machines.size());
         });

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "workload/object_pose.hpp"
 #include "kernel/base/random.hpp"
+#include "workload/object_pose.hpp"
 
 namespace faster::workload {
 namespace {

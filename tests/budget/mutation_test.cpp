@@ -87,11 +87,11 @@ std::vector<Mutation> all_mutations() {
     add_loop_mutations(all);
     for (BramId const id : testing::bram_ids)
         for (char const* const ports : {"1", "3"})
-            all.push_back({bram_key_name(id, "ports"),
-                           ports,
-                           {std::string("brams.") + id.name + ".",
-                            std::string("modules.") + bram_owners[index_of(id)] + "."},
-                           ""});
+            all.push_back(
+                {bram_key_name(id, "ports"),
+                 ports,
+                 {std::string("brams.") + id.name + ".", std::string("modules.") + bram_owners[index_of(id)] + "."},
+                 ""});
     return all;
 }
 

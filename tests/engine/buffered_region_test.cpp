@@ -184,7 +184,7 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
             for (BramId const bram : bram_ids)
                 config.memory(bram).partition = recorded.config.memory(bram).partition;
             RunStatistics const run = run_forked(config, recorded.stimulus, Engine::decoupled).statistics;
-            RunStatistics const retimed = retiming::retime(file.run, raster_machine(config));
+            RunStatistics const retimed = replay::retime(file.run, raster_machine(config));
             REQUIRE(retimed.deadlocked() == run.deadlocked());
             CHECK((run.deadlocked() || first_difference(all_cells(retimed), all_cells(run)) == ""));
         }

@@ -193,8 +193,8 @@ TEST_CASE("What makes a row of the critical path longer makes the run longer by 
                 run.cores.front().loops[l].ii;
             Cycles const entries_at_most = run.cores[run.critical_path->core].loops[l].entries * 2;
             CAPTURE(entries_at_most);
-            check(std::string("interval of loop ") + loop.name,
-                  iterations - std::min(iterations, entries_at_most), longer);
+            check(std::string("interval of loop ") + loop.name, iterations - std::min(iterations, entries_at_most),
+                  longer);
         }
     }
     CHECK(exact * 4 > compared);  // a path that is far too short would pass as well

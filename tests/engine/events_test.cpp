@@ -120,31 +120,31 @@ struct Samples {
         : file(its_file),
           machine(raster_machine(accelerator_of(file.loaded.config))),
           cutter(*file.run.blueprint, machine.lead),
-          tape(file.run.tape, retiming::LeadCore(*file.run.blueprint, machine.lead)),
-          known(retiming::LeadCore(*file.run.blueprint, machine.lead)) {}
+          tape(file.run.tape, replay::LeadCore(*file.run.blueprint, machine.lead)),
+          known(replay::LeadCore(*file.run.blueprint, machine.lead)) {}
 
     std::size_t count() const { return file.run.tape.samples(); }
-    retiming::SampleOperations operations(std::size_t sample) {
-        return retiming::joined(tape.read(sample), tape.known().book(), tape.known().lead().group);
+    replay::SampleOperations operations(std::size_t sample) {
+        return replay::joined(tape.read(sample), tape.known().book(), tape.known().lead().group);
     }
     /// What the frame of a sample holds.
     std::string content(std::size_t sample) const {
-        retiming::OperationTape::Bytes frame;
+        replay::OperationTape::Bytes frame;
         file.run.tape.read_block(sample, frame);
         return *io::content_of_zstd_frame({frame.data(), frame.size()}, file.run.tape.blocks()[sample].content_bytes);
     }
     /// A run of one sample, whatever comes of it.
-    RunStatistics retime(retiming::ScriptedSample const& sample) const {
-        retiming::RecordedRun run;
+    RunStatistics retime(replay::ScriptedSample const& sample) const {
+        replay::RecordedRun run;
         run.blueprint = file.run.blueprint->blank_copy();
         run.counters.resize(1);
         run.tape.put(0, sample, known.book());
         run.tape.finish();
-        return retiming::retime(run, machine);
+        return replay::retime(run, machine);
     }
-    bool can_do(retiming::SampleOperations const& operations) const {
+    bool can_do(replay::SampleOperations const& operations) const {
         for (std::size_t i = 0; i < operations.size(); ++i) {
-            retiming::OperationCheck check(known.lead().core->processes()[i]);
+            replay::OperationCheck check(known.lead().core->processes()[i]);
             for (Operation const& operation : operations[i])
                 if (!check.accepts(operation))
                     return false;
@@ -156,9 +156,9 @@ struct Samples {
 
     events::EventFile const& file;
     Machine machine;
-    retiming::SampleCutter cutter;
-    retiming::TapeReader tape;
-    retiming::KnownPhrases known;
+    replay::SampleCutter cutter;
+    replay::TapeReader tape;
+    replay::KnownPhrases known;
 };
 
 /// All operations of a file, read back; InputError if anything is wrong with it.
@@ -173,7 +173,7 @@ std::string content_of_events(std::filesystem::path const& path) {
     return content;
 }
 
-std::vector<Operation> canonical_of(OperationLog const& log) { return retiming::canonical(log.begin(), log.pending()); }
+std::vector<Operation> canonical_of(OperationLog const& log) { return replay::canonical(log.begin(), log.pending()); }
 
 std::vector<Operation::Code> said_by(std::vector<Operation> const& operations) {
     OperationLog log;
@@ -200,7 +200,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        retiming::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
+        replay::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
         for (std::uint64_t i = 0; i < 50; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -208,11 +208,11 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
             RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
             {
                 INFO("without scripts");
-                check_equal(retiming::retime_unscripted(scripted, raster_machine(config)), run);
+                check_equal(replay::retime_unscripted(scripted, raster_machine(config)), run);
             }
             {
                 INFO("from scripts");
-                check_equal(retiming::retime(scripted, raster_machine(config)), run);
+                check_equal(replay::retime(scripted, raster_machine(config)), run);
             }
             deadlocks += run.deadlocked() ? 1U : 0U;
         }
@@ -242,7 +242,7 @@ TEST_CASE("A run that is recorded takes the time that it takes without", "[event
 
 TEST_CASE("On how many threads a run is read does not matter", "[events]") {
     test::TempFolder const folder;
-    auto const said_by_phrases = [](retiming::ScriptedRun const& run) {
+    auto const said_by_phrases = [](replay::ScriptedRun const& run) {
         std::vector<Operation::Code> said;
         for (std::size_t i = 0; i < run.size(); ++i)
             for (timing::PhraseBook::Number const number : run[i].phrases)
@@ -254,11 +254,11 @@ TEST_CASE("On how many threads a run is read does not matter", "[events]") {
         record(recorded, workload(number), Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
         timing::Lead const lead = raster_machine(recorded).lead;
-        retiming::ScriptedRun const one(file.run, lead, 1);
+        replay::ScriptedRun const one(file.run, lead, 1);
         CHECK(one.size() == file.samples.size());
         for (std::size_t const jobs : {2U, 3U, 20U}) {
             CAPTURE(number, jobs);
-            retiming::ScriptedRun const run(file.run, lead, jobs);
+            replay::ScriptedRun const run(file.run, lead, jobs);
             CHECK(run.size() == file.samples.size());
             CHECK(said_by_phrases(run) == said_by_phrases(one));
         }
@@ -281,7 +281,7 @@ TEST_CASE("An event file knows its run", "[events]") {
     AcceleratorConfig const config = random_config(9300);
     RunStatistics const run = record(config, workload(0), Engine::lockstep, folder / "events");
     events::EventFile const file = events::read_event_file(folder / "events");
-    check_equal(retiming::retime(file.run, raster_machine(accelerator_of(file.loaded.config))), run);
+    check_equal(replay::retime(file.run, raster_machine(accelerator_of(file.loaded.config))), run);
     REQUIRE(file.samples.size() == run.samples.size());
     for (std::size_t i = 0; i < run.samples.size(); ++i) {
         CHECK(file.samples[i].end_cycle == run.samples[i].end_cycle);
@@ -337,10 +337,10 @@ TEST_CASE("Operations that are cut into phrases and joined again say the same", 
         events::EventFile const file = events::read_event_file(folder / "events");
         Samples samples(file);
         for (std::size_t i = 0; i < samples.count(); ++i) {
-            retiming::SampleOperations const operations = samples.operations(i);
-            retiming::ScriptedSample const cut = samples.cutter.cut(operations);
-            retiming::SampleOperations const joined =
-                retiming::joined(cut, samples.cutter.book(), samples.known.lead().group);
+            replay::SampleOperations const operations = samples.operations(i);
+            replay::ScriptedSample const cut = samples.cutter.cut(operations);
+            replay::SampleOperations const joined =
+                replay::joined(cut, samples.cutter.book(), samples.known.lead().group);
             for (std::size_t process = 0; process < operations.size(); ++process) {
                 CAPTURE(number, i, process);
                 CHECK(said_by(joined[process]) == said_by(operations[process]));
@@ -365,13 +365,13 @@ TEST_CASE("A sample that says what no process can do is refused", "[events]") {
             CAPTURE(number, at, flip);
             std::string changed = content;
             changed[at] = static_cast<char>(static_cast<unsigned char>(changed[at]) ^ flip);
-            retiming::ScriptedSample read;
-            if (!retiming::decode(changed, samples.known, read)) {
+            replay::ScriptedSample read;
+            if (!replay::decode(changed, samples.known, read)) {
                 ++refused;
                 continue;
             }
             ++accepted;
-            CHECK(samples.can_do(retiming::joined(read, samples.known.book(), samples.known.lead().group)));
+            CHECK(samples.can_do(replay::joined(read, samples.known.book(), samples.known.lead().group)));
             if (accepted % 4 == 0)
                 CHECK_NOTHROW(samples.retime(read));
         }
@@ -384,16 +384,16 @@ TEST_CASE("A sample that goes on with what is not its own is refused", "[events]
     test::TempFolder const folder;
     events::EventFile const file = events::read_event_file(small_file(folder));
     Samples samples(file);
-    retiming::ScriptedSample original;
-    REQUIRE(retiming::decode(samples.content(0), samples.known, original));
+    replay::ScriptedSample original;
+    REQUIRE(replay::decode(samples.content(0), samples.known, original));
     auto const is_refused = [&](auto change) {
-        retiming::ScriptedSample changed = original;
+        replay::ScriptedSample changed = original;
         change(changed);
-        retiming::ScriptedSample read;
-        return !retiming::decode(retiming::encode(changed, samples.known.book()), samples.known, read);
+        replay::ScriptedSample read;
+        return !replay::decode(replay::encode(changed, samples.known.book()), samples.known, read);
     };
-    CHECK_FALSE(is_refused([](retiming::ScriptedSample&) {}));
-    CHECK(is_refused([](retiming::ScriptedSample& sample) {  // the supplier is never behind the others
+    CHECK_FALSE(is_refused([](replay::ScriptedSample&) {}));
+    CHECK(is_refused([](replay::ScriptedSample& sample) {  // the supplier is never behind the others
         std::size_t const supplier = index_of(ModuleId::vertex_transform);
         REQUIRE_FALSE(sample.before[supplier].empty());
         sample.after[supplier].push_back(sample.before[supplier].back());
@@ -402,7 +402,7 @@ TEST_CASE("A sample that goes on with what is not its own is refused", "[events]
     for (unsigned const ports : {0x20U, 0x80U})
         for (unsigned member = 0; member < 5; ++member) {
             CAPTURE(member, ports);
-            CHECK(is_refused([&](retiming::ScriptedSample& sample) {
+            CHECK(is_refused([&](replay::ScriptedSample& sample) {
                 sample.script.next_ports[member] = static_cast<std::uint8_t>(ports);
             }));
         }
@@ -414,7 +414,7 @@ TEST_CASE("A machine that no core is like is refused", "[events]") {
     Machine const recorded = raster_machine(accelerator_of(file.loaded.config));
     Json const machine = events::machine_json(*file.run.blueprint);
     auto const read = [&recorded](Json const& changed) {
-        retiming::RecordedRun run;
+        replay::RecordedRun run;
         events::read_machine(changed, recorded, run);
     };
     CHECK_NOTHROW(read(machine));
@@ -464,13 +464,13 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     Stimulus const stimulus = workload(0);
     RunStatistics const recorded = record(AcceleratorConfig(), stimulus, Engine::decoupled, folder / "events");
     events::EventFile const file = events::read_event_file(folder / "events");
-    std::vector<Sensitivity> rows = retiming::sensitivities(file.run, file.loaded);
-    retiming::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
+    std::vector<Sensitivity> rows = replay::sensitivities(file.run, file.loaded);
+    replay::find_slack(file.run, file.loaded, recorded.total_cycles, rows);
     Keys const keys = timing_keys(file.loaded.config);
     auto const costs = [&](std::size_t i, std::int64_t value) {
         RunConfig config = file.loaded.config;
         keys[i].write(config, KeyValue{value});
-        RunStatistics const run = retiming::retime(file.run, raster_machine(accelerator_of(config)));
+        RunStatistics const run = replay::retime(file.run, raster_machine(accelerator_of(config)));
         return run.deadlocked() || run.total_cycles > recorded.total_cycles;
     };
     std::size_t found = 0;
@@ -479,12 +479,12 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
             CAPTURE(rows[i].key, direction);
             REQUIRE(step.slack);
             std::int64_t const change = step.slack->change;
-            CHECK(change <= retiming::most_slack);
+            CHECK(change <= replay::most_slack);
             CHECK_FALSE(costs(i, rows[i].value + direction * change));
             if (step.slack->end == SlackEnd::costs)
                 CHECK(costs(i, rows[i].value + direction * (change + 1)));
             if (step.slack->end == SlackEnd::limit)
-                CHECK(change == retiming::most_slack);
+                CHECK(change == replay::most_slack);
             found += change > 0 && step.slack->end == SlackEnd::costs ? 1U : 0U;
         }
     CHECK(found > 0);

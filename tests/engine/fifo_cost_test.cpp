@@ -7,8 +7,8 @@
 namespace faster::sizing {
 namespace {
 
-using testing::FifoId;
 using testing::fifo_count;
+using testing::FifoId;
 
 constexpr FifoKind srl = FifoKind::shift_register;
 constexpr FifoKind memory = FifoKind::memory;

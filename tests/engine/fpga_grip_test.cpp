@@ -132,12 +132,12 @@ TEST_CASE("A recorded run of flow fpga_grip retimes to what a run takes", "[fpga
         options.events = folder / "events";
         RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, options).statistics;
         events::EventFile const file = events::read_event_file(folder / "events");
-        CHECK(first_difference(all_cells(retiming::retime(file.run, raster_machine(config))), all_cells(run)) == "");
+        CHECK(first_difference(all_cells(replay::retime(file.run, raster_machine(config))), all_cells(run)) == "");
         AcceleratorConfig changed = config;
         changed.edge_extraction.square_root_latency += 7;
         changed.fifo(FifoId::command).depth = fifo_of(config, FifoId::command).depth + 3;
         changed.loop(LoopId::extract).ii = testing::loop_of(config, LoopId::extract).ii + 1;
-        CHECK(first_difference(all_cells(retiming::retime(file.run, raster_machine(changed))),
+        CHECK(first_difference(all_cells(replay::retime(file.run, raster_machine(changed))),
                                all_cells(run_forked(changed, stimulus, Engine::decoupled).statistics)) == "");
     }
 }

@@ -6,7 +6,7 @@
 
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 namespace {
 
 using timing::Operation;
@@ -169,4 +169,4 @@ TEST_CASE("A phrase awaits setups that were begun", "[events]") {
     CHECK_FALSE(Pair(false).knows({begin_setup}));  // none of its loops does that
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -182,18 +182,18 @@ TEST_CASE("Operations at many ports come out of a file as they were put in", "[p
     star.log_hub();
     std::vector<Operation> const written(star.hub->log().begin(), star.hub->log().begin() + star.hub->log().pending());
     std::string bytes;
-    retiming::encode_operations(written, bytes);
+    replay::encode_operations(written, bytes);
     std::vector<Operation> read;
-    retiming::ByteReader reader(bytes);
-    retiming::OperationCheck check(*star.hub);
-    REQUIRE(retiming::decode_operations(reader, check, read));
+    replay::ByteReader reader(bytes);
+    replay::OperationCheck check(*star.hub);
+    REQUIRE(replay::decode_operations(reader, check, read));
     REQUIRE(read.size() == written.size());
     for (std::size_t i = 0; i < read.size(); ++i)
         CHECK(read[i].code() == written[i].code());
 
-    retiming::ByteReader again(bytes);
-    retiming::OperationCheck smaller(star.core.process(1));  // has a single port
-    CHECK_FALSE(retiming::decode_operations(again, smaller, read));
+    replay::ByteReader again(bytes);
+    replay::OperationCheck smaller(star.core.process(1));  // has a single port
+    CHECK_FALSE(replay::decode_operations(again, smaller, read));
 }
 
 }  // namespace faster::timing

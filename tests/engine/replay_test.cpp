@@ -30,13 +30,13 @@ events::EventFile recorded_run(test::TempFolder const& folder) {
 }
 
 /// What somebody asks of a run.
-class Watched : public retiming::ScriptSource {
+class Watched : public replay::ScriptSource {
   public:
-    explicit Watched(retiming::ScriptedRun const& run) : run_(run) {}
+    explicit Watched(replay::ScriptedRun const& run) : run_(run) {}
 
     timing::PhraseBook const& book() const override { return run_.book(); }
     std::size_t size() const override { return run_.size(); }
-    retiming::ScriptedSample const& operator[](std::size_t sample) const override {
+    replay::ScriptedSample const& operator[](std::size_t sample) const override {
         furthest = std::max(furthest, sample + 1);
         return run_[sample];
     }
@@ -44,7 +44,7 @@ class Watched : public retiming::ScriptSource {
     mutable std::size_t furthest = 0;  ///< samples up to the last that was asked for
 
   private:
-    retiming::ScriptedRun const& run_;
+    replay::ScriptedRun const& run_;
 };
 
 /// In which the inlier unit waits for commands of a rasterizer that has no room for a fragment.
@@ -59,18 +59,17 @@ struct Asked {
 };
 
 /// What one core asks for that does all samples.
-Asked replay_all(retiming::ScriptSource const& source, retiming::ScriptedRun const& run,
-                 AcceleratorConfig const& config) {
+Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& run, AcceleratorConfig const& config) {
     Asked asked;
     Machine const machine = raster_machine(config);
-    auto const core = retiming::core_variant(*run.run().blueprint, machine);
+    auto const core = replay::core_variant(*run.run().blueprint, machine);
     core->let_follow(machine.lead, std::make_shared<timing::Automaton>());
-    retiming::PlainReader reader(run.run(), run.lead());
+    replay::PlainReader reader(run.run(), run.lead());
     auto const plain = [&](std::size_t sample) {
         ++asked.plain;
         return reader.read(sample);
     };
-    retiming::Replay replay(source, plain, {0, samples}, *core, machine.lead);
+    replay::Replay replay(source, plain, {0, samples}, *core, machine.lead);
     replay.go_on_to(samples);
     core->resolve();
     asked.is_stuck = !core->waits().empty();
@@ -83,12 +82,12 @@ TEST_CASE("Where nobody can go on any more, no further samples are read", "[repl
     test::TempFolder const folder;
     events::EventFile const file = recorded_run(folder);
     AcceleratorConfig const recorded = accelerator_of(file.loaded.config);
-    retiming::ScriptedRun const run(file.run, raster_machine(recorded).lead);
+    replay::ScriptedRun const run(file.run, raster_machine(recorded).lead);
     for (bool const scripted : {false, true}) {
         CAPTURE(scripted);
         Watched const watched(run);
-        retiming::NoScripts const none;
-        retiming::ScriptSource const& source = scripted ? static_cast<retiming::ScriptSource const&>(watched) : none;
+        replay::NoScripts const none;
+        replay::ScriptSource const& source = scripted ? static_cast<replay::ScriptSource const&>(watched) : none;
         Asked const stuck = replay_all(source, run, deadlocking(recorded));
         CHECK(stuck.is_stuck);
         CHECK(stuck.plain + watched.furthest < 8);

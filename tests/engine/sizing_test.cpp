@@ -15,9 +15,9 @@
 namespace faster::sizing {
 namespace {
 
-using testing::FifoId;
 using testing::fifo_count;
 using testing::fifo_ids;
+using testing::FifoId;
 using Random = std::mt19937_64;
 
 /// A recorded run of a small random workload on a small random machine, which is printed if a check fails.
@@ -40,7 +40,7 @@ struct Case {
     /// With these options, on the configuration that was recorded.
     Sizing size(SizingOptions const& options) const { return size_fifos(file.run, file.loaded.config, options); }
     Cycles cycles(Choice const& choice) const {
-        RunStatistics const run = retiming::retime(file.run, with_choice(machine, choice));
+        RunStatistics const run = replay::retime(file.run, with_choice(machine, choice));
         return run.deadlocked() ? Cut::deadlock : run.total_cycles;
     }
 };
@@ -203,7 +203,7 @@ TEST_CASE("What does not escape a cut takes as long as the cut says", "[sizing]"
                     if (member.lets_escape(choice[member.fifo])) {
                         std::uint64_t const capacity = member.capacity > 0 ? member.capacity : 300;
                         choice[member.fifo] = member.is_slow ? FifoChoice{FifoKind::memory, capacity - 1}
-                                                                       : FifoChoice{FifoKind::shift_register, capacity};
+                                                             : FifoChoice{FifoKind::shift_register, capacity};
                     }
                 REQUIRE_FALSE(cut.is_escaped(choice));
                 CHECK(times.cycles(0, choice) >= cut.total_cycles);

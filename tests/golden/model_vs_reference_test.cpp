@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/base/random.hpp"
 #include "reference/scorer.hpp"
 #include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
@@ -16,7 +17,6 @@
 #include "workload/files/mesh_file.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/object_mesh.hpp"
-#include "kernel/base/random.hpp"
 
 namespace faster::testing {
 namespace {

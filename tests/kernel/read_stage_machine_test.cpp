@@ -58,7 +58,7 @@ std::unique_ptr<timing::CoreTiming> blueprint_of(Machine const& machine) {
 /// Of a machine with these settings, by the blueprint of the one without any.
 Cycles retimed_cycles(MachineSettings const& settings) {
     auto const blueprint = blueprint_of(make_machine(describe_cycle(), {}));
-    auto const core = retiming::core_variant(*blueprint, make_machine(describe_cycle(), settings));
+    auto const core = replay::core_variant(*blueprint, make_machine(describe_cycle(), settings));
     core->process(1).log().wait(1);
     for (std::size_t i = 0; i < 2; ++i) {
         timing::OperationLog& log = core->process(i).log();

@@ -45,10 +45,12 @@ class ToyDesign final : public Design {
     std::unique_ptr<DesignConfig> default_config() const override { return std::make_unique<ToyConfig>(); }
     std::vector<Key> keys() const override {
         Keys keys{cores_key("toy.units", "Cores.", "toy"),
-                  Make::integer_key({"toy.rows", "", "Rows of the table.", "toy"}, {1, 1024},
-                                    [](auto& config) -> auto& { return config.rows; }),
-                  Make::boolean_key({"toy.answers", "", "Whether anybody wants answers.", "toy"},
-                                    [](auto& config) -> auto& { return config.answers; }),
+                  Make::integer_key(
+                      {"toy.rows", "", "Rows of the table.", "toy"}, {1, 1024},
+                      [](auto& config) -> auto& { return config.rows; }),
+                  Make::boolean_key(
+                      {"toy.answers", "", "Whether anybody wants answers.", "toy"},
+                      [](auto& config) -> auto& { return config.answers; }),
                   clock_key("toy")};
         for (Key& key : machine_keys(describe_toy({})))
             keys.push_back(std::move(key));

@@ -16,10 +16,10 @@ struct ToyConfig final : DesignConfig {
     MachineSettings const& machine() const override { return settings; }
 };
 
-/// The design of the kernel's own tests: three processes in a row. A source sends numbers by the FIFO `number`. A worker
-/// takes 5 cycles to get ready for each and looks it up in a table, in a loop of one iteration per row, which counts how
-/// often it was looked at; it reads the rows above and below too. It sends what it finds to a sink by the FIFO
-/// `answer`, unless nobody wants answers: then there is neither.
+/// The design of the kernel's own tests: three processes in a row. A source sends numbers by the FIFO `number`. A
+/// worker takes 5 cycles to get ready for each and looks it up in a table, in a loop of one iteration per row, which
+/// counts how often it was looked at; it reads the rows above and below too. It sends what it finds to a sink by the
+/// FIFO `answer`, unless nobody wants answers: then there is neither.
 CoreDescription describe_toy(ToyConfig const& config);
 
 }  // namespace faster::test

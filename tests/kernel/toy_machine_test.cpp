@@ -230,13 +230,14 @@ TEST_CASE("Timing keys are the steps of the parts that are there", "[machine][co
 }
 
 TEST_CASE("A file and overrides configure the toy", "[config]") {
-    RunConfig const config = loaded("toy: {units: 3, rows: 16}\n"
-                                    "accelerator:\n"
-                                    "  clock_mhz: 100\n"
-                                    "  fifos: {answer: {depth: 9, kind: shift_register}}\n"
-                                    "  loops: {worker: {look_up: {ii: 2}, setup: {depth: 8}}}\n"
-                                    "  brams: {table: {ports: 4}}\n",
-                                    {"toy.rows=32", "accelerator.fifos.answer.write_latency=4"})
+    RunConfig const config = loaded(
+                                 "toy: {units: 3, rows: 16}\n"
+                                 "accelerator:\n"
+                                 "  clock_mhz: 100\n"
+                                 "  fifos: {answer: {depth: 9, kind: shift_register}}\n"
+                                 "  loops: {worker: {look_up: {ii: 2}, setup: {depth: 8}}}\n"
+                                 "  brams: {table: {ports: 4}}\n",
+                                 {"toy.rows=32", "accelerator.fifos.answer.write_latency=4"})
                                  .config;
     CHECK(config.as<ToyConfig>().rows == 32);
     Machine const machine = machine_of(config);
@@ -266,8 +267,9 @@ TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]
               loaded("", {"accelerator.brams.table.partition.type=cyclic", "accelerator.brams.table.partition.factor=9",
                           "accelerator.brams.table.partition.dimension=1"});
           }) == "--set accelerator.brams.table.partition.factor=9: expected at most toy.rows = 8 (default)");
-    CHECK(input_error_text([] { loaded("", {"toy.answers=false", "accelerator.fifos.answer.depth=3"}); }) ==
-          "--set accelerator.fifos.answer.depth=3: expected a key of the parts that toy.answers = false has");
+    CHECK(input_error_text([] {
+              loaded("", {"toy.answers=false", "accelerator.fifos.answer.depth=3"});
+          }) == "--set accelerator.fifos.answer.depth=3: expected a key of the parts that toy.answers = false has");
     CHECK(set_error("accelerator.fifos.anser.depth=3") ==
           "--set accelerator.fifos.anser.depth=3: unknown key, did you mean accelerator.fifos.answer.depth?");
     CHECK(set_error("toy.rows=0") == "--set toy.rows=0: expected an integer from 1 to 1024");

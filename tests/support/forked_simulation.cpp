@@ -161,7 +161,7 @@ LoadedConfig loaded_from(AcceleratorConfig const& config) {
 }
 
 void write_events(std::filesystem::path const& file, AcceleratorConfig const& config,
-                  retiming::RecordedRun const& recorded, RunStatistics const& run) {
+                  replay::RecordedRun const& recorded, RunStatistics const& run) {
     RunConfig const whole = loaded_from(config).config;
     events::write_event_file(io::OutputFile(file), whole, recorded, run,
                              report::summary_json(resolved_keys(whole), run, {}));
@@ -175,11 +175,11 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         options.critical_path = wanted.critical_path;
         options.trail_length = wanted.trail_length;
         options.recordings = wanted.recordings;
-        retiming::RecordedRun recorded;
+        replay::RecordedRun recorded;
         options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
         RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : nullptr);
         if (wanted.sensitivities)
-            run.sensitivities = retiming::sensitivities(recorded, loaded_from(config));
+            run.sensitivities = replay::sensitivities(recorded, loaded_from(config));
         if (!wanted.events.empty() && !run.deadlocked())
             write_events(wanted.events, config, recorded, run);
         return to_bytes(run, collector.maps());

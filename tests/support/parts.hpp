@@ -42,10 +42,9 @@ inline constexpr ModuleId ModuleId::inlier_sweep{{9, "inlier_sweep"}};
 
 constexpr std::size_t module_count = 10;
 constexpr std::array<ModuleId, module_count> module_ids{
-    ModuleId::sample_dispatcher, ModuleId::vertex_transform, ModuleId::rasterizer,
-    ModuleId::area_reciprocal,   ModuleId::edge_map_builder, ModuleId::observation_reader,
-    ModuleId::inlier_unit,       ModuleId::result_collector, ModuleId::edge_map_output,
-    ModuleId::inlier_sweep};
+    ModuleId::sample_dispatcher, ModuleId::vertex_transform,   ModuleId::rasterizer,  ModuleId::area_reciprocal,
+    ModuleId::edge_map_builder,  ModuleId::observation_reader, ModuleId::inlier_unit, ModuleId::result_collector,
+    ModuleId::edge_map_output,   ModuleId::inlier_sweep};
 
 struct FifoId : PartId<FifoId> {
     operator std::string() const { return name; }  // NOLINT: as a configuration names it
@@ -82,11 +81,13 @@ inline constexpr FifoId FifoId::depth_free{{19, "depth_free"}};
 
 constexpr std::size_t fifo_count = 20;
 constexpr std::array<FifoId, fifo_count> fifo_ids{
-    FifoId::sample_vertex,   FifoId::sample_raster,  FifoId::sample_observation, FifoId::vertex,
-    FifoId::area,            FifoId::area_reciprocal, FifoId::command,           FifoId::fragment_depth,
-    FifoId::fragment_index,  FifoId::edge_token,     FifoId::edge_map,           FifoId::observed_depth,
-    FifoId::observed_edge,   FifoId::result,         FifoId::region,             FifoId::valid_depth,
-    FifoId::map_full,        FifoId::map_free,       FifoId::depth_full,         FifoId::depth_free};
+    FifoId::sample_vertex, FifoId::sample_raster,  FifoId::sample_observation,
+    FifoId::vertex,        FifoId::area,           FifoId::area_reciprocal,
+    FifoId::command,       FifoId::fragment_depth, FifoId::fragment_index,
+    FifoId::edge_token,    FifoId::edge_map,       FifoId::observed_depth,
+    FifoId::observed_edge, FifoId::result,         FifoId::region,
+    FifoId::valid_depth,   FifoId::map_full,       FifoId::map_free,
+    FifoId::depth_full,    FifoId::depth_free};
 
 /// Pipelined loops, in the order of SPEC section 3. As a string: the loop whose keys `accelerator.loops.MODULE.LOOP.*`
 /// time it. A loop keeps its keys when it moves to a process of its own.
@@ -117,9 +118,10 @@ inline constexpr LoopId LoopId::buffered_extract{{12, "extract"}, ModuleId::inli
 
 constexpr std::size_t loop_count = 13;
 constexpr std::array<LoopId, loop_count> loop_ids{
-    LoopId::vertex,          LoopId::scan,           LoopId::edge_clear,      LoopId::token, LoopId::output,
-    LoopId::read,            LoopId::depth_clear,    LoopId::fragment,        LoopId::sweep, LoopId::extract,
-    LoopId::buffered_output, LoopId::buffered_sweep, LoopId::buffered_extract};
+    LoopId::vertex,          LoopId::scan,    LoopId::edge_clear,      LoopId::token,
+    LoopId::output,          LoopId::read,    LoopId::depth_clear,     LoopId::fragment,
+    LoopId::sweep,           LoopId::extract, LoopId::buffered_output, LoopId::buffered_sweep,
+    LoopId::buffered_extract};
 /// Loops with keys of their own.
 constexpr std::size_t keyed_loop_count = 10;
 constexpr std::array<LoopId, keyed_loop_count> keyed_loop_ids{

@@ -7,8 +7,8 @@
 
 namespace faster::testing {
 
-// What a configuration asks of its parts, as plain values: what its settings say, or else the default of SPEC section 3,
-// which the tests state themselves.
+// What a configuration asks of its parts, as plain values: what its settings say, or else the default of SPEC section
+// 3, which the tests state themselves.
 
 struct FifoConfig {
     std::uint64_t depth = 2;  ///< tokens; HLS default

@@ -482,10 +482,10 @@ TEST_CASE("A loop that gets too short for a default write latency asks to set th
 }
 
 TEST_CASE("Every FIFO that a loop writes is checked against that loop", "[config][errors]") {
-    std::map<std::string, LoopId> const written_by{
-        {"vertex", LoopId::vertex},        {"command", LoopId::scan},     {"fragment_depth", LoopId::scan},
-        {"fragment_index", LoopId::scan},  {"edge_token", LoopId::scan},  {"edge_map", LoopId::output},
-        {"observed_depth", LoopId::read},  {"observed_edge", LoopId::read}};
+    std::map<std::string, LoopId> const written_by{{"vertex", LoopId::vertex},       {"command", LoopId::scan},
+                                                   {"fragment_depth", LoopId::scan}, {"fragment_index", LoopId::scan},
+                                                   {"edge_token", LoopId::scan},     {"edge_map", LoopId::output},
+                                                   {"observed_depth", LoopId::read}, {"observed_edge", LoopId::read}};
     faster::Machine const defaults = faster::machine_of(RunConfig{});
     for (FifoId const id : faster::testing::fifo_ids) {
         std::string const key = faster::fifo_key_name(id, "write_latency");

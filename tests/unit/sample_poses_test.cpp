@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "workload/object_pose.hpp"
 #include "kernel/base/random.hpp"
+#include "workload/object_pose.hpp"
 
 using namespace faster;
 using namespace faster::workload;

@@ -24,9 +24,8 @@ void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::
     if (stage < depth)
         return;
     if (loaded.origins.is_explicit(stage_key)) {
-        complaints.push_back(
-            complaint(loaded, stage_key,
-                      fmt::format("at most {}, one less than {}", depth - 1, with_value(loaded, depth_key))));
+        complaints.push_back(complaint(
+            loaded, stage_key, fmt::format("at most {}, one less than {}", depth - 1, with_value(loaded, depth_key))));
     } else {
         complaints.push_back(complaint(loaded, depth_key,
                                        fmt::format("at least {} because of {}: set that too, to at most {}", stage + 1,

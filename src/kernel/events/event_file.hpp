@@ -13,14 +13,14 @@ namespace faster::events {
 /// An event file (docs/formats.md, "Event files"): all that a run did, without the time it took, and what came of it.
 struct EventFile {
     LoadedConfig loaded;  ///< of the recorded run; the engine, which changes nothing, has its default
-    retiming::RecordedRun run;
+    replay::RecordedRun run;
     std::string summary;  ///< the recorded run's summary.json, without host times
     std::vector<SampleStatistics> samples;
 };
 
 /// Writes the file: complete or not at all, the operations of one sample after the other. `summary` is the summary.json
 /// of a run that did not deadlock. Both engines write the same bytes.
-void write_event_file(io::OutputFile const& file, RunConfig const& config, retiming::RecordedRun const& run,
+void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
                       RunStatistics const& statistics, std::string const& summary);
 
 /// Reads all but the operations, which stay in the file until they are needed. Throws InputError for what is no event

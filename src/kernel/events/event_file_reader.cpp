@@ -124,7 +124,7 @@ class Reader {
 
     void read_samples(Json const& rows, EventFile& file) {
         std::size_t const counters = design().counters().size();
-        std::vector<retiming::OperationTape::Block> blocks;
+        std::vector<replay::OperationTape::Block> blocks;
         std::uint64_t at = opening_bytes + std::uint64_t{header_bytes_};
         for (Json const& row : rows) {
             auto const value = [&row](std::size_t i) { return row.at(i).get<std::uint64_t>(); };
@@ -140,7 +140,7 @@ class Reader {
         }
         if (at != index_at_)
             fail("is damaged: its samples do not add up to its size, expected the file as it was written");
-        file.run.tape = retiming::OperationTape(path_, std::move(blocks));
+        file.run.tape = replay::OperationTape(path_, std::move(blocks));
     }
 
     std::filesystem::path path_;

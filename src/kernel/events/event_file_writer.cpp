@@ -18,7 +18,7 @@ Json configuration_json(RunConfig const& config) {
     return keys;
 }
 
-std::string header_of(RunConfig const& config, retiming::RecordedRun const& run) {
+std::string header_of(RunConfig const& config, replay::RecordedRun const& run) {
     Json header;
     header["format"] = "faster-events";
     header["version"] = format_version;
@@ -27,14 +27,14 @@ std::string header_of(RunConfig const& config, retiming::RecordedRun const& run)
     return header.dump();
 }
 
-Json sample_json(retiming::OperationTape::Block const& block, SampleStatistics const& sample) {
+Json sample_json(replay::OperationTape::Block const& block, SampleStatistics const& sample) {
     Json row{block.bytes, block.content_bytes, block.checksum, sample.core, sample.start_cycle, sample.end_cycle};
     for (std::uint64_t const counter : sample.counters)
         row.push_back(counter);
     return row;
 }
 
-std::string index_of_file(std::string const& header, retiming::RecordedRun const& run, RunStatistics const& statistics,
+std::string index_of_file(std::string const& header, replay::RecordedRun const& run, RunStatistics const& statistics,
                           std::string const& summary) {
     Json index;
     index["header_checksum"] = io::checksum_of_zstd_frame(header);
@@ -53,7 +53,7 @@ void put(std::string_view bytes, std::ostream& stream) {
 
 }  // namespace
 
-void write_event_file(io::OutputFile const& file, RunConfig const& config, retiming::RecordedRun const& run,
+void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
                       RunStatistics const& statistics, std::string const& summary) {
     file.commit([&](std::ostream& stream) {
         io::ZstdPress press;
@@ -61,7 +61,7 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, retim
         put(std::string(opening_mark) + little_endian(format_version), stream);
         put(little_endian(static_cast<std::uint32_t>(header.size())) + header, stream);
         std::uint64_t at = opening_bytes + header.size();
-        retiming::OperationTape::Bytes block;
+        replay::OperationTape::Bytes block;
         for (std::size_t i = 0; i < run.tape.samples(); ++i) {
             run.tape.read_block(i, block);
             put({block.data(), block.size()}, stream);

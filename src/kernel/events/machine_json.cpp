@@ -40,7 +40,7 @@ Json loops_json(timing::ProcessTiming const& process) {
 /// Builds a run's blueprint.
 class MachineReader {
   public:
-    MachineReader(Machine const& machine, retiming::RecordedRun& run) : machine_(machine), run_(run) {
+    MachineReader(Machine const& machine, replay::RecordedRun& run) : machine_(machine), run_(run) {
         run_.blueprint = std::make_unique<timing::CoreTiming>();
         for (MachineFifo const& fifo : machine_.fifos) {
             timing::FifoShape shape;
@@ -109,7 +109,7 @@ class MachineReader {
     }
 
     Machine const& machine_;
-    retiming::RecordedRun& run_;
+    replay::RecordedRun& run_;
     std::array<std::set<std::size_t>, 2> taken_;  ///< FIFOs that are read, that are written
 };
 
@@ -123,7 +123,7 @@ Json machine_json(timing::CoreTiming const& blueprint) {
     return processes;
 }
 
-void read_machine(Json const& json, Machine const& machine, retiming::RecordedRun& run) {
+void read_machine(Json const& json, Machine const& machine, replay::RecordedRun& run) {
     MachineReader reader(machine, run);
     for (Json const& process : json)
         reader.read_process(process);

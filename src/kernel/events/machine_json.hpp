@@ -10,6 +10,6 @@ Json machine_json(timing::CoreTiming const& blueprint);
 
 /// And back: blueprint and source files of a run on `machine`. Throws Json::exception or std::invalid_argument for what
 /// says anything else than that machine has.
-void read_machine(Json const& json, Machine const& machine, retiming::RecordedRun& run);
+void read_machine(Json const& json, Machine const& machine, replay::RecordedRun& run);
 
 }  // namespace faster::events

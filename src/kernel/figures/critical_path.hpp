@@ -30,7 +30,7 @@ struct PathRow {
     std::optional<std::size_t> loop;  ///< none: outside loops
     PathCause cause = PathCause::busy;
     std::optional<std::size_t> fifo;  ///< of read_latency and backpressure
-    std::string bram;            ///< of port_conflict
+    std::string bram;                 ///< of port_conflict
     Cycles cycles = 0;
     std::uint64_t crossings = 0;  ///< of read_latency and backpressure: how often the path leaves the module there
 };

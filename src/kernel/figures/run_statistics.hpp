@@ -29,7 +29,7 @@ struct ProcessStatistics {
 
 struct CoreStatistics {
     std::uint64_t samples = 0;
-    Cycles end_cycle = 0;  ///< one past the end of its last sample; 0 without samples
+    Cycles end_cycle = 0;               ///< one past the end of its last sample; 0 without samples
     std::vector<FifoStatistics> fifos;  ///< by their numbers in the machine
     std::vector<LoopStatistics> loops;
     std::vector<ProcessStatistics> processes;

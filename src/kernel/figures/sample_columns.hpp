@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
 #include "kernel/base/column.hpp"
+#include "kernel/base/cycles.hpp"
 
 namespace faster {
 

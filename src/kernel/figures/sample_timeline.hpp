@@ -27,9 +27,9 @@ struct OccupancyPoint {
 struct SampleTimeline {
     std::uint64_t core = 0;
     std::uint64_t sample = 0;
-    Cycles begin = 0;                 ///< the sample begins
-    Cycles end = 0;                   ///< one past its last cycle
-    std::vector<TimelineSpan> spans;  ///< by begin
+    Cycles begin = 0;                                    ///< the sample begins
+    Cycles end = 0;                                      ///< one past its last cycle
+    std::vector<TimelineSpan> spans;                     ///< by begin
     std::vector<std::vector<OccupancyPoint>> occupancy;  ///< by FIFO
 };
 

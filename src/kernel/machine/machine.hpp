@@ -104,7 +104,9 @@ struct Machine {
     /// Of the table of processes of a core: it ends with the last that is there.
     std::size_t process_places() const;
     /// "MODULE.LOOP".
-    std::string loop_name(std::size_t loop) const { return processes[loops[loop].process].name + '.' + loops[loop].name; }
+    std::string loop_name(std::size_t loop) const {
+        return processes[loops[loop].process].name + '.' + loops[loop].name;
+    }
     /// Of a part by its name. Errors: std::out_of_range if there is none.
     std::size_t process(std::string_view name) const;
     std::size_t fifo(std::string_view name) const;

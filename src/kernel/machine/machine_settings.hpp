@@ -13,7 +13,7 @@ namespace faster {
 /// What a configuration asks of one FIFO; keys `accelerator.fifos.NAME.*`. What is not set has the default of the
 /// design's description.
 struct FifoSettings {
-    std::optional<std::uint64_t> depth;   ///< tokens, >= 1
+    std::optional<std::uint64_t> depth;  ///< tokens, >= 1
     std::optional<FifoKind> kind;
     std::optional<Cycles> write_latency;  ///< stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< stage of the reading loop in which a token is taken
@@ -52,7 +52,8 @@ struct MachineSettings {
     std::optional<Cycles> setup(std::string const& module) const { return found(setups, module); }
 
   private:
-    template <class Settings> static Settings found(std::map<std::string, Settings> const& all, std::string const& name) {
+    template <class Settings>
+    static Settings found(std::map<std::string, Settings> const& all, std::string const& name) {
         auto const at = all.find(name);
         return at == all.end() ? Settings{} : at->second;
     }

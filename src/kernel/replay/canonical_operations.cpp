@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -151,4 +151,4 @@ void return_tails(std::vector<Operation>& operations) {
     }
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

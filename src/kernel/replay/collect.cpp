@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -191,4 +191,4 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
     return run;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -6,7 +6,7 @@
 #include "kernel/machine/machine.hpp"
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// A core that has done all it can.
 struct FinishedCore {
@@ -18,4 +18,4 @@ struct FinishedCore {
 /// The figures of a finished (or stuck) run of a machine.
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine);
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

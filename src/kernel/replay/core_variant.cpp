@@ -1,6 +1,6 @@
 #include "kernel/replay/core_variant.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -43,4 +43,4 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
     return core;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

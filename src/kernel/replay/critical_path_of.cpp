@@ -4,7 +4,7 @@
 
 #include "kernel/timing/path_sweep.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -138,4 +138,4 @@ CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& core
     return path;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

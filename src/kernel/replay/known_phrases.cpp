@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -93,4 +93,4 @@ void PhraseCheck::move_on(std::vector<OperationCheck>& checks) const {
     }
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -8,7 +8,7 @@
 #include "kernel/replay/operation_check.hpp"
 #include "kernel/timing/lookup/phrase_book.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// The phrases that a file was found to hold, each looked at once: what is read may say anything.
 class KnownPhrases {
@@ -66,4 +66,4 @@ class PhraseCheck {
     std::int64_t setups_ = 0;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

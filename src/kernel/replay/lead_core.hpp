@@ -4,7 +4,7 @@
 #include "kernel/timing/core_timing.hpp"
 #include "kernel/timing/lookup/group.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// A core that has done nothing yet, to write operations on and to check them with, and its lead group.
 struct LeadCore {
@@ -18,4 +18,4 @@ struct LeadCore {
     timing::Group group;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -8,7 +8,7 @@
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/sample_cutter.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 class LiveRetiming::Window : public ScriptSource {
   public:
@@ -113,4 +113,4 @@ std::optional<RunStatistics> LiveRetiming::finish(std::vector<Counters> const& c
     return run;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

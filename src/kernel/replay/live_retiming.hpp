@@ -12,7 +12,7 @@
 #include "kernel/replay/script_source.hpp"
 #include "kernel/timing/lookup/phrase_cutter.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Works out the time of a run while it is recorded, from the phrases that are recorded, sample by sample. What has
 /// been timed is forgotten, but for the phrases; when there are too many of those, as in runs that never say the same,
@@ -49,4 +49,4 @@ class LiveRetiming {
     bool is_stuck_ = false;  ///< some core: what the others do does not matter any more
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

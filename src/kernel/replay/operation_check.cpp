@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace faster::retiming {
+namespace faster::replay {
 
 using timing::Operation;
 using Kind = Operation::Kind;
@@ -88,4 +88,4 @@ bool OperationCheck::is_in_loop_at(Operation const& operation) {
     }
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

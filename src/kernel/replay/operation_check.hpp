@@ -3,7 +3,7 @@
 
 #include "kernel/timing/process_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Whether a process can do operations one after the other: what is read from a file may say anything.
 class OperationCheck {
@@ -41,4 +41,4 @@ class OperationCheck {
     State state_;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -5,7 +5,7 @@
 
 #include "kernel/base/little_endian.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -244,4 +244,4 @@ bool decode_operations(ByteReader& bytes, OperationCheck& check, std::vector<Ope
     return ProcessDecoder(bytes, check).decode(operations);
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

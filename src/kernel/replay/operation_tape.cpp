@@ -8,7 +8,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/replay/sample_codec.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 OperationTape::OperationTape(std::filesystem::path const& file, std::vector<Block> blocks)
     : file_(std::fopen(file.c_str(), "rb")), name_(file.string()), blocks_(std::move(blocks)) {
@@ -55,4 +55,4 @@ void OperationTape::read_block(std::size_t sample, Bytes& bytes) const {
     }
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

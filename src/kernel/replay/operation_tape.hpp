@@ -10,7 +10,7 @@
 #include "kernel/base/uninitialized.hpp"
 #include "kernel/replay/scripted_sample.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// What the processes do, a compressed block per sample. Says nothing about time, so that any timing can be put to it,
 /// and any core can score any sample. Kept in a temporary file, or in an event file; may be read by several threads at
@@ -54,4 +54,4 @@ class OperationTape {
     std::vector<Block> blocks_;             // by sample
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

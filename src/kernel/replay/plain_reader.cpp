@@ -2,7 +2,7 @@
 
 #include "kernel/replay/sample_cutter.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 PlainReader::PlainReader(RecordedRun const& run, timing::Lead const& lead)
     : tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
@@ -19,4 +19,4 @@ void append_sample(std::vector<timing::Operation> const& operations, timing::Ope
         log.append(*operation);
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -5,7 +5,7 @@
 #include "kernel/replay/sample_operations.hpp"
 #include "kernel/replay/tape_reader.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Reads samples from the tape of a run as operations, no phrases.
 class PlainReader {
@@ -21,4 +21,4 @@ class PlainReader {
 /// then, as the process itself would have said it.
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log);
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

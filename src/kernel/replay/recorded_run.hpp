@@ -8,7 +8,7 @@
 #include "kernel/replay/operation_tape.hpp"
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, as it
 /// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
@@ -19,4 +19,4 @@ struct RecordedRun {
     std::vector<Counters> counters;  ///< the samples' results
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

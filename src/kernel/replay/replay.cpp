@@ -5,7 +5,7 @@
 
 #include "kernel/replay/plain_reader.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -136,4 +136,4 @@ void Replay::find_stuck() {
     is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

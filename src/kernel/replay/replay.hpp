@@ -9,7 +9,7 @@
 #include "kernel/replay/script_source.hpp"
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Lets one core do the operations of its samples, one sample after the other.
 class Replay {
@@ -61,4 +61,4 @@ class Replay {
     timing::Script script_;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -9,7 +9,7 @@
 #include "kernel/replay/plain_reader.hpp"
 #include "kernel/replay/replay.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -96,4 +96,4 @@ RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine) 
     return retime(run, Following::logs, machine);
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -8,7 +8,7 @@
 #include "kernel/replay/scripted_run.hpp"
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// The figures of a run on another machine, equal to running it there, without running it. A deadlock is a result, as
 /// it is of a run. `machine` must not differ from the recorded run's in more than retiming_keys() decide.
@@ -33,4 +33,4 @@ struct CoreOptions {
 Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                    CoreOptions const& options = {});
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -4,7 +4,7 @@
 
 #include "kernel/base/on_threads.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
@@ -20,4 +20,4 @@ void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, D
     });
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -5,7 +5,7 @@
 
 #include "kernel/replay/retime.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Gets the number of a machine and its figures.
 using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
@@ -15,4 +15,4 @@ using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done);
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done);
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

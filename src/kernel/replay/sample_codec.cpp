@@ -8,7 +8,7 @@
 #include "kernel/replay/bytes.hpp"
 #include "kernel/replay/operation_columns.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -164,4 +164,4 @@ bool decode(std::string_view bytes, KnownPhrases& known, ScriptedSample& sample)
            std::all_of(checks.begin(), checks.end(), [](OperationCheck const& check) { return check.is_done(); });
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

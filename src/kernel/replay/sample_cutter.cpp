@@ -2,7 +2,7 @@
 
 #include "kernel/replay/canonical_operations.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 using timing::Operation;
 using timing::OperationLog;
@@ -92,4 +92,4 @@ SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& boo
     return operations;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

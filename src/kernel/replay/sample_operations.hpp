@@ -3,10 +3,10 @@
 
 #include "kernel/timing/operation.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// What each process of a core does for one sample, from where it begins the sample to where it begins the next, in
 /// program order. By process.
 using SampleOperations = std::vector<std::vector<timing::Operation>>;
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

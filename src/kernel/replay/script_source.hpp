@@ -4,7 +4,7 @@
 
 #include "kernel/replay/scripted_sample.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Samples, by number, as phrases of one book.
 class ScriptSource {
@@ -36,4 +36,4 @@ class NoScripts : public ScriptSource {
     timing::PhraseBook book_;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -7,7 +7,7 @@
 #include "kernel/replay/tape_reader.hpp"
 #include "kernel/timing/lookup/phrase_cutter.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -73,4 +73,4 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, std::
     timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -6,7 +6,7 @@
 #include "kernel/replay/sample_operations.hpp"
 #include "kernel/timing/lookup/phrase_book.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// A sample's operations with the long middle, where the lead group is at work, as phrases of it. Of its supplier,
 /// which is ahead by as much as a FIFO holds, all operations are in `before`.
@@ -27,4 +27,4 @@ struct ScriptedSample {
     }
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

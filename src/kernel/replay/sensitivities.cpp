@@ -5,7 +5,7 @@
 #include "kernel/config/keys.hpp"
 #include "kernel/replay/retime_many.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
     return rows;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

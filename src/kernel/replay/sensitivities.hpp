@@ -6,7 +6,7 @@
 #include "kernel/figures/sensitivity.hpp"
 #include "kernel/replay/recorded_run.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// The exact change of total_cycles for one step of each of timing_keys(), by retiming a recorded run of `loaded`, one
 /// row per key in their order. On all host cores; `progress` is told how many of `steps` retimings are done, from any
@@ -14,4 +14,4 @@ namespace faster::retiming {
 std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
                                        std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

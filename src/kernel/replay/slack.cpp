@@ -5,7 +5,7 @@
 #include "kernel/config/keys.hpp"
 #include "kernel/replay/retime_many.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 
@@ -113,4 +113,4 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         search.finish();
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -6,7 +6,7 @@
 #include "kernel/figures/sensitivity.hpp"
 #include "kernel/replay/recorded_run.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// The largest change of a key that is tried.
 constexpr std::int64_t most_slack = 1024;
@@ -18,4 +18,4 @@ constexpr std::int64_t most_slack = 1024;
 void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total_cycles, std::vector<Sensitivity>& rows,
                 std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

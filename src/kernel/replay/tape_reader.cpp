@@ -8,7 +8,7 @@
 #include "kernel/base/program_name.hpp"
 #include "kernel/replay/sample_codec.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 ScriptedSample TapeReader::read(std::size_t sample) {
     ScriptedSample scripted;
@@ -23,4 +23,4 @@ ScriptedSample TapeReader::read(std::size_t sample) {
     return scripted;
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -7,7 +7,7 @@
 #include "kernel/replay/operation_tape.hpp"
 #include "kernel/replay/scripted_sample.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Reads samples from a tape, which must outlive it, in any order. Several threads have one each.
 class TapeReader {
@@ -27,4 +27,4 @@ class TapeReader {
     io::ZstdReader zstd_;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -4,7 +4,7 @@
 
 #include "kernel/replay/canonical_operations.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 namespace {
 constexpr std::size_t most_waiting = 16;  // samples: some megabytes
@@ -95,4 +95,4 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
     }
 }
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -14,7 +14,7 @@
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/sample_cutter.hpp"
 
-namespace faster::retiming {
+namespace faster::replay {
 
 /// Puts samples on a run's tape from a thread of its own, so that what is recorded need not wait for it.
 class TapeWriter {
@@ -60,4 +60,4 @@ class TapeWriter {
     std::thread thread_;
 };
 
-}  // namespace faster::retiming
+}  // namespace faster::replay

@@ -20,7 +20,8 @@ void add_line(std::string& text, RunStatistics const& run, PathRow const& row) {
     Machine const& machine = run.machine;
     std::string const item = item_of(machine, row);
     std::string const cause = std::string(name_of(row.cause)) + (item.empty() ? "" : " " + item);
-    std::string const place = machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
+    std::string const place =
+        machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
     fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, row.cycles,
                    100.0 * static_cast<double>(row.cycles) / static_cast<double>(run.total_cycles));
 }

@@ -27,9 +27,8 @@ std::string why(LoopStatistics const& loop, Machine const& machine) {
 }
 
 std::string loop_sentence(Cause const& cause, Diagnosis const& diagnosis, RunStatistics const& run) {
-    std::string sentence =
-        fmt::format("{} is {} {}", share(cause.cycles, diagnosis), run.machine.loop_name(cause.item),
-                    why(run.cores.front().loops[cause.item], run.machine));
+    std::string sentence = fmt::format("{} is {} {}", share(cause.cycles, diagnosis), run.machine.loop_name(cause.item),
+                                       why(run.cores.front().loops[cause.item], run.machine));
     if (cause.port_conflict > 0)
         sentence += fmt::format(": {} are port conflicts", share(cause.port_conflict, diagnosis));
     return sentence + ".";
@@ -39,8 +38,8 @@ std::string stall_sentence(Cause const& cause, Diagnosis const& diagnosis, Machi
     MachineFifo const& fifo = machine.fifos[cause.item];
     bool const reads = fifo.reader == diagnosis.module;
     return fmt::format("{} {} waits for {}: {} is {}.", share(cause.cycles, diagnosis),
-                       machine.processes[diagnosis.module].name, machine.processes[reads ? fifo.writer : fifo.reader].name,
-                       fifo.name, reads ? "empty" : "full");
+                       machine.processes[diagnosis.module].name,
+                       machine.processes[reads ? fifo.writer : fifo.reader].name, fifo.name, reads ? "empty" : "full");
 }
 
 std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, RunStatistics const& run) {
@@ -72,7 +71,8 @@ std::vector<std::string> diagnosis_sentences(RunStatistics const& run) {
     if (diagnosis.cycles == 0)
         return sentences;
     sentences.push_back(fmt::format("Bound by {}, which waits least: {} of the time of core {}, the last to end.",
-                                    run.machine.processes[diagnosis.module].name, share(diagnosis.waits, diagnosis), diagnosis.core));
+                                    run.machine.processes[diagnosis.module].name, share(diagnosis.waits, diagnosis),
+                                    diagnosis.core));
     for (Cause const& cause : diagnosis.causes)
         if (cause.cycles * 100 >= diagnosis.cycles)
             sentences.push_back(sentence_of(cause, diagnosis, run));

@@ -1,10 +1,10 @@
 #include "kernel/report/summary.hpp"
 
+#include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/sensitivity_report.hpp"
-#include "kernel/figures/table_rows.hpp"
 
 namespace faster::report {
 

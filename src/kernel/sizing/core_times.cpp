@@ -51,7 +51,7 @@ std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timi
 class GivenUp {
   public:
     explicit GivenUp(CoreTimes::IsObsolete is_obsolete) : is_obsolete_(std::move(is_obsolete)) {}
-    retiming::Leaves or_if(retiming::Leaves const& leaves) {
+    replay::Leaves or_if(replay::Leaves const& leaves) {
         return [this, leaves](timing::CoreTiming const& core) {
             is_given_up_ = is_obsolete_ && is_obsolete_();
             return is_given_up_ || (leaves && leaves(core));
@@ -125,7 +125,7 @@ std::vector<Cut::Member> members_of(Members const& members) {
 
 }  // namespace
 
-CoreTimes::CoreTimes(retiming::RecordedRun const& run, Machine machine)
+CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine machine)
     : run_(run, machine.lead),
       machine_(std::move(machine)),
       cores_(cores_with_samples(machine_.cores, run.tape.samples())),
@@ -228,7 +228,7 @@ std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
 }
 
 /// It has waited too long for its work still to be done in time.
-retiming::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
+replay::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
     std::optional<Cycles> const work = work_of(core);
     if (!work)
         return nullptr;
@@ -240,7 +240,7 @@ retiming::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) c
 void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound,
                                          IsObsolete const& is_obsolete) {
     GivenUp given_up{is_obsolete};
-    retiming::CoreOptions options;
+    replay::CoreOptions options;
     options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
     auto const timings = retime_cores(run_, with_choice(machine_, choice), {core}, options);
     if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
@@ -249,7 +249,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
 
 /// False if it has not been left before its end.
 bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
-    retiming::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
+    replay::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
     std::size_t const done = results_of(core).size();
     std::size_t const samples = share_of(place.first, machine_.cores, run_.run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
@@ -330,8 +330,8 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
 
 std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
-                                                          retiming::Leaves const& leaves) const {
-    retiming::CoreOptions options;
+                                                          replay::Leaves const& leaves) const {
+    replay::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;
     return std::move(retime_cores(run_, with_choice(machine_, choice), {core}, options).front());

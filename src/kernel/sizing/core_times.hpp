@@ -19,7 +19,7 @@ namespace faster::sizing {
 class CoreTimes {
   public:
     /// A run and its machine, of which all but the FIFOs' depths and kinds counts.
-    CoreTimes(retiming::RecordedRun const& run, Machine machine);
+    CoreTimes(replay::RecordedRun const& run, Machine machine);
 
     /// Those that have samples.
     std::size_t cores() const { return cores_; }
@@ -72,9 +72,9 @@ class CoreTimes {
     timing::ProcessTiming const* writer_of_results(timing::CoreTiming const& core) const;
     static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
-    retiming::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
+    replay::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
     std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice,
-                                                   retiming::Leaves const& leaves) const;
+                                                   replay::Leaves const& leaves) const;
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     /// Retimes a core as far as needed to know whether it takes more than `bound`, unless that is obsolete.
@@ -85,7 +85,7 @@ class CoreTimes {
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);
 
-    retiming::ScriptedRun const run_;
+    replay::ScriptedRun const run_;
     Machine const machine_;
     std::size_t cores_;
     std::vector<std::uint64_t> tokens_;  ///< by FIFO

@@ -59,7 +59,7 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
            static_cast<Cycles>(std::floor(static_cast<double>(unbounded_cycles) * percent / 100 + rounding));
 }
 
-Sizing size_fifos(retiming::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
+Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
     Machine const machine = machine_of(config);
     FifoFrame const frame(machine, options.weights);

@@ -45,7 +45,7 @@ Cycles bound_within(double percent, Cycles unbounded_cycles);
 
 /// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
 /// done.
-Sizing size_fifos(retiming::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
+Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
 }  // namespace faster::sizing

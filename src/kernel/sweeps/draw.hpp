@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/base/random.hpp"
 #include "kernel/config/key_value.hpp"
 #include "kernel/sweeps/sweep.hpp"
-#include "kernel/base/random.hpp"
 
 namespace faster::sweeps {
 

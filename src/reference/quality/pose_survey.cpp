@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "common/stimulus.hpp"
+#include "kernel/base/random.hpp"
 #include "reference/quality/sample_judge.hpp"
 #include "reference/scorer.hpp"
-#include "kernel/base/random.hpp"
 
 namespace faster::quality {
 

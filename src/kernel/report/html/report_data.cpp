@@ -3,30 +3,29 @@
 #include <cmath>
 
 #include "kernel/config/plain_value.hpp"
+#include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/html/html_text.hpp"
+#include "kernel/report/html/latency_histogram.hpp"
+#include "kernel/report/html/timeline_view.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/report/summary.hpp"
-#include "kernel/report/html/html_text.hpp"
-#include "kernel/report/html/latency_histogram.hpp"
-#include "kernel/report/html/timeline_view.hpp"
-#include "kernel/figures/table_rows.hpp"
 
 namespace faster::report {
 
 namespace {
 
 Json headline(HtmlReportInput const& input) {
-    return {
-        {"total_cycles", input.run.total_cycles},
-        {"milliseconds", input.run.machine.milliseconds(input.run.total_cycles)},
-        {"samples", input.run.samples.size()},
-        {"cores", input.run.cores.size()},
-        {"cores_are", input.run.machine.cores_are},
-        {"remark", input.run.machine.remark},
-        {"clock_mhz", input.run.machine.clock_mhz}};
+    return {{"total_cycles", input.run.total_cycles},
+            {"milliseconds", input.run.machine.milliseconds(input.run.total_cycles)},
+            {"samples", input.run.samples.size()},
+            {"cores", input.run.cores.size()},
+            {"cores_are", input.run.machine.cores_are},
+            {"remark", input.run.machine.remark},
+            {"clock_mhz", input.run.machine.clock_mhz}};
 }
 
 Json modules(RunStatistics const& run) {
@@ -104,8 +103,8 @@ Json spans(Machine const& machine, SampleTimeline const& timeline) {
     constexpr Cycles distinguishable = 2000;  // positions along a wide screen
     Json rows = Json::array();
     for (MergedSpan const& span : merged_spans(timeline.spans, (timeline.end - timeline.begin) / distinguishable))
-        rows.push_back({machine.processes[span.extent.module].name, kind_name(span.extent.kind), item_name(machine, span.extent),
-                        span.extent.begin, span.extent.end, span.cycles,
+        rows.push_back({machine.processes[span.extent.module].name, kind_name(span.extent.kind),
+                        item_name(machine, span.extent), span.extent.begin, span.extent.end, span.cycles,
                         span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0, span.spans});
     return rows;
 }

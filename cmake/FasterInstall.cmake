@@ -9,7 +9,7 @@ install(EXPORT faster-sim-targets NAMESPACE faster-sim:: DESTINATION ${faster_pa
 # The kernel: faster-sim::tool brings all of it.
 set_target_properties(faster_options PROPERTIES EXPORT_NAME options)
 set(faster_kernel faster_options)
-foreach(library base timing machine config figures replay events sizing recording report compare budgets sweeps channels tool)
+foreach(library IN LISTS faster_kernel_libraries)
   list(APPEND faster_kernel faster_${library})
 endforeach()
 install(TARGETS ${faster_kernel} EXPORT faster-sim-kernel ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/faster-sim)

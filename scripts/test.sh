@@ -2,7 +2,8 @@
 # Installs what is missing, builds and runs all tests but the long ones and those that want a cluster, and checks the format.
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
-#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, and the format check is not skipped
+#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, the changes of docs/changing-the-design.md, and the format check is not
+#                              skipped
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -37,6 +38,9 @@ cmake --build --preset "$preset"
 ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j2 -LE '^(long|cluster)$'
 
 bash scripts/check-layers.sh
+if [[ "${CI:-}" == true ]]; then
+    bash scripts/check-changes.sh "$preset"
+fi
 
 if command -v clang-format >/dev/null; then
     bash scripts/check-format.sh

@@ -2,10 +2,13 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <systemc>
 #include <vector>
 
+#include "channels/clocked_fifo.hpp"
 #include "channels/time_base.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/machine/core_share.hpp"
@@ -14,8 +17,6 @@
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster {
-
-class FifoChannel;
 
 /// One core of a machine: the SystemC module that a design derives its own from. The derived class has the modules and
 /// the FIFOs between them as members, and binds them:
@@ -42,6 +43,14 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
 
     /// By number of the FIFO in the machine; null where the core has no such channel. Once the core is constructed.
     std::vector<FifoChannel*> const& channels() const;
+    /// A FIFO by its name in the machine: how its two modules get at it where they have no ports for it. Once the core
+    /// is constructed. Errors: std::out_of_range if there is none; std::logic_error if it carries other tokens.
+    template <class Token> ClockedFifo<Token>& fifo(std::string_view name) const {
+        auto* const found = dynamic_cast<ClockedFifo<Token>*>(channels()[machine_->fifo(name)]);
+        if (found == nullptr)
+            throw std::logic_error("the FIFO " + std::string(name) + " is not there, or carries other tokens");
+        return *found;
+    }
     std::vector<TokenField> token_fields(std::size_t fifo) const override;
     void add_tap(std::size_t fifo, recording::TokenTap& tap) override;
     void remove_tap(std::size_t fifo, recording::TokenTap& tap) override;
@@ -82,6 +91,11 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// Of a FIFO by its name in the machine, to make its channel with.
     timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_.fifo(machine_->fifo(fifo)); }
 
+    /// A FIFO that needs no member and no ports: its modules ask for it by fifo(). In the constructor only.
+    template <class Token> void make_fifo(std::string const& name) {
+        made_.push_back(std::make_unique<ClockedFifo<Token>>(name.c_str(), fifo_timing(name)));
+    }
+
   private:
     void start_of_simulation() override;
     void find_channels(sc_core::sc_object const& parent) const;
@@ -91,6 +105,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     CoreShare share_;
     TimeBase time_base_;
     timing::CoreTiming timing_;
+    std::vector<std::unique_ptr<FifoChannel>> made_;
     mutable std::vector<FifoChannel*> channels_;  // empty until somebody asks for them
     std::function<void()> progress_;
     std::vector<std::function<void()>> starts_;

@@ -76,6 +76,14 @@ unsigned ProcessClock::loop(std::string_view name) const {
     throw std::out_of_range("process " + timing_.name() + " has no loop " + std::string(name));
 }
 
+std::uint64_t ProcessClock::number(std::string_view name) const {
+    auto const& numbers = dataflow_core_->machine().processes[timing_.index()].numbers;
+    auto const found = numbers.find(name);
+    if (found == numbers.end())
+        throw std::out_of_range("process " + timing_.name() + " has no number " + std::string(name));
+    return found->second;
+}
+
 timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.read_port(); }
 
 /// How many iterations after the one that takes a token of the FIFO the loop has begun by then.

@@ -35,6 +35,10 @@ class ProcessClock {
     /// Errors: std::out_of_range if the process has no such loop.
     unsigned loop(std::string_view name) const;
 
+    /// What the configuration says of a number of the module, by its name: ModuleDescription::number().
+    /// Errors: std::out_of_range if the module has no such number.
+    std::uint64_t number(std::string_view name) const;
+
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();
     void end_sample();

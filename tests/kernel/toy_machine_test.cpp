@@ -287,3 +287,20 @@ TEST_CASE("The resolved configuration of the toy loads to the same values", "[co
     CHECK(machine_of(again).fifos[answer].depth == 7);
     CHECK(values_of(loaded(to_yaml(RunConfig{})).config) == values_of(RunConfig{}));
 }
+
+TEST_CASE("a number of a module is a key, has its default, and decides about more than time") {
+    CoreDescription core = describe_toy(ToyConfig());
+    core.modules[worker].number("tries").means("How often it tries.").is(3).within(1, 9);
+    std::string const module = core.modules[worker].name;
+    Key const key = key_named(machine_keys(core), module_key_name(module, "tries"));
+    CHECK(key.text.meaning == "How often it tries.");
+    CHECK(range_text(key) == "1..9");
+    CHECK_FALSE(key.decides_time);
+
+    RunConfig config;
+    CHECK(json_text(key.read(config)) == "3");
+    CHECK(make_machine(core, config.machine()).processes[worker].numbers.at("tries") == 3);
+    key.write(config, KeyValue(std::int64_t{7}));
+    CHECK(json_text(key.read(config)) == "7");
+    CHECK(make_machine(core, config.machine()).processes[worker].numbers.at("tries") == 7);
+}

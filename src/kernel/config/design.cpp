@@ -10,7 +10,10 @@ IdleKeys Design::idle_keys(RunConfig const& /*config*/) const { return {}; }
 
 bool Design::decides_function(std::string const& /*key*/, RunConfig const& /*config*/) const { return false; }
 
-std::string Design::why_not_retimable(std::string const& /*key*/) const { return "decides what is computed, not when"; }
+std::string Design::why_not_retimable(std::string const& key) const {
+    bool const is_number_of_module = key.rfind("accelerator.modules.", 0) == 0;
+    return is_number_of_module ? "decides which operations there are, not when" : "decides what is computed, not when";
+}
 
 std::vector<Preset> const& Design::presets() const {
     static std::vector<Preset> const none;

@@ -34,6 +34,7 @@ IdleKeys idle_keys(RunConfig const& config) {
     add_absent(machine.fifos, fifo_key_name, idle);
     add_absent_loops(machine, idle);
     add_absent(machine.memories, bram_key_name, idle);
+    add_absent(machine.processes, module_key_name, idle);
     for (MachineProcess const& process : machine.processes)
         if (!process.is_present)
             idle.add(setup_key_name(process.name), process.decided_by);

@@ -15,6 +15,10 @@ inline std::string bram_key_name(std::string const& memory, std::string const& f
 }
 /// A setup is no loop, but its key stands among those of its module's loops.
 inline std::string setup_key_name(std::string const& module) { return loop_key_name(module + ".setup", "depth"); }
+/// `field`: of a number of the module.
+inline std::string module_key_name(std::string const& module, std::string const& field) {
+    return "accelerator.modules." + module + '.' + field;
+}
 
 constexpr char const* architecture_key_name = "accelerator.architecture";
 

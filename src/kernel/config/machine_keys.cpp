@@ -151,6 +151,16 @@ void add_loops_keys(Keys& keys, ModuleDescription const& module) {
         add_setup_key(keys, module.name, *module.setup);
 }
 
+/// They decide which operations there are: no other value can be worked out from a recorded run.
+void add_number_key(Keys& keys, std::string const& module, NumberDescription const& number) {
+    keys.push_back(part_key(
+        {module_key_name(module, number.name), number.unit, number.meaning, "this project"}, KeyKind::integer,
+        [name = module + '.' + number.name](auto& settings) -> decltype(auto) { return settings.number(name); },
+        [](auto& value) -> auto& { return value; }, number.value));
+    keys.back().integers = {static_cast<std::int64_t>(number.least), static_cast<std::int64_t>(number.most)};
+    keys.back().decides_time = false;
+}
+
 /// These decide about time, but are no steps of one quantity: a factor means nothing without a type.
 void add_partition_keys(Keys& keys, MemoryDescription const& description) {
     std::string const name = description.name;
@@ -195,6 +205,9 @@ Keys machine_keys(CoreDescription const& core) {
     for (ModuleDescription const& module : core.modules)
         for (MemoryDescription const& memory : module.memories)
             add_memory_keys(keys, memory);
+    for (ModuleDescription const& module : core.modules)
+        for (NumberDescription const& number : module.numbers)
+            add_number_key(keys, module.name, number);
     return keys;
 }
 

@@ -66,6 +66,7 @@ class Maker {
                 add_loop(i, loop);
         for (std::size_t i = 0; i < core.modules.size(); ++i) {
             add_setup(i);
+            add_numbers(i);
             list_ends(i);
             list_loops(i);
         }
@@ -173,6 +174,12 @@ class Maker {
                 std::count(fifos.begin(), fifos.end(), end.fifo) == 0)
                 fifos.push_back(end.fifo);
         return fifos;
+    }
+
+    void add_numbers(std::size_t module) {
+        MachineProcess& process = machine_.processes[module];
+        for (NumberDescription const& number : core_.modules[module].numbers)
+            process.numbers[number.name] = settings_.number(process.name + '.' + number.name).value_or(number.value);
     }
 
     void add_setup(std::size_t module) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,10 +33,11 @@ struct MachineProcess {
     std::string decided_by;  ///< key that takes it away, if it is not there
     bool stamps_look_back = false;
     Cycles setup_cycles = 0;
-    std::string setup_activity;                ///< "preparing rows", for reports
-    std::optional<std::size_t> setup_counter;  ///< FIFO with a write for every setup
-    std::vector<MachineEnd> ends;              ///< of the FIFOs that are there, in the program order of a step
-    std::vector<std::size_t> loops;            ///< numbers of those that are there, in order
+    std::string setup_activity;                                 ///< "preparing rows", for reports
+    std::optional<std::size_t> setup_counter;                   ///< FIFO with a write for every setup
+    std::map<std::string, std::uint64_t, std::less<>> numbers;  ///< that decide what it does
+    std::vector<MachineEnd> ends;    ///< of the FIFOs that are there, in the program order of a step
+    std::vector<std::size_t> loops;  ///< numbers of those that are there, in order
 };
 
 struct MachineFifo {

@@ -39,17 +39,20 @@ struct MachineSettings {
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, MemorySettings> memories;
-    std::map<std::string, std::optional<Cycles>> setups;  ///< cycles of a module's setup; by module
+    std::map<std::string, std::optional<Cycles>> setups;          ///< cycles of a module's setup; by module
+    std::map<std::string, std::optional<std::uint64_t>> numbers;  ///< keys `accelerator.modules.MODULE.NAME`
 
     FifoSettings& fifo(std::string const& name) { return fifos[name]; }
     LoopSettings& loop(std::string const& name) { return loops[name]; }
     MemorySettings& memory(std::string const& name) { return memories[name]; }
     std::optional<Cycles>& setup(std::string const& module) { return setups[module]; }
+    std::optional<std::uint64_t>& number(std::string const& name) { return numbers[name]; }
 
     FifoSettings fifo(std::string const& name) const { return found(fifos, name); }
     LoopSettings loop(std::string const& name) const { return found(loops, name); }
     MemorySettings memory(std::string const& name) const { return found(memories, name); }
     std::optional<Cycles> setup(std::string const& module) const { return found(setups, module); }
+    std::optional<std::uint64_t> number(std::string const& name) const { return found(numbers, name); }
 
   private:
     template <class Settings>

@@ -118,6 +118,24 @@ struct SetupDescription {
     std::string one_per_token_of;  ///< FIFO with a write for every setup; empty: the process counts what it waits for
 };
 
+/// A whole number that decides what a module does, and not only when: a variant. The module reads it by its name,
+/// ProcessClock::number().
+struct NumberDescription {
+    std::string name;     ///< within its module
+    std::string meaning;  ///< one sentence, for the documentation
+    std::string unit;
+    std::uint64_t value = 1;  ///< default
+    std::uint64_t least = 1;
+    std::uint64_t most = 1'000'000;
+
+    NumberDescription& means(std::string text) { return meaning = std::move(text), *this; }
+    NumberDescription& in(std::string its_unit) { return unit = std::move(its_unit), *this; }
+    NumberDescription& is(std::uint64_t by_default) { return value = by_default, *this; }
+    NumberDescription& within(std::uint64_t its_least, std::uint64_t its_most) {
+        return least = its_least, most = its_most, *this;
+    }
+};
+
 /// One module: what there is of it besides its function. A module makes it of its configuration, in one function beside
 /// its process, and names everything that any configuration can have, with the conditions under which it is there.
 /// Ends stand in the program order of a step.
@@ -131,6 +149,10 @@ class ModuleDescription {
         loops.emplace_back().name = std::move(its_name);
         return loops.back();
     }
+    NumberDescription& number(std::string its_name) {
+        numbers.emplace_back().name = std::move(its_name);
+        return numbers.back();
+    }
     MemoryDescription& memory(std::string its_name) {
         memories.emplace_back().name = std::move(its_name);
         return memories.back();
@@ -142,6 +164,7 @@ class ModuleDescription {
     Conditions conditions;
     std::vector<FifoEnd> ends;
     std::vector<LoopDescription> loops;
+    std::vector<NumberDescription> numbers;
     std::vector<MemoryDescription> memories;
     std::vector<LineBuffer> line_buffers;
     std::optional<SetupDescription> setup;

@@ -2,8 +2,8 @@
 # Installs what is missing, builds and runs all tests but the long ones and those that want a cluster, and checks the format.
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
-#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, the changes of docs/changing-the-design.md,
-#                              skipped
+#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, the changes of docs/changing-the-design.md; a
+#                              missing clang-format is an error
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -29,7 +29,7 @@ quietly() {
 # Each alone has the size that the page states: | [`NAME`](changes/NAME.patch) | ... | FILES | + LINES | - LINES |
 for name in "${patches[@]}"; do
     patch="docs/changes/$name.patch"
-    git apply --check "$patch" || complain "$patch does not apply; make it again, and the page's table"
+    git apply --check "$patch" || complain "$patch does not apply; git apply --3way, then git diff HEAD makes it again"
     size="$(git apply --numstat "$patch" | awk '{ added += $1; removed += $2 } END { print NR, added, removed }')"
     stated="$(awk -F'|' -v link="(changes/$name.patch)" \
         'index($2, link) { gsub(/ /, ""); print $4, substr($5, 2), substr($6, 2), $7 }' "$page")"

@@ -16,30 +16,15 @@ std::uint64_t TimeBase::ticks_per_cycle() const {
         1, static_cast<std::uint64_t>(std::llround(seconds / sc_core::sc_get_time_resolution().to_seconds())));
 }
 
-namespace {
-timing::ProcessTiming& found_or_added(timing::CoreTiming& core, std::string const& name) {
-    for (std::size_t i = 0; i < core.processes().size(); ++i)
-        if (core.processes()[i].name() == name)
-            return core.process(i);
-    return core.add_process(name);
-}
-}  // namespace
-
 ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
-    : dataflow_core_(&core),
+    : dataflow_core_(core),
       core_(core.timing()),
       timing_(core.timing().process(core.machine().process(process))),
       time_base_(core.time_base()),
       ticks_per_cycle_(core.time_base().ticks_per_cycle()) {}
 
-ProcessClock::ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base)
-    : core_(core),
-      timing_(found_or_added(core, process_name)),
-      time_base_(time_base),
-      ticks_per_cycle_(time_base.ticks_per_cycle()) {}
-
 void ProcessClock::connect_all() {
-    Machine const& machine = dataflow_core_->machine();
+    Machine const& machine = dataflow_core_.machine();
     MachineProcess const& process = machine.processes[timing_.index()];
     for (MachineEnd const& end : process.ends)
         end.writes ? connect_writes(channel_of(end.fifo)) : connect_reads(channel_of(end.fifo));
@@ -51,10 +36,10 @@ void ProcessClock::connect_all() {
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
-    FifoChannel* const channel = dataflow_core_->channels()[fifo];
+    FifoChannel* const channel = dataflow_core_.channels()[fifo];
     if (channel == nullptr)
-        throw std::logic_error(std::string(dataflow_core_->name()) + ": the FIFO " +
-                               dataflow_core_->machine().fifos[fifo].name + " of " + timing_.name() +
+        throw std::logic_error(std::string(dataflow_core_.name()) + ": the FIFO " +
+                               dataflow_core_.machine().fifos[fifo].name + " of " + timing_.name() +
                                " has no channel, expected a ClockedFifo made with its fifo_timing()");
     return *channel;
 }
@@ -63,7 +48,7 @@ FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
 std::vector<FifoChannel*> ProcessClock::channels_of(std::vector<std::size_t> const& fifos) const {
     std::vector<FifoChannel*> channels;
     for (std::size_t const fifo : fifos)
-        if (dataflow_core_->machine().fifos[fifo].is_present)
+        if (dataflow_core_.machine().fifos[fifo].is_present)
             channels.push_back(&channel_of(fifo));
     return channels;
 }
@@ -77,7 +62,7 @@ unsigned ProcessClock::loop(std::string_view name) const {
 }
 
 std::uint64_t ProcessClock::number(std::string_view name) const {
-    auto const& numbers = dataflow_core_->machine().processes[timing_.index()].numbers;
+    auto const& numbers = dataflow_core_.machine().processes[timing_.index()].numbers;
     auto const found = numbers.find(name);
     if (found == numbers.end())
         throw std::out_of_range("process " + timing_.name() + " has no number " + std::string(name));
@@ -91,9 +76,9 @@ std::uint64_t ProcessClock::iterations_behind(std::string_view name, FifoChannel
     return fifo.timing().shape().read_stage / timing_.loops()[loop(name)].interval.achieved;
 }
 
-void ProcessClock::begin_sample() { dataflow_core_->begin_sample(timing_.index()); }
+void ProcessClock::begin_sample() { dataflow_core_.begin_sample(timing_.index()); }
 
-void ProcessClock::end_sample() { dataflow_core_->end_sample(); }
+void ProcessClock::end_sample() { dataflow_core_.end_sample(); }
 
 void ProcessClock::connect_reads(FifoChannel& fifo) {
     fifos_.push_back(&fifo);
@@ -112,11 +97,6 @@ unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel
     for (FifoChannel const* fifo : read)
         shape.reads.push_back({fifo->read_port().first(), fifo->timing().shape().read_stage});
     return timing_.add_loop(std::move(shape));
-}
-
-void ProcessClock::resolve() {
-    if (!lockstep())
-        core_.resolve(false);
 }
 
 void ProcessClock::catch_up() {

@@ -24,8 +24,6 @@ class ProcessClock {
   public:
     /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.
     ProcessClock(DataflowCore& core, std::string_view process);
-    /// Of a process without a machine, which is added to the core if there is none of that name.
-    ProcessClock(timing::CoreTiming& core, std::string const& process_name, TimeBase const& time_base);
 
     /// Everything that the machine says of the process: its ends of FIFOs, in the program order of a step, its loops,
     /// and how long a setup takes. Once, at the end of elaboration: the core's channels must be there.
@@ -160,8 +158,6 @@ class ProcessClock {
             step(port);
     }
 
-    /// Everything logged by this core's processes gets its cycles, as far as possible.
-    void resolve();
     bool lockstep() const { return time_base_.engine == Engine::lockstep; }
     timing::ProcessTiming const& timing() const { return timing_; }
     /// Non-blocking accesses need the present: only lockstep has one.
@@ -203,7 +199,7 @@ class ProcessClock {
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 
-    DataflowCore* dataflow_core_ = nullptr;  // null without a machine
+    DataflowCore& dataflow_core_;
     timing::CoreTiming& core_;
     timing::ProcessTiming& timing_;
     TimeBase time_base_;

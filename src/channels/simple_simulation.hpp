@@ -67,8 +67,8 @@ class SimpleModule : public SampleModule {
 /// All that the commands ask of a simple design whose cores are `Core`s. A program makes one, and says so:
 ///
 ///     SimpleSimulation<MyCore> const& my_design() {
-///         static SimpleSimulation<MyCore> const one({"my_design", {{"workload.length", 100, "Numbers of a
-///         sample."}}}); return one;
+///         static SimpleSimulation<MyCore> const one({"my_design", {{"workload.length", 100, "Numbers."}}});
+///         return one;
 ///     }
 ///     faster::Design const& faster::design() { return my_design(); }
 ///     faster::SimulatedDesign const& faster::simulated_design() { return my_design(); }

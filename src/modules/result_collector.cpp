@@ -25,7 +25,6 @@ void ResultCollector::run() {
         results_.push_back(receive());
         clock_.stamp();
         clock_.advance(1);
-        clock_.resolve();  // all of the sample is known now: a good moment to give it its cycles
         clock_.end_sample();
     }
 }

@@ -52,8 +52,8 @@ struct Outputs {
           events(io::optional_output_file(request.events)) {}
 
     std::unique_ptr<ResultsFolder> folder;
-    decltype(io::optional_output_file("")) report;
-    decltype(io::optional_output_file("")) events;
+    std::unique_ptr<io::OutputFile> report;
+    std::unique_ptr<io::OutputFile> events;
 };
 
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {

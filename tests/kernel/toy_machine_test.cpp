@@ -225,8 +225,10 @@ TEST_CASE("Timing keys are the steps of the parts that are there", "[machine][co
     config.as<ToyConfig>().answers = false;
     CHECK_FALSE(has(config, "accelerator.fifos.answer.depth"));
     CHECK(has(config, "accelerator.fifos.number.depth"));
-    CHECK_FALSE(applies_to(config, "accelerator.fifos.answer.depth"));
-    CHECK(key_that_decides(config, "accelerator.fifos.answer.depth") == "toy.answers");
+    IdleKeys const idle = idle_keys(config);
+    std::string const* const decider = idle.decider_of("accelerator.fifos.answer.depth");
+    REQUIRE(decider != nullptr);
+    CHECK(*decider == "toy.answers");
 }
 
 TEST_CASE("A file and overrides configure the toy", "[config]") {

@@ -623,8 +623,9 @@ TEST_CASE("Loops keep their keys when buffers move them to another process", "[c
     CHECK(machine.loops[index_of(LoopId::buffered_output)].depth == 5);
     CHECK(sweep.interval.target == 2);
     CHECK(faster::loop_key_name(sweep.timed_by, "ii") == "accelerator.loops.inlier_unit.sweep.ii");
-    CHECK(faster::applies_to(config, "accelerator.loops.inlier_unit.sweep.ii"));
-    CHECK_FALSE(faster::applies_to(config, "accelerator.loops.inlier_unit.extract.ii"));
+    faster::IdleKeys const idle = faster::idle_keys(config);
+    CHECK(idle.decider_of("accelerator.loops.inlier_unit.sweep.ii") == nullptr);
+    CHECK(idle.decider_of("accelerator.loops.inlier_unit.extract.ii") != nullptr);
     CHECK_FALSE(machine.loops[index_of(LoopId::sweep)].is_present);
     CHECK(sweep.is_present);
 }

@@ -6,15 +6,12 @@
 
 #include "kernel/budgets/figures.hpp"
 #include "kernel/budgets/limit.hpp"
+#include "kernel/compare/run_record.hpp"
 
 namespace faster::budgets {
 
 /// A key of the accelerator whose value is not the default one.
-struct Setting {
-    std::string key;
-    std::string value;  ///< as JSON on one line
-    friend bool operator==(Setting const& a, Setting const& b) { return a.key == b.key && a.value == b.value; }
-};
+using Setting = runs::ConfigurationEntry;
 
 /// What a run was when somebody said that it is fine: what a breach is compared with.
 struct Baseline {

@@ -1,8 +1,9 @@
 #include "kernel/budgets/explain.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "kernel/budgets/figure_facts.hpp"
+#include "kernel/compare/setting_changes.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_value.hpp"
 
@@ -38,12 +39,6 @@ runs::Change change_of(Figure const& before, std::optional<std::uint64_t> after)
     return {before.name.substr(0, point), before.name.substr(point + 1), before.value, after};
 }
 
-std::optional<std::string> value_of(std::vector<Setting> const& settings, std::string const& key) {
-    auto const found =
-        std::find_if(settings.begin(), settings.end(), [&key](Setting const& setting) { return setting.key == key; });
-    return found == settings.end() ? std::nullopt : std::optional(found->value);
-}
-
 std::string default_of(std::string const& key) {
     Key const* const found = find_key(key);
     if (found == nullptr)
@@ -51,20 +46,14 @@ std::string default_of(std::string const& key) {
     return plain_text(found->read(RunConfig{}));
 }
 
+/// A key that one of them does not have is at its default there.
 std::vector<runs::SettingChange> setting_changes(std::vector<Setting> const& a, std::vector<Setting> const& b) {
-    std::vector<std::string> keys;
-    for (auto const* const settings : {&a, &b})
-        for (Setting const& setting : *settings)
-            if (std::find(keys.begin(), keys.end(), setting.key) == keys.end())
-                keys.push_back(setting.key);
-    std::vector<runs::SettingChange> changes;
-    for (std::string const& key : keys) {
-        std::string const before = value_of(a, key).value_or(default_of(key));
-        std::string const after = value_of(b, key).value_or(default_of(key));
-        if (before != after)
-            changes.push_back({key, before, after});
-    }
-    return changes;
+    std::vector<runs::SettingChange> rows = runs::joined(a, b);
+    for (runs::SettingChange& row : rows)
+        for (std::optional<std::string>* const value : {&row.a, &row.b})
+            if (!*value)
+                *value = default_of(row.key);
+    return runs::changed(std::move(rows));
 }
 
 }  // namespace

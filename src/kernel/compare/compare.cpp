@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "kernel/compare/figure_changes.hpp"
+#include "kernel/compare/setting_changes.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/figures/column_values.hpp"
 
@@ -49,39 +49,9 @@ std::vector<std::string> notes_on(RunRecord const& a, RunRecord const& b) {
     return notes;
 }
 
-using Settings = std::vector<ConfigurationEntry>;
-
-std::map<std::string, std::string> by_key(Settings const& settings) {
-    std::map<std::string, std::string> values;
-    for (auto const& [key, value] : settings)
-        values[key] = value;
-    return values;
-}
-
-/// Keys of both runs: those of A in their order, with what B says, then those that only B has.
-std::vector<SettingChange> joined(Settings const& a, Settings const& b) {
-    auto const in_a = by_key(a);
-    auto const in_b = by_key(b);
-    std::vector<SettingChange> rows;
-    for (auto const& [key, value] : a) {
-        auto const other = in_b.find(key);
-        rows.push_back({key, value, other == in_b.end() ? std::nullopt : std::optional(other->second)});
-    }
-    for (auto const& [key, value] : b)
-        if (in_a.count(key) == 0)
-            rows.push_back({key, std::nullopt, value});
-    return rows;
-}
-
-std::vector<SettingChange> changed(std::vector<SettingChange> rows) {
-    auto const is_same = [](SettingChange const& row) { return row.a == row.b; };
-    rows.erase(std::remove_if(rows.begin(), rows.end(), is_same), rows.end());
-    return rows;
-}
-
 /// Every core is built alike, so core 0 speaks for all.
-Settings fifo_shapes_of(RunRecord const& run) {
-    Settings settings;
+std::vector<ConfigurationEntry> fifo_shapes_of(RunRecord const& run) {
+    std::vector<ConfigurationEntry> settings;
     for (FifoRow const& fifo : run.fifos) {
         if (fifo.core != 0)
             continue;

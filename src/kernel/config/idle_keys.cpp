@@ -42,14 +42,4 @@ IdleKeys idle_keys(RunConfig const& config) {
     return idle;
 }
 
-bool applies_to(RunConfig const& config, std::string const& key) {
-    return idle_keys(config).decider_of(key) == nullptr;
-}
-
-std::string key_that_decides(RunConfig const& config, std::string const& key) {
-    IdleKeys const idle = idle_keys(config);
-    std::string const* const decider = idle.decider_of(key);
-    return decider == nullptr ? std::string() : *decider;
-}
-
 }  // namespace faster

@@ -33,10 +33,4 @@ class IdleKeys {
 /// All of a configuration: of the parts of the machine that are not there, and Design::idle_keys().
 IdleKeys idle_keys(RunConfig const& config);
 
-/// False for a key that is idle. `key`: dotted name. Of several keys, idle_keys() once is quicker.
-bool applies_to(RunConfig const& config, std::string const& key);
-
-/// Of a key that does not apply: the key whose value takes its part away. Empty for one that does.
-std::string key_that_decides(RunConfig const& config, std::string const& key);
-
 }  // namespace faster

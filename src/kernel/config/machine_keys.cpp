@@ -11,7 +11,6 @@ namespace faster {
 namespace {
 
 constexpr IntegerRange cycles_range{1, 1'000'000};
-constexpr std::uint64_t default_fifo_depth = 2;
 
 template <class Value> Value value_or(std::optional<Value> const& value, Value otherwise) {
     return value.value_or(otherwise);
@@ -106,7 +105,7 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
     keys.push_back(step_key(
         {fifo_key_name(name, "depth"), "tokens",
          fmt::format("Depth of the FIFO: {}.", writing_end(core, name).end.tokens), "HLS default"},
-        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, default_fifo_depth));
+        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
          "How the FIFO is built; auto is a shift register up to depth 2, else a memory.", "timing model"},
@@ -222,18 +221,6 @@ Key clock_key(std::string source) {
         {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
         {0, std::numeric_limits<double>::infinity(), true},
         [](auto& settings) -> auto& { return settings.clock_mhz; }));
-}
-
-std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop) {
-    return loop.timed_by.empty() ? module.name + '.' + loop.name : loop.timed_by;
-}
-
-std::string keyed_loop(ModuleDescription const& module, std::string const& loop) {
-    auto const found = std::find_if(module.loops.begin(), module.loops.end(),
-                                    [&loop](LoopDescription const& one) { return one.name == loop; });
-    if (found == module.loops.end())
-        throw std::logic_error("module " + module.name + " has no loop " + loop);
-    return keyed_loop(module, *found);
 }
 
 }  // namespace faster

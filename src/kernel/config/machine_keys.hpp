@@ -30,9 +30,4 @@ template <class Config, class Field> Key architecture_key(std::string source, Fi
     return key;
 }
 
-/// "MODULE.LOOP" whose keys time a loop of a module.
-std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop);
-/// The same by the loop's name within the module.
-std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
-
 }  // namespace faster

@@ -113,7 +113,7 @@ class Maker {
         decide(fifo, written.decided_by.empty() ? read.decided_by : written.decided_by);
         fifo.writer = written.module;
         fifo.reader = read.module;
-        fifo.depth = settings.depth.value_or(2);
+        fifo.depth = settings.depth.value_or(FifoSettings::default_depth);
         fifo.configured_kind = settings.kind.value_or(FifoKind::automatic);
         fifo.kind = resolved_kind(fifo.configured_kind, fifo.depth);
         fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
@@ -149,8 +149,7 @@ class Maker {
         decide(loop, first_failing(core_.modules[module].conditions, description.conditions));
         loop.process = module;
         loop.is_listed = description.is_listed;
-        loop.timed_by =
-            description.timed_by.empty() ? core_.modules[module].name + '.' + description.name : description.timed_by;
+        loop.timed_by = keyed_loop(core_.modules[module], description);
         LoopSettings const settings = settings_.loop(loop.timed_by);
         std::vector<timing::BramDemand> demands;
         for (MachineMemory const& memory : machine_.memories)
@@ -267,6 +266,18 @@ std::size_t Machine::loop(std::size_t process, std::string_view name) const {
     if (found == loops.end())
         throw std::out_of_range("module " + processes[process].name + " has no loop " + std::string(name));
     return static_cast<std::size_t>(found - loops.begin());
+}
+
+std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop) {
+    return loop.timed_by.empty() ? module.name + '.' + loop.name : loop.timed_by;
+}
+
+std::string keyed_loop(ModuleDescription const& module, std::string const& loop) {
+    auto const found = std::find_if(module.loops.begin(), module.loops.end(),
+                                    [&loop](LoopDescription const& one) { return one.name == loop; });
+    if (found == module.loops.end())
+        throw std::logic_error("module " + module.name + " has no loop " + loop);
+    return keyed_loop(module, *found);
 }
 
 Machine make_machine(CoreDescription const& core, MachineSettings const& settings) {

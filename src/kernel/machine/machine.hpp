@@ -120,6 +120,11 @@ struct Machine {
 /// Resolves what a configuration asks of a design.
 Machine make_machine(CoreDescription const& core, MachineSettings const& settings);
 
+/// "MODULE.LOOP" whose keys time a loop of a module.
+std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop);
+/// The same by the loop's name within the module. Errors: std::logic_error if it has no such loop.
+std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
+
 /// Numbers of the parts that are there, in order.
 std::vector<std::size_t> modules_of(Machine const& machine);
 std::vector<std::size_t> fifos_of(Machine const& machine);

@@ -51,8 +51,6 @@ class FifoTiming {
     End end(bool writes) { return writes ? rules_.writer() : rules_.reader(); }
     void note(bool writes, std::uint64_t count) { writes ? note_writes(count) : note_reads(count); }
 
-    void add_full_stall(Cycles cycles) { full_stall_cycles_ += cycles; }
-    void add_empty_stall(Cycles cycles) { empty_stall_cycles_ += cycles; }
     void add_stall(bool writes, Cycles cycles) { (writes ? full_stall_cycles_ : empty_stall_cycles_) += cycles; }
 
   private:

@@ -19,6 +19,11 @@ template <> struct EnumNames<FifoKind> {
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
 };
 
+template <> struct EnumNames<WhenFull> {
+    static constexpr std::array<std::pair<WhenFull, char const*>, 2> all{
+        {{WhenFull::freeze, "freeze"}, {WhenFull::squeeze, "squeeze"}}};
+};
+
 template <> struct EnumNames<PartitionType> {
     static constexpr std::array<std::pair<PartitionType, char const*>, 3> all{
         {{PartitionType::none, "none"}, {PartitionType::cyclic, "cyclic"}, {PartitionType::block, "block"}}};

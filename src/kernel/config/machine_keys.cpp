@@ -100,6 +100,19 @@ void add_stage_keys(Keys& keys, CoreDescription const& core, std::string const& 
             stages, fifo, [](auto& settings) -> auto& { return settings.read_stage; }, *taken->end.read_stage));
 }
 
+/// Of the module that has a flushing pipeline.
+void add_flushing_keys(Keys& keys, ModuleDescription const& module) {
+    for (FifoEnd const& end : module.ends)
+        if (end.flushes)
+            keys.push_back(choice_key(
+                {"accelerator." + module.name + ".when_full", "",
+                 "What the pipeline does while the FIFO behind it is full: freeze with its bubbles, or let its results "
+                 "close up, which takes a FIFO as deep as the pipeline besides.",
+                 "SPEC 3"},
+                [name = end.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
+                [](auto& settings) -> auto& { return settings.when_full; }, WhenFull::freeze));
+}
+
 void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
     auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
     keys.push_back(step_key(
@@ -199,6 +212,8 @@ Keys machine_keys(CoreDescription const& core) {
     Keys keys;
     for (std::string const& fifo : core.fifos)
         add_fifo_keys(keys, core, fifo);
+    for (ModuleDescription const& module : core.modules)
+        add_flushing_keys(keys, module);
     for (ModuleDescription const& module : core.modules)
         add_loops_keys(keys, module);
     for (ModuleDescription const& module : core.modules)

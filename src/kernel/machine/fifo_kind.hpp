@@ -8,6 +8,10 @@ namespace faster {
 /// How a FIFO is built (SPEC section 3): decides its capacity and read latency.
 enum class FifoKind { automatic, shift_register, memory };
 
+/// What a flushing pipeline does whose FIFO is full (SPEC section 3, AreaReciprocal): freeze with its bubbles, or let
+/// its tokens close up, as stages that each take a token whenever they are empty do.
+enum class WhenFull { freeze, squeeze };
+
 /// A kind with `automatic` decided: shift register up to depth 2, memory above.
 constexpr FifoKind resolved_kind(FifoKind kind, std::uint64_t depth) {
     if (kind != FifoKind::automatic)

@@ -120,6 +120,7 @@ class Maker {
         if (read.end->read_stage)
             fifo.read_stage = settings.read_stage.value_or(*read.end->read_stage);
         fifo.flushes = written.end->flushes;
+        fifo.when_full = settings.when_full.value_or(WhenFull::freeze);
         fifo.bits = fifo.is_present ? written.end->bits : 0;
         machine_.fifos.push_back(std::move(fifo));
     }
@@ -242,7 +243,8 @@ timing::FifoShape MachineFifo::shape() const {
     shape.read_latency = read_latency_of(kind);
     shape.write_latency = write_latency;
     shape.read_stage = read_stage;
-    shape.issue_latency = flushes ? write_latency : 0;
+    if (flushes)
+        (when_full == WhenFull::freeze ? shape.flushing_stages : shape.issue_latency) = write_latency;
     return shape;
 }
 

@@ -52,7 +52,8 @@ struct MachineFifo {
     Cycles write_latency = 0;
     Cycles read_stage = 0;
     bool flushes = false;
-    unsigned bits = 0;  ///< of a token; 0: not there
+    WhenFull when_full = WhenFull::freeze;  ///< if it flushes
+    unsigned bits = 0;                      ///< of a token; 0: not there
 
     /// As the timing sees it (SPEC section 3, FIFO).
     timing::FifoShape shape() const;

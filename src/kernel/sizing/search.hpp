@@ -8,14 +8,14 @@
 
 namespace faster::sizing {
 
-/// The FIFOs as they are configured: which kinds they may be built in, and how wide they are.
+/// The FIFOs as they are configured: how they may be built, and how wide they are.
 struct FifoFrame {
-    std::vector<FifoKind> kinds;
+    Freedoms freedoms;
     std::vector<unsigned> bits;  ///< of a token; 0: the FIFO is not there
     CostWeights weights;
 
     FifoFrame(Machine const& machine, CostWeights const& weights);
-    std::size_t fifos() const { return kinds.size(); }
+    std::size_t fifos() const { return freedoms.size(); }
 };
 
 /// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.

@@ -20,7 +20,7 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 Choice holding(Choice choice, FifoFrame const& frame) {
     for (std::size_t i = 0; i < choice.size(); ++i) {
         auto const same_primitives = [&](std::uint64_t depth) {
-            FifoChoice const deeper = choice_of(frame.kinds[i], depth);
+            FifoChoice const deeper = frame.freedoms[i].at_depth(depth);
             return deeper.kind == choice[i].kind &&
                    primitives_of(deeper.kind, depth, frame.bits[i], frame.weights) ==
                        primitives_of(deeper.kind, choice[i].depth, frame.bits[i], frame.weights);

@@ -28,6 +28,14 @@ Json depths(Choice const& choice, Machine const& machine) {
     return json;
 }
 
+/// An unbounded `auto` FIFO is a memory, however shallow.
+Json kinds(Choice const& choice, Machine const& machine) {
+    Json json;
+    for (std::size_t const i : fifos_of(machine))
+        json[machine.fifos[i].name] = choice_name(choice[i].kind);
+    return json;
+}
+
 Json summary(SizedChoice const& choice, Machine const& machine) {
     Json json;
     json["total_cycles"] = cycles_or_null(choice.total_cycles);
@@ -37,6 +45,7 @@ Json summary(SizedChoice const& choice, Machine const& machine) {
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
     json["depths"] = depths(choice.choice, machine);
+    json["kinds"] = kinds(choice.choice, machine);
     return json;
 }
 

@@ -155,7 +155,7 @@ struct FlushingUnit {
 
 TEST_CASE("A flushing pipeline freezes with its bubbles while there is no room behind it", "[timing]") {
     FlushingUnit machine(4, 1);
-    for (Cycles const written : {9, 11, 14})  // read in 10, 12 and 15
+    for (Cycles const written : std::vector<Cycles>{9, 11, 14})  // read in 10, 12 and 15
         machine.divide(written);
     CHECK(machine.out.writes() == 1);  // in 14
     CHECK(machine.out.known_reads() == 1);

@@ -138,13 +138,14 @@ BopFolder::BopFolder() {
     write("models/obj_000001.ply", ply_of(make_box()));
     write("models/obj_000005.ply", ply_of(make_cylinder()));
     write("models/models_info.json", models_info);
-    write("camera.json", R"({"cx": 31.5, "cy": 23.5, "depth_scale": 0.1, "fx": 60, "fy": 61, "height": 48, "width": 64})");
+    write("camera.json",
+          R"({"cx": 31.5, "cy": 23.5, "depth_scale": 0.1, "fx": 60, "fy": 61, "height": 48, "width": 64})");
     write("test_targets_bop19.json", targets());
     std::string const camera = R"({"cam_K": [60.0, 0.0, 31.5, 0.0, 61.0, 23.5, 0.0, 0.0, 1.0], "depth_scale": 0.1})";
     for (std::string const scene : {"test/000001/", "test/000002/"}) {
         write(scene + "scene_camera.json", per_image(camera, camera));
-        write(scene + "scene_gt.json", per_image("[" + gt_of(1, 0) + ", " + gt_of(5, 0) + "]",
-                                                 "[" + gt_of(1, 3) + ", " + gt_of(5, 3) + "]"));
+        write(scene + "scene_gt.json",
+              per_image("[" + gt_of(1, 0) + ", " + gt_of(5, 0) + "]", "[" + gt_of(1, 3) + ", " + gt_of(5, 3) + "]"));
         write(scene + "scene_gt_info.json", per_image("[" + gt_info_of(1) + ", " + gt_info_of(1) + "]",
                                                       "[" + gt_info_of(0.5) + ", " + gt_info_of(1) + "]"));
         for (int const im_id : {0, 3})

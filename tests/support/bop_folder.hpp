@@ -27,7 +27,7 @@ class BopFolder {
     static constexpr int cylinder = 5;
     static constexpr double depth_unit_m = 1e-4;
     static Camera camera() { return {64, 48, 60, 61, 31.5, 23.5}; }
-    static Mesh mesh_of(int obj_id);            ///< [m]
+    static Mesh mesh_of(int obj_id);             ///< [m]
     static Pose pose_of(int obj_id, int im_id);  ///< the same in both scenes [m]
 
   private:

@@ -236,8 +236,8 @@ TEST_CASE("Detections that are written are read back, and masks are skipped", "[
     CHECK(back[0].score == 0.968);
     CHECK(back[1].obj_id == 17);
     CHECK(back[1].time_s == -1);
-    auto const masked = read_detections(folder.write(
-        "m.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 3, "score": 0.5, "bbox": [1, 2, 3, 4],
+    auto const masked = read_detections(
+        folder.write("m.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 3, "score": 0.5, "bbox": [1, 2, 3, 4],
                        "segmentation": {"counts": [1, 2], "size": [480, 640]}}])"));
     CHECK(masked[0].time_s == -1);
     CHECK_THAT(input_error_text([&] { read_detections(folder.write("b.json", R"([{"scene_id": 1}])")); }),

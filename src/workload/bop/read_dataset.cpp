@@ -59,8 +59,8 @@ fs::path split_of(fs::path const& folder, std::string const& wanted) {
         io::fail(folder, "holds no scenes, expected a dataset of BOP (SPLIT/NNNNNN/scene_camera.json), or frames.json");
     std::string const name = wanted.empty() && splits.size() == 1 ? splits.front() : wanted.empty() ? "test" : wanted;
     if (std::find(splits.begin(), splits.end(), name) == splits.end())
-        io::fail(folder, fmt::format("has no split {}, expected --split with one of {}", name,
-                                     fmt::join(splits, ", ")));
+        io::fail(folder,
+                 fmt::format("has no split {}, expected --split with one of {}", name, fmt::join(splits, ", ")));
     return folder / name;
 }
 
@@ -206,8 +206,8 @@ ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string cons
     std::vector<int> known;
     for (auto const& [id, model] : dataset.models)
         known.push_back(id);
-    throw InputError(fmt::format("{}: obj_id = {}, expected one of the dataset's: {}", place, obj_id,
-                                 fmt::join(known, ", ")));
+    throw InputError(
+        fmt::format("{}: obj_id = {}, expected one of the dataset's: {}", place, obj_id, fmt::join(known, ", ")));
 }
 
 ImageBox projected_box(Mesh const& mesh, Pose const& pose, Camera const& camera) {

@@ -124,8 +124,8 @@ DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<i
     DatasetImage image;
     image.id.im_id = number_of(node.at("id"));
     JsonNode const k = node.at("intrinsics");
-    image.camera = {node.at("width").integer(1), node.at("height").integer(1), k.at("fx").number_above_zero(),
-                    k.at("fy").number_above_zero(), k.at("cx").number(), k.at("cy").number()};
+    image.camera = {node.at("width").integer(1),    node.at("height").integer(1), k.at("fx").number_above_zero(),
+                    k.at("fy").number_above_zero(), k.at("cx").number(),          k.at("cy").number()};
     image.depth_unit_m = node.at("depth_unit_m").number_above_zero();
     image.depth = folder / node.at("depth").text();
     for (JsonNode const& object : node.at("objects").items())

@@ -39,8 +39,7 @@ std::vector<InstanceErrors> instances_of(Judgement const& judgement, int obj_id)
     return found;
 }
 
-std::vector<double> ascending_up_to_limit(std::vector<InstanceErrors> const& instances,
-                                          double InstanceErrors::*error) {
+std::vector<double> ascending_up_to_limit(std::vector<InstanceErrors> const& instances, double InstanceErrors::*error) {
     std::vector<double> errors;
     for (InstanceErrors const& instance : instances) {
         if (instance.*error <= largest_add_m)

@@ -41,8 +41,8 @@ void check_methods(std::vector<std::string> const& files) {
         if (name.find(',') != std::string::npos)
             throw InputError(file + ": has a comma in its name, expected none: the name is that of the method");
         if (!names.insert(name).second)
-            throw InputError(fmt::format("{}: another file is called {} as well, expected each method once", file,
-                                         name));
+            throw InputError(
+                fmt::format("{}: another file is called {} as well, expected each method once", file, name));
     }
 }
 

@@ -55,6 +55,11 @@ template <class Line> std::string by_object(Evaluation const& evaluation, std::s
     return lines;
 }
 
+std::string filter_words(Evaluation const& evaluation) {
+    return evaluation.visible_from > 0 ? fmt::format(", each at least {:g} % visible", 100 * evaluation.visible_from)
+                                       : "";
+}
+
 std::string notes(Evaluation const& evaluation) {
     std::string text;
     for (JudgedMethod const& method : evaluation.methods) {
@@ -81,9 +86,9 @@ std::string steps(AccuracyCurve const& curve, char const* error, std::vector<dou
 
 std::string evaluation_markdown(Evaluation const& evaluation) {
     std::string text =
-        fmt::format("{}: {} instances in {} images\nPer cent, and 95 % of {} bootstraps over the images, seed {}\n\n",
-                    evaluation.dataset, evaluation.rows.back().instances, evaluation.images, evaluation.replicates,
-                    evaluation.seed);
+        fmt::format("{}: {} instances in {} images{}\nPer cent, and 95 % of {} bootstraps over the images, seed {}\n\n",
+                    evaluation.dataset, evaluation.rows.back().instances, evaluation.images, filter_words(evaluation),
+                    evaluation.replicates, evaluation.seed);
     text += header({"object", "method", "instances", "estimated"}) + by_object(evaluation, 0, score_line);
     if (evaluation.methods.size() > 1) {
         text += fmt::format("\nPoints more than {}, on the same draws\n\n", evaluation.methods.front().name);

@@ -21,9 +21,7 @@ std::string page() {
     bop::Dataset dataset;
     dataset.folder = "<i>data</i>";
     dataset.models[1].name = "</script>";
-    for (int im_id : {0, 1, 2})
-        dataset.targets.push_back({{1, im_id}, 1, 1});
-    return evaluation_html(evaluate(dataset, {method("one", 0.01), method("two", 0.03)}, 1, 10));
+    return evaluation_html(evaluate(dataset, {method("one", 0.01), method("two", 0.03)}, {0, 1, 10}));
 }
 
 }  // namespace

@@ -98,6 +98,14 @@ TEST_CASE("evaluate takes models from elsewhere", "[evaluate]") {
     require_done(workspace.evaluate({"right.csv", "--models", "elsewhere", "DATASET"}));
 }
 
+TEST_CASE("evaluate leaves out what is hidden, if told to", "[evaluate]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.evaluate({"right.csv", "DATASET", "--visible-from", "0.6"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("6 instances in 4 images, each at least 60 % visible"));
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--visible-from", "1.5"}), {"--visible-from"});
+}
+
 TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[evaluate]") {
     Workspace const workspace;
     std::string const row = "1,0,1,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n";

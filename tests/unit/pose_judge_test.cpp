@@ -57,7 +57,7 @@ Evaluation two_methods(Dataset const& dataset, std::size_t jobs = 2) {
     return evaluate(dataset,
                     {{"good", judged(dataset, shifted_truths(dataset, 0.001), jobs), 0.5},
                      {"worse", judged(dataset, worse, jobs), -1}},
-                    3, 200);
+                    {0, 3, 200});
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ TEST_CASE("An instance without an estimate is infinitely far off", "[pose_judge]
     CHECK(std::isinf(none.instances[0].add_m));
     CHECK(none.instances[0].mssd_hits == 0);
     CHECK(none.instances[2].visible_share == 0.5);
-    Evaluation const evaluation = evaluate(dataset, {{"none", none, -1}}, 1, 10);
+    Evaluation const evaluation = evaluate(dataset, {{"none", none, -1}}, {0, 1, 10});
     for (ScoreRow const& row : evaluation.rows) {
         CHECK(row.estimated == 0);
         for (Interval const& score : row.scores)
@@ -182,6 +182,20 @@ TEST_CASE("Rows are objects, all and their mean, and methods are compared on the
     CHECK(difference.high == Approx(-100));
     for (Interval const& none : row_of(evaluation, "good", "all").more_than_first)
         CHECK((none.low == 0 && none.high == 0));
+}
+
+TEST_CASE("Instances that are hidden too much can be left out", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Judgement const judgement = judged(dataset, shifted_truths(dataset, 0.01));
+    auto const visible_from = [&](double share) { return evaluate(dataset, {{"m", judgement, -1}}, {share, 1, 10}); };
+    CHECK(row_of(visible_from(0.5), "m", "obj_000001").instances == 4);
+    CHECK(row_of(visible_from(0.51), "m", "obj_000001").instances == 2);  // hidden by half in two images
+    CHECK(row_of(visible_from(0.51), "m", "all").instances == 6);
+    Judgement of_unknown = judgement;
+    for (InstanceErrors& instance : of_unknown.instances)
+        instance.visible_share.reset();
+    CHECK(evaluate(dataset, {{"m", of_unknown, -1}}, {1, 1, 10}).rows.back().instances == 8);
 }
 
 TEST_CASE("The same seed gives the same bytes, whatever the threads", "[pose_judge]") {

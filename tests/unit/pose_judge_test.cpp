@@ -184,6 +184,20 @@ TEST_CASE("Rows are objects, all and their mean, and methods are compared on the
         CHECK((none.low == 0 && none.high == 0));
 }
 
+TEST_CASE("What two methods both miss does not part them in any draw", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Estimates near = shifted_truths(dataset, 0.001), far = shifted_truths(dataset, 0.03);
+    for (Estimates* const estimates : {&near, &far})
+        estimates->erase(estimates->begin(), estimates->begin() + 2);  // all of the first image
+    Evaluation const evaluation =
+        evaluate(dataset, {{"near", judged(dataset, near), -1}, {"far", judged(dataset, far), -1}}, {0, 3, 200});
+    ScoreRow const& row = row_of(evaluation, "far", "all");
+    CHECK(row.scores[5].high - row.scores[5].low > 20);  // ADD below 4 cm
+    CHECK(row.more_than_first[5].low == 0);
+    CHECK(row.more_than_first[5].high == 0);
+}
+
 TEST_CASE("Instances that are hidden too much can be left out", "[pose_judge]") {
     BopFolder const folder;
     Dataset const dataset = bop::read_dataset(folder.path());

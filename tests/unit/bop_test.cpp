@@ -180,6 +180,10 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         CHECK_THAT(complaint(folder), Catch::StartsWith("test/000001/scene_gt.json: 0[0].cam_R_m2c = an array of 9, "
                                                         "expected a rotation"));
     }
+    SECTION("an object of no number") {
+        folder.replace("test/000001/scene_gt.json", "\"obj_id\": 1", "\"obj_id\": 0");
+        CHECK(complaint(folder) == "test/000001/scene_gt.json: 0[0].obj_id = 0, expected an integer from 1");
+    }
     SECTION("an image without a camera") {
         folder.replace("test/000001/scene_gt.json", "\"3\"", "\"4\"");
         CHECK(complaint(folder) ==

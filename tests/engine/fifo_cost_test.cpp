@@ -21,8 +21,8 @@ Primitives primitives(FifoKind kind, std::uint64_t depth, unsigned bits) {
     return primitives_of(kind, depth, bits, CostWeights());
 }
 
-double cost(Choice const& choice, std::vector<unsigned> const& bits) {
-    return cost_of(sum_of(choice, bits, CostWeights()), CostWeights());
+double cost(Choice const& choice, std::vector<FifoTokens> const& tokens) {
+    return cost_of(sum_of(choice, tokens, CostWeights()), CostWeights());
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ TEST_CASE("Levels are the deepest choices of each price, for every depth", "[siz
     for (FifoKind const kind : {FifoKind::automatic, srl, memory})
         for (unsigned const bits : {1U, 2U, 11U, 34U, 48U}) {
             CAPTURE(static_cast<int>(kind), bits);
-            std::vector<Level> const levels = levels_of(kind, bits, 3000, CostWeights());
+            std::vector<Level> const levels = levels_of(kind, {bits}, 3000, CostWeights());
             for (std::uint64_t depth = 1; depth <= 3000; ++depth) {
                 FifoChoice const choice = choice_of(kind, depth);
                 Primitives const needed = primitives(choice.kind, depth, bits);
@@ -98,14 +98,14 @@ TEST_CASE("Levels are the deepest choices of each price, for every depth", "[siz
 }
 
 TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
-    std::vector<unsigned> const bits(fifo_count, 20);
+    std::vector<FifoTokens> const tokens(fifo_count, {20});
     for (unsigned seed = 1; seed <= 150; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         constexpr std::size_t free = 4;  // the others have one level
         Levels levels(fifo_count);
         for (std::size_t i = 0; i < fifo_count; ++i)
-            levels[i] = levels_of(FifoKind::automatic, bits[i], i < free ? 100 + random() % 900 : 1, CostWeights());
+            levels[i] = levels_of(FifoKind::automatic, tokens[i], i < free ? 100 + random() % 900 : 1, CostWeights());
         std::vector<Cut> cuts(random() % 8);
         for (Cut& cut : cuts)
             for (std::size_t i = 0; i < free; ++i)
@@ -121,13 +121,14 @@ TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
                     for (Level const& d : levels[3]) {
                         choice[0] = a.choice, choice[1] = b.choice, choice[2] = c.choice, choice[3] = d.choice;
                         auto const escaped = [&choice](Cut const& cut) { return cut.is_escaped(choice); };
-                        if (std::all_of(cuts.begin(), cuts.end(), escaped) && (least < 0 || cost(choice, bits) < least))
-                            least = cost(choice, bits);
+                        if (std::all_of(cuts.begin(), cuts.end(), escaped) &&
+                            (least < 0 || cost(choice, tokens) < least))
+                            least = cost(choice, tokens);
                     }
         auto const found = cheapest_choice(levels, cuts);
         REQUIRE(found.has_value() == (least >= 0));
         if (found)
-            CHECK(cost(*found, bits) == Approx(least));
+            CHECK(cost(*found, tokens) == Approx(least));
     }
 }
 

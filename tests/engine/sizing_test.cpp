@@ -96,7 +96,7 @@ class BruteForce {
     BruteForce(Case const& of, Sizing const& sizing) : case_(of), sizing_(sizing) {
         for (std::size_t i = 0; i < fifo_count; ++i) {
             std::uint64_t const depth = std::max<std::uint64_t>(3, sizing.unbounded.choice[i].depth);
-            levels_[i] = levels_of(fifo_of(of.config, fifo_ids[i]).kind, sizing.machine.fifos[i].bits, depth,
+            levels_[i] = levels_of(fifo_of(of.config, fifo_ids[i]).kind, tokens_of(sizing.machine.fifos[i]), depth,
                                    sizing.options.weights);
         }
         for (std::size_t i = fifo_count; i-- > 0;)

@@ -25,13 +25,14 @@ std::vector<Range> ranges_of(FifoKind configured, std::uint64_t depth) {
 }
 
 /// The deepest that the primitives of `depth` hold.
-std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, unsigned bits, CostWeights const& weights) {
-    Primitives const primitives = primitives_of(range.kind, depth, bits, weights);
+std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, FifoTokens const& tokens,
+                              CostWeights const& weights) {
+    Primitives const primitives = primitives_of({range.kind, depth}, tokens, weights);
     std::uint64_t same = depth;
     std::uint64_t other = range.deepest + 1;
     while (other - same > 1) {
         std::uint64_t const middle = (same + other) / 2;
-        (primitives_of(range.kind, middle, bits, weights) == primitives ? same : other) = middle;
+        (primitives_of({range.kind, middle}, tokens, weights) == primitives ? same : other) = middle;
     }
     return same;
 }
@@ -39,6 +40,15 @@ std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, unsigned 
 }  // namespace
 
 FifoChoice choice_of(FifoKind configured, std::uint64_t depth) { return {resolved_kind(configured, depth), depth}; }
+
+FifoTokens tokens_of(MachineFifo const& fifo) {
+    bool const squeezes = fifo.flushes && fifo.when_full == WhenFull::squeeze;
+    return {fifo.bits, squeezes ? fifo.write_latency : 0};
+}
+
+Primitives primitives_of(FifoChoice const& choice, FifoTokens const& tokens, CostWeights const& weights) {
+    return primitives_of(choice.kind, choice.depth + tokens.besides, tokens.bits, weights);
+}
 
 Choice choice_of(Machine const& machine) {
     Choice choice;
@@ -65,12 +75,13 @@ MachineSettings with_choice(MachineSettings settings, Machine const& machine, Ch
     return settings;
 }
 
-std::vector<Level> levels_of(FifoKind configured, unsigned bits, std::uint64_t depth, CostWeights const& weights) {
+std::vector<Level> levels_of(FifoKind configured, FifoTokens const& tokens, std::uint64_t depth,
+                             CostWeights const& weights) {
     std::vector<Level> levels;
     for (Range const& range : ranges_of(configured, depth))
         for (std::uint64_t next = range.shallowest; next <= range.deepest;) {
-            std::uint64_t const deepest = deepest_at_cost(range, next, bits, weights);
-            Primitives const primitives = primitives_of(range.kind, deepest, bits, weights);
+            std::uint64_t const deepest = deepest_at_cost(range, next, tokens, weights);
+            Primitives const primitives = primitives_of({range.kind, deepest}, tokens, weights);
             levels.push_back({{range.kind, deepest}, primitives, cost_of(primitives, weights)});
             next = deepest + 1;
         }

@@ -8,7 +8,7 @@
 namespace faster::sizing {
 
 /// How one FIFO is built: a resolved kind and a depth. What it means for time is a capacity and a read latency (SPEC
-/// section 3); more of the first and less of the second never makes a run longer.
+/// section 3).
 struct FifoChoice {
     FifoKind kind = FifoKind::shift_register;
     std::uint64_t depth = 1;
@@ -20,6 +20,15 @@ struct FifoChoice {
         return kind != other.kind ? kind < other.kind : depth < other.depth;
     }
 };
+
+/// What a FIFO has room for.
+struct FifoTokens {
+    unsigned bits = 0;          ///< of a token; 0: the FIFO is not there
+    std::uint64_t besides = 0;  ///< tokens besides those of its depth: one per stage of a pipeline that squeezes
+};
+
+FifoTokens tokens_of(MachineFifo const& fifo);
+Primitives primitives_of(FifoChoice const& choice, FifoTokens const& tokens, CostWeights const& weights);
 
 /// All FIFOs of a core by their numbers in the machine, which all cores have alike.
 using Choice = std::vector<FifoChoice>;
@@ -44,6 +53,7 @@ struct Level {
 };
 
 /// The levels of a FIFO of a configured kind, the cheapest first. No deeper than `depth`.
-std::vector<Level> levels_of(FifoKind configured, unsigned bits, std::uint64_t depth, CostWeights const& weights);
+std::vector<Level> levels_of(FifoKind configured, FifoTokens const& tokens, std::uint64_t depth,
+                             CostWeights const& weights);
 
 }  // namespace faster::sizing

@@ -27,10 +27,11 @@ bool may_be_shift_register(FifoKind configured) { return configured != FifoKind:
 
 }  // namespace
 
-FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights) : weights(cost_weights) {
+FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights)
+    : freezing(freezing_fifos(machine)), weights(cost_weights) {
     for (MachineFifo const& fifo : machine.fifos) {
         kinds.push_back(fifo.configured_kind);
-        bits.push_back(fifo.bits);
+        tokens.push_back(tokens_of(fifo));
     }
 }
 
@@ -57,7 +58,19 @@ Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
     return smaller;
 }
 
-Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+/// What holds others up because it freezes; false: nothing that could be deeper.
+bool deepen_frozen(Choice& choice, std::vector<std::size_t> const& freezing, CoreTimes const& times) {
+    Cut full;
+    for (std::size_t const fifo : freezing)
+        if (times.was_full(choice, fifo))
+            full.members.push_back({fifo, choice[fifo].capacity(), false});
+    return deepen(choice, full);
+}
+
+namespace {
+
+/// On the relaxed machine.
+Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     Unbounded result;
     for (FifoKind const kind : frame.kinds)
         result.choice.push_back(choice_of(kind, first_depth));
@@ -69,23 +82,33 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
         result.last_core = 0;
         while (times.cycles(result.last_core, result.choice) != result.total_cycles)
             ++result.last_core;
-        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice));
+        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice)) &&
+                  !deepen_frozen(result.choice, frame.freezing, times);
     }
     result.choice = without_spare_room(result.choice, times);
     return result;
 }
 
-Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
-               std::size_t most_retimings)
+}  // namespace
+
+Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    Unbounded result = relaxed_unbounded(frame, times.relaxed(), jobs);
+    result.total_cycles = times.total_cycles(result.choice, jobs);
+    return result;
+}
+
+Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, SearchOptions const& options,
+               Search const* relaxed)
     : frame_(frame),
       times_(times),
       unbounded_(unbounded),
-      jobs_(std::max(1U, jobs)),
-      most_retimings_(most_retimings),
+      options_(options),
+      relaxed_(relaxed),
+      jobs_(std::max(1U, options.jobs)),
       strict_core_(unbounded.last_core) {
     for (std::size_t i = 0; i < frame.fifos(); ++i) {
-        std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
-        levels_.push_back(levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights));
+        std::uint64_t const most = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
+        levels_.push_back(levels_of(frame.kinds[i], frame.tokens[i], most, frame.weights));
     }
 }
 
@@ -101,11 +124,11 @@ std::size_t Search::broken_core(Choice const& choice, Cycles bound) {
 bool Search::is_within(Choice const& choice, Cycles bound) { return broken_core(choice, bound) == times_.cores(); }
 
 double Search::cost_of_choice(Choice const& choice) const {
-    return cost_of(sum_of(choice, frame_.bits, frame_.weights), frame_.weights);
+    return cost_of(sum_of(choice, frame_.tokens, frame_.weights), frame_.weights);
 }
 
 std::vector<Cut> Search::cuts_against(Cycles bound) const {
-    std::vector<Cut> cuts;
+    std::vector<Cut> cuts = relaxed_ == nullptr ? std::vector<Cut>() : relaxed_->cuts_against(bound);
     std::copy_if(cuts_.begin(), cuts_.end(), std::back_inserter(cuts),
                  [bound](Cut const& cut) { return cut.total_cycles > bound; });
     return cuts;
@@ -120,10 +143,11 @@ Found Search::cheapest(Cycles bound) {
         found.choice = *choice;
         found.least_cost = cost_of_choice(*choice);
         found.is_proven = !learn(*choice, bound);
-        if (found.is_proven || times_.retimed_cores() >= most_retimings_)
+        if (found.is_proven || times_.retimed_cores() >= options_.most_retimings)
             break;
     }
-    if (!found.is_proven)
+    found.is_given_up = !found.is_proven;
+    if (found.is_given_up)
         found.choice = descend(bound);
     return found;
 }
@@ -153,6 +177,8 @@ bool Search::learn(Choice const& choice, Cycles bound) {
 /// Of the strict core: those of the last cut, if they are to blame again and that is found out sooner. Who they are
 /// makes no difference to what is found in the end.
 Cut Search::suspects(Choice const& choice, Cycles bound) {
+    if (options_.has_repeatable_cuts)
+        return times_.suspects(strict_core_, choice, bound).value();
     Cut same = cuts_.empty() ? Cut() : cuts_.back();
     for (Cut::Member& member : same.members) {
         FifoChoice const& fifo = choice[member.fifo];
@@ -191,6 +217,13 @@ Choice Search::corner(Cut const& cut) const {
     return choice;
 }
 
+/// Where times are not monotone, one that does not depend on the jobs.
+std::size_t Search::last(std::size_t count, unsigned jobs, Monotone const& monotone) const {
+    if (times_.is_monotone())
+        return last_that_holds(count, jobs, monotone);
+    return last_before_failing(count, jobs, [&](std::size_t i) { return monotone.holds(i, nullptr).value(); });
+}
+
 /// As many choices as can be ruled out with a cut that the bound is broken by.
 Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
     drop_members(cut, core, bound);
@@ -198,7 +231,8 @@ Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
         if (cut.members[i].capacity > 0)
             deepen_member(cut, i, core, bound);
     // That it breaks the bound may be known from a choice that is no slower, and nothing more.
-    cut.total_cycles = std::max(bound + 1, times_.least_cycles(core, corner(cut)));
+    Cycles const least = options_.has_repeatable_cuts ? 0 : times_.least_cycles(core, corner(cut));
+    cut.total_cycles = std::max(bound + 1, least);
     return cut;
 }
 
@@ -244,8 +278,9 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
     Monotone const breaks{
         [&](std::size_t i, auto const& is_obsolete) { return times_.exceeds(core, corner_at(i), bound, is_obsolete); },
         [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
-    std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
-    cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
+    std::size_t const deepest = last(capacities.size(), jobs_, breaks);
+    cut.members[member].capacity =
+        deepest + 1 < capacities.size() ? capacities[deepest] : 0;  // however deep: it is too slow
 }
 
 /// From unbounded FIFOs down, one after the other, until none can be had for less.
@@ -260,8 +295,7 @@ Choice Search::descend(Cycles bound) {
 }
 
 bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
-    double const cost = cost_of(primitives_of(choice[fifo].kind, choice[fifo].depth, frame_.bits[fifo], frame_.weights),
-                                frame_.weights);
+    double const cost = cost_of(primitives_of(choice[fifo], frame_.tokens[fifo], frame_.weights), frame_.weights);
     for (FifoKind const kind : {FifoKind::shift_register, FifoKind::memory}) {
         std::vector<Level> levels;
         std::copy_if(levels_[fifo].rbegin(), levels_[fifo].rend(), std::back_inserter(levels),
@@ -275,7 +309,7 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
             continue;
         Monotone const fits{[&](std::size_t i, auto const& /*is_obsolete*/) { return is_within_at(i); },
                             [](std::size_t) { return std::nullopt; }};
-        choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
+        choice[fifo] = levels[last(levels.size(), 1, fits)].choice;
         return true;
     }
     return false;
@@ -348,7 +382,7 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
                             [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
         if (deepest - shallowest == 1 && !known_to_fit(with_less(1), bound, cores))
             ask_ahead(choice, i, bound, cores);
-        choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
+        choice[i].depth = deepest - last(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;
 }

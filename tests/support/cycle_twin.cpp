@@ -25,10 +25,11 @@ Cycles ceil_div(Cycles dividend, Cycles divisor) { return (dividend + divisor - 
 class FifoModel {
   public:
     FifoModel(FifoConfig const& config, Cycles pipeline_stages) : pipeline_stages_(pipeline_stages) {
-        bool const is_shift_register =
-            config.kind == FifoKind::shift_register || (config.kind == FifoKind::automatic && config.depth <= 2);
-        capacity_ = is_shift_register ? config.depth : config.depth + 1;
-        read_latency_ = is_shift_register ? 1 : 2;
+        bool const is_memory =
+            config.kind == FifoKind::memory || (config.kind == FifoKind::automatic && !is_small(config));
+        bool const has_register_besides = is_memory && config.rules != FifoGeneration::vitis_hls;
+        capacity_ = has_register_besides ? config.depth + 1 : config.depth;
+        read_latency_ = is_memory ? 2 : 1;
     }
 
     /// First cycle in which the next access is legal; `never` unless some other process moves first.
@@ -63,6 +64,11 @@ class FifoModel {
     }
 
   private:
+    /// SYSTEM.md section 5: what HLS makes a shift register of.
+    static bool is_small(FifoConfig const& config) {
+        return config.depth <= 2 || (config.rules != FifoGeneration::spec && config.depth * config.bits <= 1024);
+    }
+
     Cycles write_legal_from() const {
         std::size_t const n = write_cycles_.size();
         std::size_t const slots = capacity_ + pipeline_stages_;

@@ -450,6 +450,7 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         }
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }
+    config.fifo_rules = static_cast<FifoGeneration>(Dice(~seed).between(0, 2));  // changes nothing else that is drawn
     return config;
 }
 

@@ -121,7 +121,8 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
         {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
-         "How the FIFO is built; auto is a shift register up to depth 2, else a memory.", "timing model"},
+         "How the FIFO is built; auto is a shift register up to depth 2, or as far as fifo_rules says, else a memory.",
+         "timing model"},
         fifo, [](auto& settings) -> auto& { return settings.kind; }, FifoKind::automatic));
     add_stage_keys(keys, core, name);
 }
@@ -236,6 +237,18 @@ Key clock_key(std::string source) {
         {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
         {0, std::numeric_limits<double>::infinity(), true},
         [](auto& settings) -> auto& { return settings.clock_mhz; }));
+}
+
+Key fifo_rules_key() {
+    Key key = of_time(KeyMaker<MachineSettings>::choice_key(
+        {"accelerator.fifo_rules", "",
+         "Whose FIFOs: those of SPEC, of Vivado HLS up to 2020.2, or of Vitis HLS from 2021.1 on; decides what kind "
+         "auto "
+         "is and how many tokens a memory holds.",
+         "timing model"},
+        [](auto& settings) -> auto& { return settings.fifo_rules; }));
+    key.is_alternative = true;
+    return key;
 }
 
 }  // namespace faster

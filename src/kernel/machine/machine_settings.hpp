@@ -38,6 +38,7 @@ struct MemorySettings {
 struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
+    FifoGeneration fifo_rules = FifoGeneration::spec;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, MemorySettings> memories;

@@ -23,17 +23,24 @@ Cut everybody(Choice const& choice) {
     return cut;
 }
 
-bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
+bool may_be_shift_register(FifoFreedom const& fifo) { return fifo.kind != FifoKind::memory; }
+
+/// Of a depth at which `auto` is a memory, whatever the tokens' width.
+FifoChoice deep(FifoFreedom const& fifo, std::uint64_t depth) {
+    return {fifo.kind == FifoKind::automatic ? FifoKind::memory : fifo.kind, depth, fifo.generation};
+}
+
+/// An unbounded `auto` FIFO that was never filled is a memory so shallow that it would be a shift register: one that is
+/// no slower.
+FifoChoice as_it_may_be(FifoChoice const& choice, FifoFreedom const& fifo) {
+    bool const may_be = fifo.at_depth(choice.depth).kind == choice.kind;
+    return may_be ? choice : fifo.at_depth(choice.capacity());
+}
 
 }  // namespace
 
 FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights)
-    : freezing(freezing_fifos(machine)), weights(cost_weights) {
-    for (MachineFifo const& fifo : machine.fifos) {
-        kinds.push_back(fifo.configured_kind);
-        tokens.push_back(tokens_of(fifo));
-    }
-}
+    : freezing(freezing_fifos(machine)), freedoms(freedoms_of(machine)), weights(cost_weights) {}
 
 /// What a path waits for room in; false: in nothing that could be deeper.
 bool deepen(Choice& choice, Cut const& path) {
@@ -72,8 +79,8 @@ namespace {
 /// On the relaxed machine.
 Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     Unbounded result;
-    for (FifoKind const kind : frame.kinds)
-        result.choice.push_back(choice_of(kind, first_depth));
+    for (FifoFreedom const& fifo : frame.freedoms)
+        result.choice.push_back(deep(fifo, first_depth));
     bool is_deep = times.cores() == 0;
     while (!is_deep && deepen(result.choice, times.first_suspects(0, result.choice, samples_at_first))) {
     }
@@ -107,8 +114,8 @@ Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unboun
       jobs_(std::max(1U, options.jobs)),
       strict_core_(unbounded.last_core) {
     for (std::size_t i = 0; i < frame.fifos(); ++i) {
-        std::uint64_t const most = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
-        levels_.push_back(levels_of(frame.kinds[i], frame.tokens[i], most, frame.weights));
+        std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
+        levels_.push_back(levels_of(frame.freedoms[i], tokens, frame.weights));
     }
 }
 
@@ -124,7 +131,7 @@ std::size_t Search::broken_core(Choice const& choice, Cycles bound) {
 bool Search::is_within(Choice const& choice, Cycles bound) { return broken_core(choice, bound) == times_.cores(); }
 
 double Search::cost_of_choice(Choice const& choice) const {
-    return cost_of(sum_of(choice, frame_.tokens, frame_.weights), frame_.weights);
+    return cost_of(sum_of(choice, frame_.freedoms, frame_.weights), frame_.weights);
 }
 
 std::vector<Cut> Search::cuts_against(Cycles bound) const {
@@ -205,14 +212,14 @@ Choice Search::corner(Cut const& cut) const {
     Choice choice(frame_.fifos());
     for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t capacity = timing::FifoShape::unlimited;
-        bool is_memory = !may_be_shift_register(frame_.kinds[i]);
+        FifoFreedom const& fifo = frame_.freedoms[i];
+        bool is_memory = !may_be_shift_register(fifo);
         for (Cut::Member const& member : cut.members)
             if (member.fifo == i) {
                 capacity = member.capacity > 0 ? member.capacity : capacity;
                 is_memory = is_memory || member.is_slow;
             }
-        choice[i] =
-            is_memory ? FifoChoice{FifoKind::memory, capacity - 1} : FifoChoice{FifoKind::shift_register, capacity};
+        choice[i] = fifo.with_capacity(is_memory ? FifoKind::memory : FifoKind::shift_register, capacity);
     }
     return choice;
 }
@@ -286,6 +293,11 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
 /// From unbounded FIFOs down, one after the other, until none can be had for less.
 Choice Search::descend(Cycles bound) {
     Choice choice = unbounded_.choice;
+    for (std::size_t i = 0; i < choice.size(); ++i)
+        choice[i] = as_it_may_be(choice[i], frame_.freedoms[i]);
+    for (std::size_t const fifo : frame_.freezing)  // so deep that it never freezes, whatever the others are
+        choice[fifo] = frame_.freedoms[fifo].at_depth(
+            std::max(choice[fifo].depth, std::min(most_depth, times_.tokens()[fifo])));
     for (bool is_cheaper = true; is_cheaper;) {
         is_cheaper = false;
         for (std::size_t i = 0; i < choice.size(); ++i)
@@ -295,7 +307,7 @@ Choice Search::descend(Cycles bound) {
 }
 
 bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
-    double const cost = cost_of(primitives_of(choice[fifo], frame_.tokens[fifo], frame_.weights), frame_.weights);
+    double const cost = cost_of(primitives_of(choice[fifo], frame_.freedoms[fifo], frame_.weights), frame_.weights);
     for (FifoKind const kind : {FifoKind::shift_register, FifoKind::memory}) {
         std::vector<Level> levels;
         std::copy_if(levels_[fifo].rbegin(), levels_[fifo].rend(), std::back_inserter(levels),
@@ -369,7 +381,7 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
     for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t const deepest = choice[i].depth;
         std::uint64_t shallowest = deepest;
-        while (shallowest > 1 && choice_of(frame_.kinds[i], shallowest - 1).kind == choice[i].kind)
+        while (shallowest > 1 && frame_.freedoms[i].at_depth(shallowest - 1).kind == choice[i].kind)
             --shallowest;
         auto const with_less = [&, before = choice](std::size_t less) {
             Choice shallower = before;

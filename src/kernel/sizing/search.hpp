@@ -8,15 +8,14 @@
 
 namespace faster::sizing {
 
-/// The FIFOs as they are configured: which kinds they may be built in, and what they hold.
+/// The FIFOs as they are configured: how they may be built.
 struct FifoFrame {
-    std::vector<FifoKind> kinds;
-    std::vector<FifoTokens> tokens;
     std::vector<std::size_t> freezing;  ///< numbers, see freezing_fifos()
+    Freedoms freedoms;
     CostWeights weights;
 
     FifoFrame(Machine const& machine, CostWeights const& weights);
-    std::size_t fifos() const { return kinds.size(); }
+    std::size_t fifos() const { return freedoms.size(); }
 };
 
 /// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t steps_to_the_answer = 3;  // unbounded, cheapest, shallowest
 
 SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& frame) {
-    Primitives const primitives = sum_of(choice, frame.tokens, frame.weights);
+    Primitives const primitives = sum_of(choice, frame.freedoms, frame.weights);
     return {choice, total_cycles, primitives, cost_of(primitives, frame.weights)};
 }
 
@@ -21,9 +21,9 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 Choice holding(Choice choice, FifoFrame const& frame) {
     for (std::size_t i = 0; i < choice.size(); ++i) {
         auto const same_primitives = [&](std::uint64_t depth) {
-            FifoChoice const deeper = choice_of(frame.kinds[i], depth);
-            return deeper.kind == choice[i].kind && primitives_of(deeper, frame.tokens[i], frame.weights) ==
-                                                        primitives_of(choice[i], frame.tokens[i], frame.weights);
+            FifoChoice const deeper = frame.freedoms[i].at_depth(depth);
+            return deeper.kind == choice[i].kind && primitives_of(deeper, frame.freedoms[i], frame.weights) ==
+                                                        primitives_of(choice[i], frame.freedoms[i], frame.weights);
         };
         std::uint64_t deepest = choice[i].depth;
         while (deepest < most_depth && same_primitives(deepest + 1))

@@ -28,6 +28,14 @@ Json depths(Choice const& choice, Machine const& machine) {
     return json;
 }
 
+/// An unbounded `auto` FIFO is a memory, however shallow.
+Json kinds(Choice const& choice, Machine const& machine) {
+    Json json;
+    for (std::size_t const i : fifos_of(machine))
+        json[machine.fifos[i].name] = choice_name(choice[i].kind);
+    return json;
+}
+
 Json summary(SizedChoice const& choice, Machine const& machine) {
     Json json;
     json["total_cycles"] = cycles_or_null(choice.total_cycles);
@@ -37,6 +45,7 @@ Json summary(SizedChoice const& choice, Machine const& machine) {
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
     json["depths"] = depths(choice.choice, machine);
+    json["kinds"] = kinds(choice.choice, machine);
     return json;
 }
 
@@ -57,7 +66,7 @@ Json freezing(Machine const& machine) {
 Json fifo_row(Sizing const& sizing, std::size_t i) {
     MachineFifo const& fifo = sizing.machine.fifos[i];
     FifoChoice const& choice = sizing.answer.choice[i];
-    Primitives const primitives = primitives_of(choice, tokens_of(fifo), sizing.options.weights);
+    Primitives const primitives = primitives_of(choice, freedom_of(fifo), sizing.options.weights);
     Json row;
     row["fifo"] = fifo.name;
     row["configured_depth"] = fifo.depth;

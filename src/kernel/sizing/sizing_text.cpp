@@ -76,7 +76,7 @@ std::string depths(Sizing const& sizing) {
     for (std::size_t const i : fifos_of(sizing.machine)) {
         MachineFifo const& fifo = sizing.machine.fifos[i];
         FifoChoice const& choice = sizing.answer.choice[i];
-        Primitives const primitives = primitives_of(choice, tokens_of(fifo), sizing.options.weights);
+        Primitives const primitives = primitives_of(choice, freedom_of(fifo), sizing.options.weights);
         fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo.name,
                        fifo.depth, choice.depth, choice_name(choice.kind), fifo.bits,
                        cost_of(primitives, sizing.options.weights), sizing.holds[i].depth, primitives_text(primitives));

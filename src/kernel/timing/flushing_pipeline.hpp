@@ -27,8 +27,8 @@ template <class Time> class FlushingPipeline {
     /// Where a token can be taken in, or, if `is_open`, from which step on nothing is known.
     struct Step {
         Time cycle = 0;
-        Time steps = 0;           ///< from the next one
-        std::size_t passed = 0;   ///< tokens that leave before it, or in it
+        Time steps = 0;            ///< from the next one
+        std::size_t passed = 0;    ///< tokens that leave before it, or in it
         bool ends_freeze = false;  ///< it is the one that was waited for longest
         bool is_open = false;      ///< a token leaves in this step, and nobody knows when
     };

@@ -32,8 +32,8 @@ Primitives primitives(FifoKind kind, std::uint64_t depth, unsigned bits) {
     return primitives_of(kind, depth, bits, CostWeights());
 }
 
-double cost(Choice const& choice, std::vector<unsigned> const& bits) {
-    return cost_of(sum_of(choice, bits, CostWeights()), CostWeights());
+double cost(Choice const& choice, Freedoms const& fifos) {
+    return cost_of(sum_of(choice, fifos, CostWeights()), CostWeights());
 }
 
 /// Of a row of a table in Markdown, without the blanks around them.
@@ -199,15 +199,14 @@ TEST_CASE("Levels are the deepest choices of each price, for every depth", "[siz
 }
 
 TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
-    std::vector<unsigned> const bits(fifo_count, 20);
     for (unsigned seed = 1; seed <= 150; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         constexpr std::size_t free = 4;  // the others have one level
+        Freedoms const fifos(fifo_count, {FifoKind::automatic, 20, generations[seed % 3]});
         Levels levels(fifo_count);
         for (std::size_t i = 0; i < fifo_count; ++i)
-            levels[i] = levels_of({FifoKind::automatic, bits[i], generations[seed % 3]},
-                                  i < free ? 100 + random() % 900 : 1, CostWeights());
+            levels[i] = levels_of(fifos[i], i < free ? 100 + random() % 900 : 1, CostWeights());
         std::vector<Cut> cuts(random() % 8);
         for (Cut& cut : cuts)
             for (std::size_t i = 0; i < free; ++i)
@@ -223,13 +222,14 @@ TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
                     for (Level const& d : levels[3]) {
                         choice[0] = a.choice, choice[1] = b.choice, choice[2] = c.choice, choice[3] = d.choice;
                         auto const escaped = [&choice](Cut const& cut) { return cut.is_escaped(choice); };
-                        if (std::all_of(cuts.begin(), cuts.end(), escaped) && (least < 0 || cost(choice, bits) < least))
-                            least = cost(choice, bits);
+                        if (std::all_of(cuts.begin(), cuts.end(), escaped) &&
+                            (least < 0 || cost(choice, fifos) < least))
+                            least = cost(choice, fifos);
                     }
         auto const found = cheapest_choice(levels, cuts);
         REQUIRE(found.has_value() == (least >= 0));
         if (found)
-            CHECK(cost(*found, bits) == Approx(least));
+            CHECK(cost(*found, fifos) == Approx(least));
     }
 }
 

@@ -97,7 +97,8 @@ class BruteForce {
         for (std::size_t i = 0; i < fifo_count; ++i) {
             std::uint64_t const depth = std::max<std::uint64_t>(3, sizing.unbounded.choice[i].depth);
             testing::FifoConfig const fifo = fifo_of(of.config, fifo_ids[i]);
-            levels_[i] = levels_of({fifo.kind, fifo.bits, fifo.rules}, depth, sizing.options.weights);
+            FifoFreedom const freedom{fifo.kind, fifo.bits, fifo.rules, fifo.squeezes ? fifo.write_latency : 0};
+            levels_[i] = levels_of(freedom, depth, sizing.options.weights);
         }
         for (std::size_t i = fifo_count; i-- > 0;)
             least_[i] = least_[i + 1] + levels_[i].front().cost;

@@ -11,7 +11,7 @@ namespace faster::sizing {
 namespace {
 
 double cost_at(FifoFrame const& frame, std::size_t fifo, FifoChoice const& choice) {
-    return cost_of(primitives_of(choice.kind, choice.depth, frame.bits[fifo], frame.weights), frame.weights);
+    return cost_of(primitives_of(choice, frame.freedoms[fifo], frame.weights), frame.weights);
 }
 
 /// 0 if nothing shallower costs less.

@@ -25,13 +25,14 @@ std::vector<Range> ranges_of(FifoFreedom const& fifo, std::uint64_t depth) {
 }
 
 /// The deepest that the primitives of `depth` hold.
-std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, unsigned bits, CostWeights const& weights) {
-    Primitives const primitives = primitives_of(range.kind, depth, bits, weights);
+std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, FifoFreedom const& fifo,
+                              CostWeights const& weights) {
+    Primitives const primitives = primitives_of({range.kind, depth}, fifo, weights);
     std::uint64_t same = depth;
     std::uint64_t other = range.deepest + 1;
     while (other - same > 1) {
         std::uint64_t const middle = (same + other) / 2;
-        (primitives_of(range.kind, middle, bits, weights) == primitives ? same : other) = middle;
+        (primitives_of({range.kind, middle}, fifo, weights) == primitives ? same : other) = middle;
     }
     return same;
 }
@@ -49,8 +50,17 @@ FifoChoice FifoFreedom::with_capacity(FifoKind resolved, std::uint64_t capacity)
 Freedoms freedoms_of(Machine const& machine) {
     Freedoms freedoms;
     for (MachineFifo const& fifo : machine.fifos)
-        freedoms.push_back({fifo.configured_kind, fifo.bits, fifo.generation});
+        freedoms.push_back(freedom_of(fifo));
     return freedoms;
+}
+
+FifoFreedom freedom_of(MachineFifo const& fifo) {
+    bool const squeezes = fifo.flushes && fifo.when_full == WhenFull::squeeze;
+    return {fifo.configured_kind, fifo.bits, fifo.generation, squeezes ? fifo.write_latency : 0};
+}
+
+Primitives primitives_of(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights) {
+    return primitives_of(choice.kind, choice.depth + fifo.tokens_besides, fifo.bits, weights);
 }
 
 Choice choice_of(Machine const& machine) {
@@ -82,9 +92,10 @@ std::vector<Level> levels_of(FifoFreedom const& fifo, std::uint64_t depth, CostW
     std::vector<Level> levels;
     for (Range const& range : ranges_of(fifo, depth))
         for (std::uint64_t next = range.shallowest; next <= range.deepest;) {
-            std::uint64_t const deepest = deepest_at_cost(range, next, fifo.bits, weights);
-            Primitives const primitives = primitives_of(range.kind, deepest, fifo.bits, weights);
-            levels.push_back({{range.kind, deepest, fifo.generation}, primitives, cost_of(primitives, weights)});
+            std::uint64_t const deepest = deepest_at_cost(range, next, fifo, weights);
+            FifoChoice const choice{range.kind, deepest, fifo.generation};
+            Primitives const primitives = primitives_of(choice, fifo, weights);
+            levels.push_back({choice, primitives, cost_of(primitives, weights)});
             next = deepest + 1;
         }
     std::stable_sort(levels.begin(), levels.end(), [](Level const& a, Level const& b) { return a.cost < b.cost; });

@@ -8,8 +8,7 @@
 namespace faster::sizing {
 
 /// How one FIFO is built: a resolved kind and a depth, by the rules of a generation, which all FIFOs of a search have
-/// alike. What it means for time is a capacity and a read latency (SPEC section 3); more of the first and less of the
-/// second never makes a run longer.
+/// alike. What it means for time is a capacity and a read latency (SPEC section 3).
 struct FifoChoice {
     FifoKind kind = FifoKind::shift_register;
     std::uint64_t depth = 1;
@@ -34,12 +33,16 @@ struct FifoFreedom {
     FifoKind kind = FifoKind::automatic;
     unsigned bits = 0;  ///< of a token; 0: the FIFO is not there
     FifoGeneration generation = FifoGeneration::spec;
+    std::uint64_t tokens_besides = 0;  ///< that it has to hold besides its depth: one per stage that squeezes
 
     /// `auto` is decided by the depth.
     FifoChoice at_depth(std::uint64_t depth) const;
     /// Of a kind that is decided, with room for so many tokens.
     FifoChoice with_capacity(FifoKind resolved, std::uint64_t capacity) const;
 };
+
+FifoFreedom freedom_of(MachineFifo const& fifo);
+Primitives primitives_of(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights);
 
 /// All FIFOs of a core by their numbers.
 using Freedoms = std::vector<FifoFreedom>;

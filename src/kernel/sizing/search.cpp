@@ -296,8 +296,8 @@ Choice Search::descend(Cycles bound) {
     for (std::size_t i = 0; i < choice.size(); ++i)
         choice[i] = as_it_may_be(choice[i], frame_.freedoms[i]);
     for (std::size_t const fifo : frame_.freezing)  // so deep that it never freezes, whatever the others are
-        choice[fifo] = frame_.freedoms[fifo].at_depth(
-            std::max(choice[fifo].depth, std::min(most_depth, times_.tokens()[fifo])));
+        choice[fifo] =
+            frame_.freedoms[fifo].at_depth(std::max(choice[fifo].depth, std::min(most_depth, times_.tokens()[fifo])));
     for (bool is_cheaper = true; is_cheaper;) {
         is_cheaper = false;
         for (std::size_t i = 0; i < choice.size(); ++i)

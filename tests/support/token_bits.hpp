@@ -14,8 +14,8 @@ inline unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
         return bits;
     };
     auto const side = static_cast<unsigned long long>(config.window);
-    unsigned const pixels = digits(side * side);        // a count of them
-    unsigned const corner = 2 * (digits(side) + 1);     // or -1
+    unsigned const pixels = digits(side * side);     // a count of them
+    unsigned const corner = 2 * (digits(side) + 1);  // or -1
     unsigned const box = config.inlier_unit.sweep_region == SweepRegion::touched ? 2 * corner : 0;
     auto const side_by_side = static_cast<unsigned>(config.inlier_unit.sweep_lanes);
     bool const in_groups = config.rasterizer.lanes > 1;

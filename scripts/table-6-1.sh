@@ -27,9 +27,11 @@ header() {
 }
 
 row() { # TITLE SETTING...
+    local class time
     printf '| %s |' "$1"
     for class in "${classes[@]}"; do
-        printf ' %.2f |' "$(milliseconds "$class" "${@:2}")"
+        time=$(milliseconds "$class" "${@:2}")
+        printf ' %.2f |' "$time"
     done
     printf '\n'
 }
@@ -53,7 +55,16 @@ row "fpga_grip, n = 5, direct" $fpga_grip $extraction.neighbour_access=direct
 for ii in 2 3 4; do
     row "fpga_grip, extract.ii = $ii" $fpga_grip accelerator.loops.inlier_unit.extract.ii=$ii
 done
-row "fpga_grip, fragment.recurrence_ii = 4" $fpga_grip accelerator.loops.inlier_unit.fragment.recurrence_ii=4
+recurrence=accelerator.loops.inlier_unit.fragment.recurrence_ii
+for ii in 2 3 4; do
+    row "faster, fragment.recurrence_ii = $ii" $recurrence=$ii
+    row "fpga_grip, fragment.recurrence_ii = $ii" $fpga_grip $recurrence=$ii
+done
+memory=accelerator.memory.model=axi
+row "faster, external memory" $memory
+row "fpga_grip, external memory" $fpga_grip $memory
+row "fpga_grip, n = 3, direct, external memory" \
+    $fpga_grip $extraction.neighbourhood=3 $extraction.neighbour_access=direct $memory
 
 if [[ -z "${FASTER_SHARED_DATA:-}" ]]; then
     printf '\nNo scans: FASTER_SHARED_DATA is not set.\n'

@@ -35,7 +35,7 @@ fi
 bash scripts/setup.sh "${setup_options[@]}"
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j2 -LE '^(long|cluster)$'
+ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
 
 bash scripts/check-layers.sh
 if [[ "${CI:-}" == true ]]; then

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# The tables of docs/next-architecture.md: designs on the ZCU102's memory, what each step buys, how sure the memory's figures
+# have to be. Prints Markdown; takes some minutes.
+#   scripts/next-architecture.sh [FASTER_SIM]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+sim=${1:-build/release/bin/faster-sim}
+classes=(potted_meat_can banana mustard_bottle cracker_box tomato_soup_can)
+always=() # settings of every run
+
+milliseconds() { # CLASS SETTING...
+    local words=()
+    for setting in "${always[@]}" "${@:2}"; do
+        words+=(--set "$setting")
+    done
+    "$sim" run "configs/$1.yaml" "${words[@]}" | sed -n 's/^total .* = \([0-9.]*\) ms$/\1/p'
+}
+
+header() {
+    printf '\n%s\n\n| ms |' "$1"
+    printf ' %s |' "${classes[@]}"
+    printf '\n| --- | --- | --- | --- | --- | --- |\n'
+}
+
+row() { # TITLE SETTING...
+    local class time
+    printf '| %s |' "$1"
+    for class in "${classes[@]}"; do
+        time=$(milliseconds "$class" "${@:2}")
+        printf ' %.2f |' "$time"
+    done
+    printf '\n'
+}
+
+accelerator() { printf 'accelerator.%s\n' "$@"; }
+
+axi=accelerator.memory.model=axi
+ideal=accelerator.memory.model=ideal
+designs=(faster fpga_grip inner_border double_buffers next next_double_buffers next_zcu102)
+for memory in $axi $ideal; do
+    header "Designs, $memory"
+    for design in "${designs[@]}"; do
+        row "$design" "$memory" "accelerator.architecture=$design"
+    done
+done
+
+header "Steps, each added to those above, $axi"
+always=($axi)
+row "faster"
+add() { # TITLE KEY=VALUE...
+    mapfile -t -O "${#always[@]}" always < <(accelerator "${@:2}")
+    row "$1"
+}
+add "edges on the object" edge_map.algorithm=inner_border
+add "no clearing loops" edge_map.clearing=on_read_out inlier_unit.clearing=on_read_out
+banks() { printf 'brams.%s.partition.type=cyclic brams.%s.partition.factor=10 brams.%s.partition.dimension=2 ' "$1" "$1" "$1"; }
+add "5 pixels per cycle in the sweep" inlier_unit.sweep_lanes=5 $(banks object_map) $(banks depth_buffer)
+add "setup beside the scan" rasterizer.setup_overlap=12
+add "only covered pixels" rasterizer.scan=spans
+add "no tokens beside triangles" rasterizer.edge_tokens=object
+add "one loop for all fragments" inlier_unit.fragment_loop=flattened
+fifos() { printf 'fifos.%s.depth=%s\n' area 16 area_reciprocal 32 vertex 16 command 64 fragment_depth 64 fragment_index 64 edge_token 64; }
+mapfile -t depths < <(fifos)
+add "FIFOs as deep as the reciprocal's latency" "${depths[@]}"
+add "10 pixels per cycle in the scan" rasterizer.lanes=10
+add "two buffers" edge_map.buffers=2 inlier_unit.buffers=2
+add "only what the sample touched" inlier_unit.sweep_region=touched
+add "mesh on the chip" memory.mesh=on_chip memory.mesh_triangles=1200
+add "eight cores: next_zcu102" raster_cores=8
+
+header "When one step is left out of next_zcu102"
+always=(accelerator.architecture=next_zcu102)
+row "nothing"
+without() { # TITLE KEY=VALUE...
+    local settings
+    mapfile -t settings < <(accelerator "${@:2}")
+    row "$1" "${settings[@]}"
+}
+without "edges on the object (one lane, all tokens)" edge_map.algorithm=dual_map rasterizer.edge_tokens=all rasterizer.lanes=1
+without "clearing on read-out" edge_map.clearing=loop inlier_unit.clearing=loop
+without "sweep lanes" inlier_unit.sweep_lanes=1
+without "setup beside the scan" rasterizer.setup_overlap=0
+without "spans" rasterizer.scan=zigzag
+without "flattened fragments" inlier_unit.fragment_loop=per_triangle
+without "deeper FIFOs" "${depths[@]/%=*/=2}"
+without "lanes of the scan" rasterizer.lanes=1
+without "two buffers" edge_map.buffers=1 inlier_unit.buffers=1
+without "the touched region" inlier_unit.sweep_region=window
+without "mesh on the chip" memory.mesh=external
+without "forwarding: interval 2" loops.inlier_unit.fragment.recurrence_ii=2
+without "forwarding: interval 3" loops.inlier_unit.fragment.recurrence_ii=3
+
+header "next_zcu102 with other memories and clocks"
+without "as it is"
+for setting in memory.read_latency_ns={60,240} memory.request_cycles={12,48} memory.dram_efficiency={0.375,1} \
+    memory.ports={1,2,4} memory.outstanding={8,32} memory.burst_bytes={128,512} memory.prefetch=true \
+    fifo_rules={vivado_hls,vitis_hls} clock_mhz={150,250,300} raster_cores={6,7,9,10}; do
+    without "\`$setting\`" "$setting"
+done

@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
+#include "kernel/base/input_error.hpp"
 #include "kernel/replay/collect.hpp"
 #include "kernel/replay/critical_path_of.hpp"
 
@@ -21,12 +23,14 @@ Taping::Timing timing_of_taping(Engine engine, SimulationOptions const& options)
 RunStatistics collect_from(DataflowAccelerator& accelerator) {
     std::vector<std::vector<Counters>> results;
     std::vector<replay::FinishedCore> cores;
+    if (accelerator.memory() != nullptr)
+        accelerator.memory()->go_on(true);
     for (auto const& core : accelerator.cores()) {
         core->timing().resolve();
         results.push_back(all_results(*core));
         cores.push_back({core->share(), core->timing(), results.back().data()});
     }
-    return replay::collect(cores, accelerator.machine());
+    return replay::collect(cores, accelerator.machine(), accelerator.memory());
 }
 
 /// Of a run that has come to its end, or is stuck.
@@ -49,9 +53,21 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
         cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
     return replay::critical_path_of(cores, accelerator.machine());
 }
+/// What nobody has taught yet to follow cores that share a memory.
+void check_options(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
+    char const* const asked = options.recorded != nullptr ? "a recording of what a run did (--events, --sensitivities)"
+                              : options.critical_path     ? "a critical path (--critical-path, --report)"
+                              : !options.recordings.empty() ? "waveforms and timelines"
+                                                            : nullptr;
+    if (accelerator.memory() != nullptr && asked != nullptr)
+        throw InputError(std::string("accelerator.memory.model = \"axi\", expected \"ideal\": ") + asked +
+                         " cannot be had with it");
+}
+
 }  // namespace
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+    check_options(accelerator, options);
     std::uint64_t done = 0;
     for (auto const& core : accelerator.cores()) {
         if (options.progress)

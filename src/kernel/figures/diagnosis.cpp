@@ -7,8 +7,8 @@ namespace faster {
 namespace {
 
 Cycles waits_of(ProcessStatistics const& process) {
-    return process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::idle_before] +
-           process[CycleClass::idle_after];
+    return process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::memory_stall] +
+           process[CycleClass::idle_before] + process[CycleClass::idle_after];
 }
 
 std::size_t last_to_end(RunStatistics const& run) {
@@ -54,6 +54,7 @@ Diagnosis diagnose(RunStatistics const& run) {
     };
     for (std::size_t f = 0; f < process.stalls.size(); ++f)
         add({Cause::Kind::stall, f, process.stalls[f]});
+    add({Cause::Kind::memory_stall, 0, process[CycleClass::memory_stall]});
     add({Cause::Kind::setup, 0, process[CycleClass::setup]});
     add({Cause::Kind::fill_drain, 0, process[CycleClass::fill_drain]});
     add({Cause::Kind::idle, 0, process[CycleClass::idle_before] + process[CycleClass::idle_after]});

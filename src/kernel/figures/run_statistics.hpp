@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "kernel/figures/cycle_class.hpp"
 #include "kernel/figures/fifo_columns.hpp"
 #include "kernel/figures/loop_columns.hpp"
+#include "kernel/figures/memory_traffic.hpp"
 #include "kernel/figures/sample_columns.hpp"
 #include "kernel/figures/sensitivity.hpp"
 #include "kernel/machine/machine.hpp"
@@ -46,7 +48,8 @@ struct StuckProcess {
     std::uint64_t capacity = 0;
     Cycles since_cycle = 0;
     std::string waits_for;  ///< the process at the FIFO's other end
-    std::string source;     ///< file and line of its loop, or of its access outside loops
+    bool waits_for_memory = false;
+    std::string source;  ///< file and line of its loop, or of its access outside loops
 };
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
@@ -55,6 +58,7 @@ struct RunStatistics {
     Cycles total_cycles = 0;
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
+    std::optional<MemoryTraffic> memory;        ///< of an external memory that is not ideal
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked

@@ -1,6 +1,7 @@
 #include "kernel/machine/machine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -47,6 +48,26 @@ struct PlacedEnd {
     std::string decided_by;
 };
 
+/// docs/memory.md: whole picoseconds, halves up.
+std::uint64_t rounded(double value) { return static_cast<std::uint64_t>(std::floor(value + 0.5)); }
+
+std::optional<timing::MemoryShape> shape_of(MachineSettings const& settings) {
+    ExternalMemorySettings const& memory = settings.external_memory;
+    if (memory.model == MemoryModel::ideal)
+        return std::nullopt;
+    timing::MemoryShape shape;
+    shape.burst_bytes = memory.burst_bytes;
+    shape.port_bytes = memory.port_bytes;
+    shape.outstanding = memory.outstanding;
+    shape.prefetches = memory.prefetch;
+    shape.ports = memory.ports;
+    shape.request_cycles = memory.request_cycles;
+    shape.period_ps = std::max<std::uint64_t>(1, rounded(1e6 / settings.clock_mhz));
+    shape.latency_ps = rounded(1e3 * memory.read_latency_ns);
+    shape.granule_ps = rounded(64e3 / (memory.dram_gb_per_s * memory.dram_efficiency));
+    return shape;
+}
+
 class Maker {
   public:
     Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
@@ -54,10 +75,14 @@ class Maker {
         machine_.clock_mhz = settings.clock_mhz;
         machine_.cores_are = core.cores_are;
         machine_.remark = core.remark;
+        machine_.external_memory = shape_of(settings);
         for (ModuleDescription const& module : core.modules)
             add_process(module);
         for (std::string const& fifo : core.fifos)
             add_fifo(fifo);
+        for (std::size_t i = 0; i < core.modules.size(); ++i)
+            for (StreamDescription const& stream : core.modules[i].streams)
+                add_stream(i, stream);
         for (std::size_t i = 0; i < core.modules.size(); ++i)
             for (MemoryDescription const& memory : core.modules[i].memories)
                 add_memory(i, memory);
@@ -122,6 +147,20 @@ class Maker {
         fifo.flushes = written.end->flushes;
         fifo.bits = fifo.is_present ? written.end->bits : 0;
         machine_.fifos.push_back(std::move(fifo));
+    }
+
+    void add_stream(std::size_t module, StreamDescription const& description) {
+        MachineStream stream;
+        stream.name = description.name;
+        decide(stream, first_failing(core_.modules[module].conditions, description.conditions));
+        if (stream.is_present && !machine_.external_memory)
+            decide(stream, "accelerator.memory.model");
+        stream.process = module;
+        stream.loop = description.loop;
+        stream.writes = description.writes;
+        stream.prefetch = description.prefetch;
+        stream.is_header = description.is_header;
+        machine_.streams.push_back(std::move(stream));
     }
 
     void add_memory(std::size_t module, MemoryDescription const& description) {
@@ -210,7 +249,7 @@ class Maker {
     }
 
     void add_lead() {
-        if (core_.pace.driver.empty())
+        if (core_.pace.driver.empty() || machine_.external_memory)
             return;
         machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
@@ -246,6 +285,11 @@ timing::FifoShape MachineFifo::shape() const {
     return shape;
 }
 
+timing::MemoryStream::EntersBy MachineStream::enters_by() const {
+    using EntersBy = timing::MemoryStream::EntersBy;
+    return writes ? EntersBy::write : loop.empty() ? EntersBy::step : EntersBy::loop;
+}
+
 timing::LoopShape MachineLoop::shape() const {
     timing::LoopShape shape;
     shape.name = name;
@@ -258,6 +302,8 @@ std::size_t Machine::process_places() const { return modules_of(*this).back() + 
 std::size_t Machine::process(std::string_view name) const { return number_of(name, processes); }
 std::size_t Machine::fifo(std::string_view name) const { return number_of(name, fifos); }
 std::size_t Machine::memory(std::string_view name) const { return number_of(name, memories); }
+
+std::size_t Machine::stream(std::string_view name) const { return number_of(name, streams); }
 
 std::size_t Machine::loop(std::size_t process, std::string_view name) const {
     auto const found = std::find_if(loops.begin(), loops.end(), [=](MachineLoop const& loop) {
@@ -288,6 +334,18 @@ std::vector<std::size_t> modules_of(Machine const& machine) { return present(mac
 std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
 std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
 std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
+
+std::vector<std::size_t> streams_of(Machine const& machine) { return present(machine.streams); }
+
+std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine) {
+    std::vector<timing::MemorySystem::MasterShape> masters;
+    for (std::size_t const i : streams_of(machine)) {
+        MachineStream const& stream = machine.streams[i];
+        masters.push_back({static_cast<unsigned>(stream.process), static_cast<unsigned>(masters.size()),
+                           stream.prefetch, stream.is_header});
+    }
+    return masters;
+}
 
 double ramb36_of_core(Machine const& machine) {
     double sum = 0;

@@ -9,6 +9,7 @@
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/latencies.hpp"
+#include "kernel/report/memory_traffic_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
 namespace faster::report {
@@ -43,14 +44,17 @@ void module_table(std::string& text, RunStatistics const& run) {
     Cycles const lane_cycles = run.total_cycles * run.cores.size();
     line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
     std::string header = fmt::format("  {:<19}", "module");
-    for (char const* name : cycle_class_names)
-        header += fmt::format(" {:>{}}", in_words(name), column_width(name));
+    bool const has_memory = run.machine.external_memory.has_value();
+    for (std::size_t c = 0; c < cycle_class_count; ++c)
+        if (is_class_of(c, has_memory))
+            header += fmt::format(" {:>{}}", in_words(cycle_class_names[c]), column_width(cycle_class_names[c]));
     line(text, "{}", header);
     for (std::size_t const i : modules_of(run.machine)) {
         ProcessStatistics const p = process_sum(run, i);
         std::string row = fmt::format("  {:<19}", run.machine.processes[i].name);
         for (std::size_t c = 0; c < cycle_class_count; ++c)
-            row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
+            if (is_class_of(c, has_memory))
+                row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
         line(text, "{}", row);
     }
 }
@@ -107,6 +111,9 @@ void host_speed(std::string& text, RunStatistics const& run, HostTime const& hos
 }
 
 std::string describe(StuckProcess const& p) {
+    if (p.waits_for_memory)
+        return fmt::format("core {}: {} ({}, {}) waits for memory, {}; since cycle {}", p.core, p.process, p.position,
+                           p.source, p.fifo, p.since_cycle);
     return fmt::format("core {}: {} ({}, {}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}",
                        p.core, p.process, p.position, p.source, p.waits_for, p.to_write ? "read from" : "write to",
                        p.fifo, p.occupancy, p.capacity, p.since_cycle);
@@ -126,6 +133,7 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
     loop_table(text, run);
     fifo_table(text, run);
     bram_table(text, run);
+    text += memory_traffic_text(run);
     latency_table(text, run);
     host_speed(text, run, host);
     return text;

@@ -28,11 +28,15 @@ void CoreTiming::connect() {
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory())
+                continue;
             Ends& both = ends_[number_of(process.fifo(port))];
             (process.writes(port) ? both.writer : both.reader) = static_cast<int>(process.index());
         }
     for (ProcessTiming& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory())
+                continue;
             Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
             process.set_neighbour(port, other < 0 ? 0 : bit(other));
@@ -115,7 +119,20 @@ bool CoreTiming::keep_more() {
             fifo.keep_more();
             keeps_more = true;
         }
+    for (MemoryStream& stream : streams_)
+        if (stream.is_write() && stream.fifo().known_writes() == 0) {
+            stream.fifo().keep_more();
+            keeps_more = true;
+        }
     return keeps_more;
+}
+
+Cycles CoreTiming::unknown_from() const {
+    Cycles from = ~Cycles{0};
+    for (ProcessTiming const& process : processes_)
+        if (process.finished() && process.port_count() > 0)
+            from = std::min(from, process.not_before());
+    return from;
 }
 
 void CoreTiming::resolve(bool to_the_end) {
@@ -149,6 +166,8 @@ void CoreTiming::resolve_processes(ProcessMask processes) {
     if (ends_.empty())
         connect();
     settle(processes, 0);
+    while (!streams_.empty() && keep_more())
+        settle(all_processes(), 0);
     shorten_trail();
 }
 
@@ -233,6 +252,16 @@ bool CoreTiming::let_driver_go() {
     return driver.advance(true) != 0 || driver.log().pending() != before;
 }
 
+/// Who has to go on before a process can.
+std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned port) const {
+    FifoTiming const& fifo = process.fifo(port);
+    if (fifo.is_memory())
+        return "memory";
+    Ends const& both = ends_[number_of(fifo)];
+    int const other = process.writes(port) ? both.reader : both.writer;
+    return other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
+}
+
 std::vector<Wait> CoreTiming::waits() {
     if (ends_.empty())
         connect();
@@ -253,9 +282,8 @@ std::vector<Wait> CoreTiming::waits() {
         wait.capacity = fifo.shape().capacity;
         wait.since = process.waiting_since();
         wait.site = process.site_at_hand(port);
-        Ends const& both = ends_[number_of(fifo)];
-        int const other = wait.to_write ? both.reader : both.writer;
-        wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
+        wait.for_memory = fifo.is_memory();
+        wait.other = name_at_other_end(process, port);
         waits.push_back(wait);
     }
     return waits;

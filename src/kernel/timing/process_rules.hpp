@@ -182,6 +182,8 @@ template <class Process, class Port> class ProcessRules {
             make_port_set(ports);
         return *sets_[ports];
     }
+    /// Ports stand in program order by their numbers, or as Process says.
+    void put_in_order(PortSet& /*set*/) const {}
     /// The ports have changed.
     void forget_port_sets() { sets_.clear(); }
 
@@ -300,6 +302,8 @@ template <class Process, class Port> class ProcessRules {
 
     /// Of a loop that is not aligned: an iteration with accesses, or one of the silent ones behind it.
     bool iterate_in_pipeline(Operation& operation) {
+        if (is_uniform(operation))
+            return run_in_pipeline(operation);
         std::uint32_t& gap_left = state_.pipeline.gap_left;
         if (!pass_phases(gap_left > 0 ? Ports::Number{0} : operation.ports(), true))
             return false;
@@ -308,6 +312,45 @@ template <class Process, class Port> class ProcessRules {
         if (gap_left == 0)
             take_off(operation, 1);
         return true;
+    }
+
+    /// All iterations in the pipeline access what the next ones do, in one step of each: so every step does the same.
+    bool is_uniform(Operation const& operation) const {
+        PipelinePosition const& pipeline = state_.pipeline;
+        if (plan_->phases.size() != 1 || self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 ||
+            operation.gap() > 0 || operation.ports() == 0 || operation.count() < 2 ||
+            pipeline.iteration < plan_->longest_lag || !are_in_one_step(operation.ports()))
+            return false;
+        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
+            if (state_.delayed(lag) != operation.ports())
+                return false;
+        return true;
+    }
+
+    /// Of a loop with one step.
+    bool are_in_one_step(Ports::Number ports) const {
+        std::size_t const all = port_set(ports).size();
+        auto const& known = plan_->phases.front().ports;
+        return all <= most_in_run &&
+               all == static_cast<std::size_t>(std::count_if(known.begin(), known.end(), [ports](auto const& port) {
+                   return Ports(ports).has(port.first);
+               }));
+    }
+
+    bool run_in_pipeline(Operation& operation) {
+        std::uint32_t const wanted = operation.count();
+        Time const stride = static_cast<Time>(plan_->ii);
+        std::uint32_t const done =
+            run(port_set(operation.ports()), wanted, [stride](std::uint32_t /*i*/) { return stride; });
+        if (done == 0)
+            return false;
+        Ports::Number const ports = operation.ports();
+        state_.pipeline.iteration += done;
+        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
+            state_.delayed(lag) = ports;
+        count(done);
+        take_off(operation, done);
+        return done == wanted;
     }
 
     /// The II steps of an iteration that accesses `ports`, whose tokens leave in this or later iterations. False: it
@@ -610,6 +653,7 @@ template <class Process, class Port> class ProcessRules {
             sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);
         auto set = std::make_unique<PortSet>();
         Ports(ports).each([&](unsigned number) { set->push_back(self().ports_[number]); });
+        self().put_in_order(*set);
         sets_[ports] = std::move(set);
     }
 

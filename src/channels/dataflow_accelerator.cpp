@@ -21,7 +21,7 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
         let_cores_take_turns();
 }
 
-void DataflowAccelerator::join_by_memory(timing::MemoryShape const& shape) {
+void DataflowAccelerator::join_by_memory(timing::ExternalMemory const& shape) {
     memory_ = std::make_unique<timing::MemorySystem>(shape, masters_of(*machine_));
     for (std::size_t core = 0; core < cores_.size(); ++core) {
         memory_->add_core(cores_[core]->timing(), cores_[core]->share().count > 0);

@@ -29,12 +29,16 @@ class DataflowAccelerator : public sc_core::sc_module {
     /// The external memory; null: an ideal one.
     timing::MemorySystem* memory() const { return memory_.get(); }
 
+    /// What the ports of an external memory bring before cycle 0.
+    void load_before(std::vector<timing::MemoryEntry> of_ports) { loads_ = std::move(of_ports); }
+    std::vector<timing::MemoryEntry> const& loads() const { return loads_; }
+
     /// Lets simulated time pass until nothing moves any more.
     void run();
 
   private:
     void let_cores_take_turns();
-    void join_by_memory(timing::MemoryShape const& shape);
+    void join_by_memory(timing::ExternalMemory const& shape);
     void serve_memory();
     void wake(timing::MemorySystem::Target const& target);
 
@@ -42,6 +46,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     Engine engine_;
     std::vector<std::unique_ptr<DataflowCore>> cores_;
     std::unique_ptr<timing::MemorySystem> memory_;
+    std::vector<timing::MemoryEntry> loads_;
     sc_core::sc_event memory_asked_{"memory_asked"};
 };
 

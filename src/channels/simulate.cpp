@@ -9,6 +9,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/replay/collect.hpp"
 #include "kernel/replay/critical_path_of.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
 
 namespace faster {
 
@@ -64,6 +65,14 @@ void check_options(DataflowAccelerator const& accelerator, SimulationOptions con
                          " cannot be had with it");
 }
 
+/// The total has it; the cycles of the cores begin behind it.
+void add_load(DataflowAccelerator const& accelerator, RunStatistics& run) {
+    if (accelerator.memory() == nullptr)
+        return;
+    run.load_cycles = timing::cycles_of_load(accelerator.memory()->shape(), accelerator.loads());
+    run.total_cycles += run.load_cycles;
+}
+
 }  // namespace
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
@@ -82,6 +91,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
             std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator.engine(), options));
     accelerator.run();
     RunStatistics run = statistics_of(accelerator, taping.get());
+    add_load(accelerator, run);
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);

@@ -14,6 +14,10 @@ struct MemoryPlacement {
     Placement mesh = Placement::external;
     Placement observation = Placement::external;
     std::uint64_t observation_copies = 1;  ///< of an observation on the chip, each shared by cores
+    // What memories on the chip have room for.
+    std::uint64_t mesh_triangles = 4096;
+    std::uint64_t observation_width = 640;  ///< [px]
+    std::uint64_t observation_height = 480;
     // Where each begins [byte].
     std::uint64_t mesh_address = 0x1000'0000;
     std::uint64_t image_address = 0x2000'0000;

@@ -35,6 +35,17 @@ Keys memory_placement_keys() {
         {"accelerator.memory.observation_copies", "",
          "How often an observation on the chip is there; the cores share the copies' ports.", this_project},
         {1, 1024}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_copies; }));
+    keys.push_back(Make::integer_key(
+        {"accelerator.memory.mesh_triangles", "triangles", "What a mesh on the chip has room for.", this_project},
+        {1, 1'048'576}, [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh_triangles; }));
+    keys.push_back(Make::integer_key(
+        {"accelerator.memory.observation_width", "px",
+         "Width of the image that an observation on the chip has room for.", this_project},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_width; }));
+    keys.push_back(Make::integer_key(
+        {"accelerator.memory.observation_height", "px",
+         "Height of the image that an observation on the chip has room for.", this_project},
+        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_height; }));
     keys.push_back(address_key(
         "mesh_address", "the mesh, 24 bytes per triangle",
         [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh_address; }));

@@ -1,6 +1,10 @@
 #include "modules/memory_entries.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
 
 namespace faster {
 
@@ -29,6 +33,18 @@ struct Extent {
 Extent within(std::int64_t begin, std::int64_t end, int size) {
     std::int64_t const first = std::clamp<std::int64_t>(begin, 0, size);
     return {first, std::clamp<std::int64_t>(end, first, size)};
+}
+
+std::uint64_t most_triangles(Stimulus const& stimulus) {
+    std::uint64_t most = 0;
+    for (SampleInput const& sample : stimulus.samples)
+        most = std::max<std::uint64_t>(most, sample.triangle_count);
+    return most;
+}
+
+void require_room(char const* key, std::uint64_t room, std::uint64_t needed, char const* what) {
+    if (room < needed)
+        throw InputError(fmt::format("accelerator.memory.{} = {}, expected at least {}, {}", key, room, needed, what));
 }
 
 }  // namespace
@@ -64,8 +80,10 @@ timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i,
                                 SampleInput const& sample, LaneRows const& rows) {
     auto const whole_cols = static_cast<std::int64_t>(rows.tokens_per_row() * rows.lanes());
     std::int64_t const cols = std::min(whole_cols, stimulus.window - static_cast<std::int64_t>(rows.first_col()));
-    std::int64_t const top = std::int64_t{sample.centre_row} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_row());
-    std::int64_t const left = std::int64_t{sample.centre_col} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_col());
+    std::int64_t const top =
+        std::int64_t{sample.centre_row} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_row());
+    std::int64_t const left =
+        std::int64_t{sample.centre_col} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_col());
     Extent const in_rows = within(top, top + static_cast<std::int64_t>(rows.rows()), stimulus.height);
     Extent const in_cols = within(left, left + cols, stimulus.width);
     timing::MemoryBlock block;
@@ -82,6 +100,41 @@ timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i,
         block.first_row = static_cast<std::uint64_t>(in_rows.begin - top);
     }
     return {i, {block}};
+}
+
+std::vector<timing::MemoryEntry> loads_of_ports(MemoryPlacement const& placement, timing::ExternalMemory const& memory,
+                                                Stimulus const& stimulus, std::size_t cores) {
+    std::vector<timing::MemoryEntry> loads(memory.ports);
+    if (stimulus.samples.empty())
+        return loads;
+    if (placement.mesh == Placement::on_chip)
+        for (std::size_t port = 0; port < std::min<std::size_t>(cores, memory.ports); ++port)
+            loads[port].blocks.push_back(
+                timing::beats_of(memory, placement.mesh_address, 3 * vertex_bytes * most_triangles(stimulus)));
+    if (placement.observation == Placement::on_chip) {
+        std::uint64_t const bytes =
+            pixel_bytes * static_cast<std::uint64_t>(stimulus.width) * static_cast<std::uint64_t>(stimulus.height);
+        std::size_t const sharers = (cores + placement.observation_copies - 1) / placement.observation_copies;
+        std::vector<bool> reads(memory.ports);
+        for (std::size_t first = 0; first < cores; first += sharers)
+            reads[first % memory.ports] = true;
+        for (std::size_t port = 0; port < reads.size(); ++port)
+            if (reads[port])
+                loads[port].blocks.push_back(timing::beats_of(memory, placement.image_address, bytes));
+    }
+    return loads;
+}
+
+void check_fits_on_chip(MemoryPlacement const& placement, Stimulus const& stimulus) {
+    if (placement.mesh == Placement::on_chip)
+        require_room("mesh_triangles", placement.mesh_triangles, most_triangles(stimulus),
+                     "those of the largest sample");
+    if (placement.observation == Placement::on_chip) {
+        require_room("observation_width", placement.observation_width, static_cast<std::uint64_t>(stimulus.width),
+                     "that of the observed image");
+        require_room("observation_height", placement.observation_height, static_cast<std::uint64_t>(stimulus.height),
+                     "that of the observed image");
+    }
 }
 
 }  // namespace faster

@@ -33,13 +33,23 @@ ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
         .does("reads one token of observed pixels per iteration")
         .of_depth(5)
         .writes_to({"observed_depth", "observed_edge"})
-        .unlisted();
+        .unlisted()
+        .accesses_memory("observation", widened({{{0, 0}}, {}}, static_cast<int>(lanes)));
     add_stream(config, module);
     return module;
 }
 
 /// On the chip, only the table of valid depths is outside. A region is not known before the sample is drawn.
 void ObservationReader::add_stream(AcceleratorConfig const& config, ModuleDescription& module) {
+    module.memory("observation")
+        .holds("observed depths and edges of the image, if they are on the chip")
+        .of_words(config.memory_placement.observation_height, config.memory_placement.observation_width,
+                  wires::depth + 1)
+        .sized_by("accelerator.memory.observation_width")
+        .shared_in_copies(config.memory_placement.observation_copies)
+        .loaded_before()
+        .only_if(has_external_memory(config))
+        .only_if({config.memory_placement.observation == Placement::on_chip, "accelerator.memory.observation"});
     bool const reads_pixels = config.memory_placement.observation == Placement::external;
     module.fetches("observation")
         .brings("observed pixels, and words of the table of valid depths")

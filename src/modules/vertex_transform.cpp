@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "modules/conditions.hpp"
 #include "modules/memory_entries.hpp"
 #include "modules/token_widths.hpp"
 
@@ -15,7 +16,19 @@ ModuleDescription VertexTransform::describe(AcceleratorConfig const& config) {
         .carries("vertices from the vertex transform to the rasterizer")
         .of_bits(2 * wires::vertex_xy + wires::vertex_z)
         .leaves("vertex", 40);
-    module.loop("vertex").does("transforms one vertex per iteration").of_depth(41).writes_to({"vertex"}).unlisted();
+    module.loop("vertex")
+        .does("transforms one vertex per iteration")
+        .of_depth(41)
+        .writes_to({"vertex"})
+        .unlisted()
+        .accesses_memory("mesh", {{{0, 0}}, {}});
+    module.memory("mesh")
+        .holds("vertices of the mesh, three per triangle, if it is on the chip")
+        .of_words(1, 3 * config.memory_placement.mesh_triangles, 2 * wires::vertex_xy + wires::vertex_z)
+        .sized_by("accelerator.memory.mesh_triangles")
+        .loaded_before()
+        .only_if(has_external_memory(config))
+        .only_if({config.memory_placement.mesh == Placement::on_chip, "accelerator.memory.mesh"});
     module.fetches("vertex")
         .brings("vertices of the mesh")
         .taken_by("vertex")

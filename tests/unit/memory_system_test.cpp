@@ -1,10 +1,11 @@
+#include "kernel/timing/memory/memory_system.hpp"
+
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <deque>
 #include <random>
 
 #include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/memory/memory_system.hpp"
 
 namespace faster::timing {
 namespace {
@@ -12,15 +13,15 @@ namespace {
 constexpr Cycles entered = 7;  ///< when the loop is entered
 constexpr Cycles depth = 5;    ///< of the loop
 
-MemoryShape default_shape() {
-    MemoryShape shape;
+ExternalMemory default_shape() {
+    ExternalMemory shape;
     shape.latency_ps = 120'000;
     shape.granule_ps = 4444;
     return shape;
 }
 
 /// From asking to the first beat.
-Cycles reaction(MemoryShape const& shape) {
+Cycles reaction(ExternalMemory const& shape) {
     return shape.request_cycles + (shape.latency_ps + shape.period_ps - 1) / shape.period_ps;
 }
 
@@ -62,7 +63,7 @@ class Reader {
 };
 
 /// What a loop takes that streams bursts of whole beats, from its entry on.
-Cycles cycles_of_loop(MemoryShape const& shape, std::uint64_t tokens, std::uint64_t token_bytes) {
+Cycles cycles_of_loop(ExternalMemory const& shape, std::uint64_t tokens, std::uint64_t token_bytes) {
     Reader reader;
     MemorySystem memory(shape, {{}});
     memory.add_core(reader.core(), true);
@@ -81,33 +82,33 @@ constexpr std::uint64_t granules = 4;
 }  // namespace
 
 TEST_CASE("A loop that is slower than its port pays the latency once", "[memory]") {
-    MemoryShape const shape = default_shape();
+    ExternalMemory const shape = default_shape();
     std::uint64_t const bursts = GENERATE(1U, 2U, 9U);
     CHECK(cycles_of_loop(shape, bursts * beats * 2, 8) == reaction(shape) + bursts * beats * 2 + depth);
     CHECK(cycles_of_loop(shape, bursts * beats, 16) == reaction(shape) + bursts * beats + depth);
 }
 
 TEST_CASE("A port brings a beat per cycle", "[memory]") {
-    MemoryShape shape = default_shape();
+    ExternalMemory shape = default_shape();
     std::uint64_t const bursts = 9;
     std::uint64_t const tokens = bursts * beats / 4;
     CHECK(cycles_of_loop(shape, tokens, 64) == reaction(shape) + bursts * beats + depth);
 }
 
 TEST_CASE("A slow memory makes its bursts follow each other at its own pace", "[memory]") {
-    MemoryShape shape = default_shape();
+    ExternalMemory shape = default_shape();
     shape.granule_ps = GENERATE(20000U, 40001U, 77777U);
     std::uint64_t const bursts = GENERATE(1U, 2U, 9U);
-    Cycles const last = ((bursts - 1) * granules * shape.granule_ps + shape.latency_ps + shape.period_ps - 1) /
-                        shape.period_ps;
+    Cycles const last =
+        ((bursts - 1) * granules * shape.granule_ps + shape.latency_ps + shape.period_ps - 1) / shape.period_ps;
     CHECK(cycles_of_loop(shape, bursts * beats, 16) == shape.request_cycles + last + beats + depth);
 }
 
 TEST_CASE("A master that may not ask for more waits for what it has asked for", "[memory]") {
-    MemoryShape shape = default_shape();
+    ExternalMemory shape = default_shape();
     shape.outstanding = GENERATE(1U, 2U);
     std::uint64_t const more = GENERATE(0U, 1U, 2U, 3U, 6U, 7U);  // bursts behind the first
-    std::uint64_t const tokens = 2 * beats;                 // of a burst
+    std::uint64_t const tokens = 2 * beats;                       // of a burst
     Cycles const round = reaction(shape) + tokens + 1;
     REQUIRE(shape.outstanding * tokens < round);
     CHECK(cycles_of_loop(shape, (more + 1) * tokens, 8) ==
@@ -115,14 +116,14 @@ TEST_CASE("A master that may not ask for more waits for what it has asked for", 
 }
 
 TEST_CASE("With nothing to limit it, memory costs the first step one cycle", "[memory]") {
-    MemoryShape shape;
+    ExternalMemory shape;
     shape.request_cycles = shape.latency_ps = shape.granule_ps = 0;
     shape.outstanding = 1'000'000;
     CHECK(cycles_of_loop(shape, 3333, 8) == 1 + 3333 - 1 + depth);
 }
 
 TEST_CASE("Two cores that ask in one cycle are served in their order", "[memory]") {
-    MemoryShape shape = default_shape();
+    ExternalMemory shape = default_shape();
     shape.ports = GENERATE(1U, 2U);
     std::deque<Reader> readers(2);
     MemorySystem memory(shape, {{}});
@@ -142,7 +143,7 @@ TEST_CASE("Two cores that ask in one cycle are served in their order", "[memory]
 }
 
 TEST_CASE("Ranges are cut at multiples of bursts, and bursts widened to beats", "[memory]") {
-    MemoryShape const shape = default_shape();
+    ExternalMemory const shape = default_shape();
     BurstCutter cutter(shape);
     cutter.add(range(0x1000 + 250, 3, 5));  // bytes 250 .. 264
     REQUIRE(cutter.next());
@@ -161,7 +162,7 @@ TEST_CASE("Ranges are cut at multiples of bursts, and bursts widened to beats", 
 }
 
 TEST_CASE("Tokens that lie beside what is fetched need nothing", "[memory]") {
-    MemoryShape const shape = default_shape();
+    ExternalMemory const shape = default_shape();
     BurstCutter cutter(shape);
     MemoryBlock block;  // rows of 10 tokens of 4 bytes; bytes 10 .. 29 of the rows 1 and 2 are fetched
     block.address = 0x1000;

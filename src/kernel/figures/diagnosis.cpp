@@ -37,12 +37,12 @@ Cause loop_cause(LoopStatistics const& row, std::size_t loop) {
 
 Diagnosis diagnose(RunStatistics const& run) {
     Diagnosis diagnosis;
-    if (run.total_cycles == 0)
+    if (run.core_cycles() == 0)
         return diagnosis;
     diagnosis.core = last_to_end(run);
     CoreStatistics const& core = run.cores[diagnosis.core];
     diagnosis.module = least_waiting(core, run.machine);
-    diagnosis.cycles = run.total_cycles;
+    diagnosis.cycles = run.core_cycles();
     ProcessStatistics const& process = core.processes[diagnosis.module];
     diagnosis.waits = waits_of(process);
     Cycles left = diagnosis.cycles;

@@ -20,7 +20,7 @@ struct Cause {
 struct Diagnosis {
     std::size_t core = 0;
     std::size_t module = 0;
-    Cycles cycles = 0;          ///< total_cycles of the run
+    Cycles cycles = 0;          ///< of the run, without a load
     Cycles waits = 0;           ///< of them, in which the module stalls or is idle
     std::vector<Cause> causes;  ///< the largest first; they add up to cycles
 };

@@ -56,6 +56,7 @@ struct StuckProcess {
 struct RunStatistics {
     Machine machine;  ///< what the figures are of
     Cycles total_cycles = 0;
+    Cycles load_cycles = 0;                 ///< of them, before the cores' cycle 0: memories on the chip are filled
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
     std::optional<MemoryTraffic> memory;        ///< of an external memory that is not ideal
@@ -63,6 +64,8 @@ struct RunStatistics {
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
+    /// Those of the cores, which is what the classes of their processes add up to.
+    Cycles core_cycles() const { return total_cycles - load_cycles; }
     bool deadlocked() const { return !stuck.empty(); }
     Cycles deadlock_cycle() const;
     /// The processes that wait for each other in a circle, in order; the last waits for the first.

@@ -51,11 +51,11 @@ struct PlacedEnd {
 /// docs/memory.md: whole picoseconds, halves up.
 std::uint64_t rounded(double value) { return static_cast<std::uint64_t>(std::floor(value + 0.5)); }
 
-std::optional<timing::MemoryShape> shape_of(MachineSettings const& settings) {
+std::optional<timing::ExternalMemory> shape_of(MachineSettings const& settings) {
     ExternalMemorySettings const& memory = settings.external_memory;
     if (memory.model == MemoryModel::ideal)
         return std::nullopt;
-    timing::MemoryShape shape;
+    timing::ExternalMemory shape;
     shape.burst_bytes = memory.burst_bytes;
     shape.port_bytes = memory.port_bytes;
     shape.outstanding = memory.outstanding;
@@ -83,9 +83,11 @@ class Maker {
         for (std::size_t i = 0; i < core.modules.size(); ++i)
             for (StreamDescription const& stream : core.modules[i].streams)
                 add_stream(i, stream);
-        for (std::size_t i = 0; i < core.modules.size(); ++i)
-            for (MemoryDescription const& memory : core.modules[i].memories)
-                add_memory(i, memory);
+        for (bool const is_loaded : {false, true})
+            for (std::size_t i = 0; i < core.modules.size(); ++i)
+                for (MemoryDescription const& memory : core.modules[i].memories)
+                    if (memory.is_loaded == is_loaded)
+                        add_memory(i, memory);
         for (std::size_t i = 0; i < core.modules.size(); ++i)
             for (LoopDescription const& loop : core.modules[i].loops)
                 add_loop(i, loop);
@@ -167,8 +169,8 @@ class Maker {
         MemorySettings const settings = settings_.memory(description.name);
         BankPartition const partition(settings.partition, static_cast<std::int64_t>(description.rows),
                                       static_cast<std::int64_t>(description.cols));
-        MachineMemory memory{description.name, true,           {}, module,   module, 0,
-                             description.cols, settings.ports, {}, partition};
+        MachineMemory memory{description.name, true,           {}, module, module, 0,
+                             description.cols, settings.ports, 1,  {},     partition};
         decide(memory, first_failing(core_.modules[module].conditions, description.conditions));
         if (!description.reader.empty())
             memory.reader = machine_.process(description.reader);
@@ -179,6 +181,10 @@ class Maker {
         memory.shape.partition = partition.banks();
         memory.shape.bank_words = partition.bank_words();
         memory.shape.buffers = description.buffers;
+        if (description.copies > 0) {
+            memory.sharers = (settings_.cores + description.copies - 1) / description.copies;
+            memory.shape.share = static_cast<double>(description.copies) / static_cast<double>(settings_.cores);
+        }
         machine_.memories.push_back(std::move(memory));
     }
 
@@ -193,8 +199,9 @@ class Maker {
         std::vector<timing::BramDemand> demands;
         for (MachineMemory const& memory : machine_.memories)
             for (MemoryAccess const& access : description.accesses)
-                if (access.memory == memory.name)
-                    demands.push_back({memory.name, memory.partition.accesses_per_bank(access.pattern), memory.ports});
+                if (memory.is_present && access.memory == memory.name)
+                    demands.push_back({memory.name, memory.sharers * memory.partition.accesses_per_bank(access.pattern),
+                                       memory.ports});
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
@@ -249,7 +256,7 @@ class Maker {
     }
 
     void add_lead() {
-        if (core_.pace.driver.empty() || machine_.external_memory)
+        if (core_.pace.driver.empty() || takes_from_memory())
             return;
         machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
@@ -258,6 +265,16 @@ class Maker {
                 machine_.lead.followers.push_back(
                     {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
         }
+    }
+
+    /// One of those that follow: what it takes from memory, no state of theirs tells.
+    bool takes_from_memory() const {
+        return std::any_of(machine_.streams.begin(), machine_.streams.end(), [this](MachineStream const& stream) {
+            std::string const& module = machine_.processes[stream.process].name;
+            return stream.is_present && (module == core_.pace.driver ||
+                                         std::any_of(core_.pace.followers.begin(), core_.pace.followers.end(),
+                                                     [&module](auto const& one) { return one.module == module; }));
+        });
     }
 
     std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {

@@ -14,7 +14,7 @@
 #include "kernel/timing/fifo_timing.hpp"
 #include "kernel/timing/initiation_interval.hpp"
 #include "kernel/timing/lead.hpp"
-#include "kernel/timing/memory/memory_shape.hpp"
+#include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_stream.hpp"
 #include "kernel/timing/memory/memory_system.hpp"
 #include "kernel/timing/process_timing.hpp"
@@ -84,8 +84,9 @@ struct MachineMemory {
     std::size_t owner = 0;   ///< number of the process that has it
     std::size_t reader = 0;  ///< and of the one that reads it out; mostly the same
     std::uint64_t words = 0;
-    std::uint64_t cols = 1;   ///< of its rows of words
-    std::uint64_t ports = 2;  ///< of a bank
+    std::uint64_t cols = 1;     ///< of its rows of words
+    std::uint64_t ports = 2;    ///< of a bank
+    std::uint64_t sharers = 1;  ///< cores that access one copy
     MemoryShape shape;
     BankPartition partition;
 };
@@ -115,8 +116,8 @@ struct Machine {
     std::vector<MachineFifo> fifos;
     std::vector<MachineLoop> loops;
     std::vector<MachineMemory> memories;
-    std::vector<MachineStream> streams;                  ///< masters, in the order that settles ties
-    std::optional<timing::MemoryShape> external_memory;  ///< none: ideal
+    std::vector<MachineStream> streams;                     ///< masters, in the order that settles ties
+    std::optional<timing::ExternalMemory> external_memory;  ///< none: ideal
     std::vector<LineBuffer> line_buffers;
     timing::Lead lead;
     std::size_t begins = 0;  ///< process whose stamps begin samples

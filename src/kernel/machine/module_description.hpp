@@ -7,7 +7,7 @@
 
 #include "kernel/base/cycles.hpp"
 #include "kernel/machine/access_pattern.hpp"
-#include "kernel/timing/memory/memory_shape.hpp"
+#include "kernel/timing/memory/external_memory.hpp"
 
 namespace faster {
 
@@ -108,6 +108,8 @@ struct MemoryDescription {
     std::uint64_t bits = 1;     ///< of a word; 0: there is no such memory
     std::uint64_t buffers = 1;  ///< how often all of it is there
     std::string size_key;       ///< configuration key that decides rows and cols; or empty
+    bool is_loaded = false;     ///< with data from outside, before an iteration begins; listed behind all others
+    std::uint64_t copies = 0;   ///< of it, which all cores share; 0: each core has its own
     std::string reader;         ///< module that reads it out, if not the one that describes it
 
     MemoryDescription& holds(std::string text) { return contents = std::move(text), *this; }
@@ -116,6 +118,8 @@ struct MemoryDescription {
     }
     MemoryDescription& sized_by(std::string key) { return size_key = std::move(key), *this; }
     MemoryDescription& in_buffers(std::uint64_t number) { return buffers = number, *this; }
+    MemoryDescription& loaded_before() { return is_loaded = true, *this; }
+    MemoryDescription& shared_in_copies(std::uint64_t number) { return copies = number, *this; }
     MemoryDescription& read_out_by(std::string module) { return reader = std::move(module), *this; }
     MemoryDescription& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };

@@ -34,7 +34,7 @@ void set_latencies(timing::MasterFigures const& figures, MasterStatistics& row) 
 
 MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const& machine, std::size_t cores) {
     std::vector<std::size_t> const streams = streams_of(machine);
-    timing::MemoryShape const& shape = memory.shape();
+    timing::ExternalMemory const& shape = memory.shape();
     MemoryTraffic traffic;
     traffic.period_ps = shape.period_ps;
     traffic.largest_queue = memory.controller().largest_queue;

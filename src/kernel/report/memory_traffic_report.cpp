@@ -27,8 +27,8 @@ std::vector<MasterStatistics> over_cores(MemoryTraffic const& traffic) {
         }
         found->bursts += row.bursts;
         found->bytes += row.bytes;
-        found->latency_least = row.bursts > 0 ? std::min(found->latency_least, row.latency_least)
-                                              : found->latency_least;
+        found->latency_least =
+            row.bursts > 0 ? std::min(found->latency_least, row.latency_least) : found->latency_least;
         found->latency_median = std::max(found->latency_median, row.latency_median);
         found->latency_90 = std::max(found->latency_90, row.latency_90);
         found->latency_most = std::max(found->latency_most, row.latency_most);
@@ -50,7 +50,7 @@ std::string memory_traffic_text(RunStatistics const& run) {
     if (!run.memory)
         return {};
     MemoryTraffic const& traffic = *run.memory;
-    Cycles const cycles = run.total_cycles;
+    Cycles const cycles = run.core_cycles();
     std::string text = fmt::format(
         "\nExternal memory: {} bytes, {:.2f} GB/s; controller busy {:.1f} %, largest queue {} bursts; alone it would "
         "take {} cycles; memory stalls {} lane-cycles\n",
@@ -75,17 +75,17 @@ Json memory_traffic_json(RunStatistics const& run) {
     for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
         ports.push_back({{"port", port},
                          {"beats", traffic.port_beats[port]},
-                         {"utilisation", share_of(traffic.port_beats[port], run.total_cycles)}});
+                         {"utilisation", share_of(traffic.port_beats[port], run.core_cycles())}});
     Json masters = json_table(master_columns, traffic.masters);
     for (std::size_t i = 0; i < traffic.masters.size(); ++i)
-        masters[i]["gb_per_s"] = traffic.gb_per_s(traffic.masters[i].bytes, run.total_cycles);
+        masters[i]["gb_per_s"] = traffic.gb_per_s(traffic.masters[i].bytes, run.core_cycles());
     return {{"bytes", traffic.bytes()},
-            {"gb_per_s", traffic.gb_per_s(traffic.bytes(), run.total_cycles)},
+            {"gb_per_s", traffic.gb_per_s(traffic.bytes(), run.core_cycles())},
             {"memory_stall_cycles", memory_stalls(run)},
             {"memory_alone_cycles", traffic.memory_alone()},
             {"controller",
              {{"busy_ps", traffic.controller_busy_ps},
-              {"utilisation", traffic.controller_utilisation(run.total_cycles)},
+              {"utilisation", traffic.controller_utilisation(run.core_cycles())},
               {"largest_queue", traffic.largest_queue}}},
             {"ports", ports},
             {"masters", masters}};

@@ -35,6 +35,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
     summary["brams"] = json_table(memory_columns, memory_rows(run));
     summary["loops"] = json_table(loop_columns, loop_rows(run));
     if (run.memory)
+        summary["load_cycles"] = run.load_cycles;
+    if (run.memory)
         summary["external_memory"] = memory_traffic_json(run);
     summary["bound_by"] = diagnosis_sentences(run);
     if (run.critical_path)

@@ -38,10 +38,12 @@ void headline(std::string& text, RunStatistics const& run) {
     line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
          machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
     line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, machine.milliseconds(run.total_cycles));
+    if (run.load_cycles > 0)
+        line(text, "load   {} cycles of them, before cycle 0 of all that follows", run.load_cycles);
 }
 
 void module_table(std::string& text, RunStatistics const& run) {
-    Cycles const lane_cycles = run.total_cycles * run.cores.size();
+    Cycles const lane_cycles = run.core_cycles() * run.cores.size();
     line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
     std::string header = fmt::format("  {:<19}", "module");
     bool const has_memory = run.machine.external_memory.has_value();

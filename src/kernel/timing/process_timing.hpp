@@ -120,7 +120,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
 
     /// In the middle of equal iterations, at least this many of which are left.
     bool is_running(std::uint32_t iterations) const {
-        if (!in_loop() || by_steps_ || log_.exhausted() || stream_ != nullptr)
+        if (!in_loop() || by_steps_ || log_.exhausted())
             return false;
         Operation const& operation = log_.front();
         return operation.kind() == Kind::iterate && operation.ports() != 0 && operation.count() >= iterations;

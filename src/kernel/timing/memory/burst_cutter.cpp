@@ -73,14 +73,14 @@ void BurstCutter::cut() {
     std::uint64_t const widened_end = round_up(end, shape_.port_bytes);
     burst_.address = round_down(at_, shape_.port_bytes);
     burst_.beats = (widened_end - burst_.address) / shape_.port_bytes;
-    burst_.granules = (round_up(widened_end, MemoryShape::granule_bytes) -
-                       round_down(burst_.address, MemoryShape::granule_bytes)) /
-                      MemoryShape::granule_bytes;
+    burst_.granules = (round_up(widened_end, ExternalMemory::granule_bytes) -
+                       round_down(burst_.address, ExternalMemory::granule_bytes)) /
+                      ExternalMemory::granule_bytes;
     // Ends of tokens, as bytes behind the row's grid.
     std::uint64_t const fetched = end - row_address_ + block.lead;
     bool const ends_row = end == end_of_row();
-    std::uint64_t const whole = ends_row ? (fetched + block.token_bytes - 1) / block.token_bytes
-                                         : fetched / block.token_bytes;
+    std::uint64_t const whole =
+        ends_row ? (fetched + block.token_bytes - 1) / block.token_bytes : fetched / block.token_bytes;
     burst_.tokens = whole - token_;
     burst_.token_bytes = block.token_bytes;
     burst_.first_last = row_address_ + (token_ + 1) * block.token_bytes - block.lead - 1;

@@ -2,15 +2,15 @@
 #include <cstdint>
 #include <deque>
 
+#include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_block.hpp"
-#include "kernel/timing/memory/memory_shape.hpp"
 
 namespace faster::timing {
 
 /// Cuts a master's entries into bursts, in order.
 class BurstCutter {
   public:
-    explicit BurstCutter(MemoryShape const& shape) : shape_(shape) {}
+    explicit BurstCutter(ExternalMemory const& shape) : shape_(shape) {}
 
     void add(MemoryEntry entry) { entries_.push_back(std::move(entry)); }
 
@@ -30,7 +30,7 @@ class BurstCutter {
     void cut();
     std::uint64_t end_of_row() const { return row_address_ + block_->bytes; }
 
-    MemoryShape const& shape_;
+    ExternalMemory const& shape_;
     std::deque<MemoryEntry> entries_;
     MemoryBurst burst_;
     std::uint64_t entry_number_ = 0;

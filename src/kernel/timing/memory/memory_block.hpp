@@ -12,11 +12,11 @@ struct MemoryBlock {
     std::uint64_t bytes = 0;    ///< fetched of a row; 0: nothing is fetched at all
     std::uint64_t lead = 0;     ///< bytes of a row's tokens before the first that is fetched
     std::uint64_t token_bytes = 1;
-    std::uint64_t tokens = 1;       ///< of a row
-    std::uint64_t rows = 1;         ///< in all
-    std::uint64_t first_row = 0;    ///< that fetches
-    std::uint64_t fetched_rows = 1; ///< from first_row on
-    std::uint64_t pitch = 0;        ///< bytes from a row to the next
+    std::uint64_t tokens = 1;        ///< of a row
+    std::uint64_t rows = 1;          ///< in all
+    std::uint64_t first_row = 0;     ///< that fetches
+    std::uint64_t fetched_rows = 1;  ///< from first_row on
+    std::uint64_t pitch = 0;         ///< bytes from a row to the next
 
     std::uint64_t all_tokens() const { return rows * tokens; }
 };
@@ -32,11 +32,11 @@ struct MemoryBurst {
     std::uint64_t address = 0;  ///< a multiple of a beat's bytes
     std::uint64_t beats = 0;
     std::uint64_t granules = 0;
-    std::uint64_t tokens = 0;       ///< that end in it
-    std::uint64_t first_last = 0;   ///< address of the last byte of the first of them
-    std::uint64_t last_last = 0;    ///< and at most that of the others
+    std::uint64_t tokens = 0;      ///< that end in it
+    std::uint64_t first_last = 0;  ///< address of the last byte of the first of them
+    std::uint64_t last_last = 0;   ///< and at most that of the others
     std::uint64_t token_bytes = 1;
-    bool opens_entry = false;       ///< the first of an entry
+    bool opens_entry = false;  ///< the first of an entry
 
     /// In which of its beats a token ends.
     std::uint64_t beat_of(std::uint64_t token, std::uint64_t port_bytes) const {

@@ -4,7 +4,7 @@
 
 namespace faster::timing {
 
-MemoryMaster::MemoryMaster(MemoryShape const& shape, MemoryStream& stream, Prefetch prefetch,
+MemoryMaster::MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch,
                            HandedOut const& handed_out)
     : shape_(shape),
       stream_(stream),
@@ -103,7 +103,10 @@ Cycles MemoryMaster::served(Cycles cycle) {
         if (burst.tokens > 0)
             first = cycle + burst.beat_of(0, shape_.port_bytes) + 1;
         delivered_ += burst.tokens;
-        served_.push_back({burst.tokens > 0 ? delivered_ : 0, done + 1});
+        if (burst.tokens == 0 && served_.empty())  // done, and nobody will be woken to see that
+            free_from_.push_back(done + 1);
+        else
+            served_.push_back({burst.tokens > 0 ? delivered_ : 0, done + 1});
     }
     take_up_next();
     if (has_burst_)

@@ -16,7 +16,7 @@ class MemoryMaster {
     /// Cycles in which a core's headers were handed out, and one; by sample.
     using HandedOut = std::deque<Cycles>;
 
-    MemoryMaster(MemoryShape const& shape, MemoryStream& stream, Prefetch prefetch, HandedOut const& handed_out);
+    MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch, HandedOut const& handed_out);
 
     MemoryStream& stream() const { return stream_; }
     void add(MemoryEntry entry) { cutter_.add(std::move(entry)); }
@@ -46,15 +46,15 @@ class MemoryMaster {
     Cycles cycle_of_entry();
     bool knows_entry() const;
 
-    MemoryShape const& shape_;
+    ExternalMemory const& shape_;
     MemoryStream& stream_;
     Prefetch prefetch_;
     HandedOut const& handed_out_;
     BurstCutter cutter_;
     bool has_burst_ = false;
     std::optional<Cycles> ask_;
-    Cycles ask_from_ = 0;           // rule 1: the cycle after the last burst was asked for
-    std::uint64_t entries_ = 0;     // of which the cycle is known
+    Cycles ask_from_ = 0;        // rule 1: the cycle after the last burst was asked for
+    std::uint64_t entries_ = 0;  // of which the cycle is known
     Cycles entry_cycle_ = 0;
     std::uint64_t unused_slots_;    // of `outstanding`, that no burst has had yet
     std::deque<Cycles> free_from_;  // the others that are free: from which cycle on

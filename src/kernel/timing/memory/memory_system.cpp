@@ -6,7 +6,7 @@
 
 namespace faster::timing {
 
-MemorySystem::MemorySystem(MemoryShape const& shape, std::vector<MasterShape> masters)
+MemorySystem::MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters)
     : shape_(shape), shapes_(std::move(masters)), port_free_(shape.ports), port_figures_(shape.ports) {}
 
 void MemorySystem::add_core(CoreTiming& core, bool has_work) {

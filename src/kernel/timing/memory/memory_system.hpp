@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_master.hpp"
-#include "kernel/timing/memory/memory_shape.hpp"
 
 namespace faster::timing {
 
@@ -26,9 +26,9 @@ class MemorySystem {
         bool hands_out = false;  ///< headers, which tell others what to prefetch
     };
 
-    MemorySystem(MemoryShape const& shape, std::vector<MasterShape> masters);
+    MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters);
 
-    MemoryShape const& shape() const { return shape_; }
+    ExternalMemory const& shape() const { return shape_; }
     /// In order. The core must stay where it is. `has_work`: it does something at all.
     void add_core(CoreTiming& core, bool has_work);
     /// More to do for a core's master, in order; before its process comes there.
@@ -80,10 +80,10 @@ class MemorySystem {
         return {master / shapes_.size(), shapes_[master % shapes_.size()].process};
     }
 
-    MemoryShape shape_;
+    ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
     std::vector<CoreTiming*> cores_;
-    std::vector<CoreTiming const*> working_;  // those that do something
+    std::vector<CoreTiming const*> working_;          // those that do something
     std::deque<MemoryMaster::HandedOut> handed_out_;  // by core
     std::deque<MemoryMaster> masters_;                // of the first core, of the second, ...
     std::vector<bool> is_waiting_;                    // by master: is in requests_

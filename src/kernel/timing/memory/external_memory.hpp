@@ -7,7 +7,7 @@ namespace faster::timing {
 
 /// An external memory: masters, which are processes' ends of it, ask for bursts; ports bring them to the cores; one
 /// controller serves them all. What times mean is in docs/memory.md.
-struct MemoryShape {
+struct ExternalMemory {
     static constexpr std::uint64_t granule_bytes = 64;
 
     std::uint64_t burst_bytes = 256;  ///< ranges are cut at its multiples; a power of two

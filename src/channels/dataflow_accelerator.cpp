@@ -27,8 +27,11 @@ void DataflowAccelerator::join_by_memory(timing::ExternalMemory const& shape) {
         memory_->add_core(cores_[core]->timing(), cores_[core]->share().count > 0);
         cores_[core]->use_memory(memory_.get(), core, &memory_asked_);
     }
-    if (engine_ == Engine::lockstep)
-        SC_THREAD(serve_memory);
+    if (engine_ == Engine::decoupled) {
+        let_cores_share_automaton();
+        return;
+    }
+    SC_THREAD(serve_memory);
 }
 
 /// What is asked for in a cycle is known before that cycle is over, and nothing depends on its answer before the next.
@@ -56,14 +59,17 @@ void DataflowAccelerator::wake(timing::MemorySystem::Target const& target) {
 }
 
 /// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
-void DataflowAccelerator::let_cores_take_turns() {
+void DataflowAccelerator::let_cores_share_automaton() {
     auto const automaton = std::make_shared<timing::Automaton>();
-    for (std::size_t core = 0; core < cores_.size(); ++core) {
+    for (std::unique_ptr<DataflowCore> const& core : cores_)
         if (!machine_->lead.followers.empty())
-            cores_[core]->timing().let_follow(machine_->lead, automaton);
-        if (core > 0)
-            cores_[core]->run_after(*cores_[core - 1]);
-    }
+            core->timing().let_follow(machine_->lead, automaton);
+}
+
+void DataflowAccelerator::let_cores_take_turns() {
+    let_cores_share_automaton();
+    for (std::size_t core = 1; core < cores_.size(); ++core)
+        cores_[core]->run_after(*cores_[core - 1]);
 }
 
 /// A core that is stuck before it has done its share does not keep the next ones from theirs.

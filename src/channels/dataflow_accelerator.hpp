@@ -37,6 +37,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     void run();
 
   private:
+    void let_cores_share_automaton();
     void let_cores_take_turns();
     void join_by_memory(timing::ExternalMemory const& shape);
     void serve_memory();

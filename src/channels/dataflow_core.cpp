@@ -63,7 +63,7 @@ void DataflowCore::catch_up() {
     if (time_base_.engine != Engine::decoupled)
         return;
     if (memory_ != nullptr)
-        memory_->go_on(false);
+        memory_->note_sample();
     else
         timing_.resolve(false);
 }

@@ -57,8 +57,7 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
 /// What nobody has taught yet to follow cores that share a memory.
 void check_options(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
     char const* const asked = options.recorded != nullptr ? "a recording of what a run did (--events, --sensitivities)"
-                              : options.critical_path     ? "a critical path (--critical-path, --report)"
-                              : !options.recordings.empty() ? "waveforms and timelines"
+                              : !options.recordings.empty() ? "waveforms and timelines (--vcd, --timeline, --report)"
                                                             : nullptr;
     if (accelerator.memory() != nullptr && asked != nullptr)
         throw InputError(std::string("accelerator.memory.model = \"axi\", expected \"ideal\": ") + asked +

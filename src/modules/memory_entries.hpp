@@ -10,8 +10,8 @@
 
 namespace faster {
 
-/// What a raster core takes from the external memory, and puts there, for a sample (docs/memory.md). `i`: the sample's
-/// number in its core; `sample`: in the whole job.
+/// What a raster core takes from the external memory, and puts there, for a sample (docs/memory-model.md). `i`: the
+/// sample's number in its core; `sample`: in the whole job.
 timing::MemoryEntry header_entry(MemoryPlacement const& placement, std::size_t i, std::size_t sample);
 timing::MemoryEntry result_entry(MemoryPlacement const& placement, std::size_t i, std::size_t sample);
 timing::MemoryEntry mesh_entry(MemoryPlacement const& placement, std::size_t i, std::size_t triangles);

@@ -48,7 +48,7 @@ struct PlacedEnd {
     std::string decided_by;
 };
 
-/// docs/memory.md: whole picoseconds, halves up.
+/// docs/memory-model.md: whole picoseconds, halves up.
 std::uint64_t rounded(double value) { return static_cast<std::uint64_t>(std::floor(value + 0.5)); }
 
 std::optional<timing::ExternalMemory> shape_of(MachineSettings const& settings) {
@@ -169,7 +169,7 @@ class Maker {
         MemorySettings const settings = settings_.memory(description.name);
         BankPartition const partition(settings.partition, static_cast<std::int64_t>(description.rows),
                                       static_cast<std::int64_t>(description.cols));
-        MachineMemory memory{description.name, true,           {}, module, module, 0,
+        MachineMemory memory{description.name, true,           {}, module, module,   0,
                              description.cols, settings.ports, 1,  {},     partition};
         decide(memory, first_failing(core_.modules[module].conditions, description.conditions));
         if (!description.reader.empty())

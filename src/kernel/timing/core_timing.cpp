@@ -138,6 +138,24 @@ Cycles CoreTiming::unknown_from() const {
 void CoreTiming::resolve(bool to_the_end) {
     if (holds_)
         return;
+    go_on(to_the_end);
+    if (to_the_end && automaton_ != nullptr)
+        automaton_->settle(*group_, session_);
+    for (ProcessTiming& process : processes_)
+        process.log().compact();
+    shorten_trail();
+}
+
+void CoreTiming::resume(ProcessMask processes) {
+    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
+        resolve_processes(processes);
+    } else {
+        go_on(true);
+        shorten_trail();
+    }
+}
+
+void CoreTiming::go_on(bool to_the_end) {
     if (ends_.empty())
         connect();
     ProcessMask const all = all_processes();
@@ -155,11 +173,6 @@ void CoreTiming::resolve(bool to_the_end) {
                 break;
         }
     }
-    if (to_the_end && automaton_ != nullptr)
-        automaton_->settle(*group_, session_);
-    for (ProcessTiming& process : processes_)
-        process.log().compact();
-    shorten_trail();
 }
 
 void CoreTiming::resolve_processes(ProcessMask processes) {

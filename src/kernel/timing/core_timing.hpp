@@ -52,6 +52,9 @@ class CoreTiming {
     /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
     void hold(bool holds) { holds_ = holds; }
 
+    /// Likewise, with or without an automaton, where some processes have got tokens from memory.
+    void resume(ProcessMask processes);
+
     /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
     void resolve_processes(ProcessMask processes);
 
@@ -106,6 +109,7 @@ class CoreTiming {
 
   private:
     void connect();
+    void go_on(bool to_the_end);
     std::string name_at_other_end(ProcessTiming const& process, unsigned port) const;
     void find_patient();
     /// All but the processes `held`, a bit each.

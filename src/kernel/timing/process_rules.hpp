@@ -155,14 +155,19 @@ template <class Process, class Port> class ProcessRules {
         if (!plan_->aligned)
             state_.delay_line.assign(plan_->delay_line_length, 0);
     }
+    Region region_at_hand() const {
+        if (!state_.in_loop)
+            return Region();
+        bool const drains = !log_.exhausted() && log_.begin()->kind() == Kind::leave;
+        return Region::of_loop(state_.loop, drains ? Region::Part::drain : Region::Part::iterations);
+    }
     void leave_trail(unsigned port) {
-        Region region;
-        if (state_.in_loop) {
-            bool const drains = !log_.exhausted() && log_.begin()->kind() == Kind::leave;
-            region = Region::of_loop(state_.loop, drains ? Region::Part::drain : Region::Part::iterations);
-        }
-        trail_->stalled(index_, port, region, state_.in_loop ? state_.pipeline.offset : 0,
-                        static_cast<Cycles>(state_.time));
+        note_wait(self().ports_[port], region_at_hand(), state_.in_loop ? state_.pipeline.offset : 0, 0, state_.time);
+    }
+    /// The trail learns that the process waited for a port, up to a cycle, in a step of a region so many steps after
+    /// its iteration's first.
+    void note_wait(Port const& port, Region region, Cycles step, Time /*from*/, Time until) {
+        trail_->stalled(index_, port.number, region, step, static_cast<Cycles>(until));
     }
 
     /// All of an iteration that is split off an operation, which may become its tail; or the next is the front one.
@@ -224,18 +229,19 @@ template <class Process, class Port> class ProcessRules {
         if (!self().may_access(ports))
             return false;
         Time const arrival = state_.time;
-        int waited_for = -1;
+        Port const* waited_for = nullptr;
         for (Port const& port : set) {
             Time const earliest = port.end.earliest();
             if (earliest <= state_.time)
                 continue;
             Time const stall = earliest - state_.time;
             state_.time = earliest;
-            waited_for = static_cast<int>(port.number);
+            waited_for = &port;
             self().charge(port, stall);
         }
-        if (trail_ != nullptr && waited_for >= 0)
-            leave_trail(static_cast<unsigned>(waited_for));
+        if (trail_ != nullptr && waited_for != nullptr)
+            self().note_wait(*waited_for, region_at_hand(), state_.in_loop ? state_.pipeline.offset : 0, arrival,
+                             state_.time);
         self().performs(ports, arrival);
         for (Port const& port : set) {
             port.end.access(state_.time);
@@ -469,6 +475,7 @@ template <class Process, class Port> class ProcessRules {
         /// The next iteration is `stride` cycles after this one.
         template <bool MayWait> [[gnu::always_inline]] void iterate(bool is_tail, Time stride) {
             unsigned waited_for = N;
+            Time const arrival = time_;
             for (unsigned i = is_tail ? N - 1 : 0; MayWait && i < N; ++i) {
                 Time const later = std::max<Time>(earliest_[i][accesses_of(i)], time_);
                 stalls_[i] += later - time_;
@@ -476,9 +483,9 @@ template <class Process, class Port> class ProcessRules {
                 time_ = later;
             }
             if (process_.trail_ != nullptr && waited_for < N)
-                process_.trail_->stalled(process_.index_, set_[waited_for].number,
-                                         Region::of_loop(process_.state_.loop, Region::Part::iterations), 0,
-                                         static_cast<Cycles>(time_));
+                process_.self().note_wait(set_[waited_for],
+                                          Region::of_loop(process_.state_.loop, Region::Part::iterations), 0, arrival,
+                                          time_);
             for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i)
                 appended_[i][accesses_of(i)] = static_cast<typename Line::Cycle>(time_ + later_[i]);
             whole_ += is_tail ? 0 : 1;

@@ -193,6 +193,15 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     bool may_access(Ports::Number ports);
     void wait_for(ProcessPort const& port);
     void put_in_order(PortSet& set) const;
+    /// A wait for memory is the process's own time, in a region of its own. It comes first in a step.
+    void note_wait(ProcessPort const& port, Region region, Cycles step, Cycles from, Cycles until) {
+        if (!port.fifo->is_memory()) {
+            Rules::note_wait(port, region, step, from, until);
+            return;
+        }
+        trail_->marked(index_, Region::memory(), from);
+        trail_->marked(index_, region, until);
+    }
     void charge(ProcessPort const& port, Cycles stall);
     void performs(Ports::Number ports, Cycles arrival);
     void note(ProcessPort const& port, std::uint64_t count) {

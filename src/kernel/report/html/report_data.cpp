@@ -166,7 +166,10 @@ std::string report_data(HtmlReportInput const& input) {
             data["cycle_classes"].push_back(cycle_class_names[c]);
     data["modules"] = modules(input.run);
     data["stalls"] = stalls(input.run);
-    data["path_causes"] = path_cause_names;
+    data["path_causes"] = Json::array();
+    for (char const* cause : path_cause_names)
+        if (input.run.machine.external_memory || cause != name_of(PathCause::memory))
+            data["path_causes"].push_back(cause);
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
     data["sensitivities"] = sensitivities_json(input.run);
     data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));

@@ -6,7 +6,7 @@
 namespace faster::timing {
 
 /// An external memory: masters, which are processes' ends of it, ask for bursts; ports bring them to the cores; one
-/// controller serves them all. What times mean is in docs/memory.md.
+/// controller serves them all. What times mean is in docs/memory-model.md.
 struct ExternalMemory {
     static constexpr std::uint64_t granule_bytes = 64;
 

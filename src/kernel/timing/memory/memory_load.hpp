@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/memory/memory_block.hpp"
 #include "kernel/timing/memory/external_memory.hpp"
+#include "kernel/timing/memory/memory_block.hpp"
 
 namespace faster::timing {
 

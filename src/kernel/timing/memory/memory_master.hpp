@@ -9,8 +9,8 @@
 
 namespace faster::timing {
 
-/// One master: decides when it asks for which burst (docs/memory.md). It follows its process's stream, and a header
-/// stream's takes if it prefetches what headers tell of.
+/// One master: decides when it asks for which burst (docs/memory-model.md). It follows its process's stream, and a
+/// header stream's takes if it prefetches what headers tell of.
 class MemoryMaster {
   public:
     /// Cycles in which a core's headers were handed out, and one; by sample.

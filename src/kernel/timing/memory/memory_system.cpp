@@ -94,7 +94,7 @@ void MemorySystem::settle(std::size_t core, bool is_resolved) {
         cores_[core]->resolve(false);
     ProcessMask woken = 0;
     do {
-        cores_[core]->resolve_processes(woken);
+        cores_[core]->resume(woken);
         woken = 0;
         for (std::size_t master = core * shapes_.size(); master < (core + 1) * shapes_.size(); ++master)
             if (follow_master(master))
@@ -122,7 +122,7 @@ void MemorySystem::go_on(bool at_the_end) {
         for (std::size_t core = 0; core < cores_.size(); ++core) {
             if (woken[core] == 0)
                 continue;
-            cores_[core]->resolve_processes(woken[core]);
+            cores_[core]->resume(woken[core]);
             woken[core] = 0;
             settle(core, true);
         }

@@ -14,8 +14,9 @@ namespace faster::timing {
 
 class CoreTiming;
 
-/// The memory that all cores of a machine share: it joins their times (docs/memory.md). Bursts are served in the order
-/// in which they are asked for. One may be served as soon as nothing that is not known yet can be asked for before it.
+/// The memory that all cores of a machine share: it joins their times (docs/memory-model.md). Bursts are served in the
+/// order in which they are asked for. One may be served as soon as nothing that is not known yet can be asked for
+/// before it.
 class MemorySystem {
   public:
     /// What a stream of a core is to the memory. Masters stand in the order that settles ties.
@@ -39,6 +40,11 @@ class MemorySystem {
     /// Gives cycles to all operations that the cores have logged and that can have them. `at_the_end`: nothing more
     /// will be logged.
     void go_on(bool at_the_end);
+    /// To be called when a core has logged another sample: goes on when about all have.
+    void note_sample() {
+        if (++samples_ % cores_.size() == 0)
+            go_on(false);
+    }
 
     // Step by step, for who brings time itself.
 
@@ -83,6 +89,7 @@ class MemorySystem {
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
     std::vector<CoreTiming*> cores_;
+    std::uint64_t samples_ = 0;
     std::vector<CoreTiming const*> working_;          // those that do something
     std::deque<MemoryMaster::HandedOut> handed_out_;  // by core
     std::deque<MemoryMaster> masters_;                // of the first core, of the second, ...

@@ -283,9 +283,8 @@ void TwinMemoryModel::serve(TwinMasterModel& master, Cycles asked) {
 }
 
 bool TwinMemoryModel::is_idle() const {
-    return std::all_of(masters_.begin(), masters_.end(), [](TwinMasterModel const& master) {
-        return master.next_ask() == TwinMasterModel::never;
-    });
+    return std::all_of(masters_.begin(), masters_.end(),
+                       [](TwinMasterModel const& master) { return master.next_ask() == TwinMasterModel::never; });
 }
 
 Cycles load_cycles(TwinMemory const& memory, double clock_mhz, Stimulus const& stimulus, std::size_t cores) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/base/cycles.hpp"
+#include "kernel/machine/external_memory_settings.hpp"
 #include "kernel/machine/fifo_kind.hpp"
 #include "kernel/machine/partition_config.hpp"
 
@@ -37,6 +38,7 @@ struct MemorySettings {
 struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
+    ExternalMemorySettings external_memory;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, MemorySettings> memories;

@@ -805,6 +805,10 @@ void run_cores(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMe
 
 }  // namespace
 
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    return run_twin(config, stimulus, memory_of(config));
+}
+
 TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory) {
     check(config, stimulus);
     TwinResult result;

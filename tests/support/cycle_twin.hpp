@@ -67,6 +67,8 @@ struct TwinResult {
 /// and stimulus structs. Window and fraction bits are the stimulus's, as for a trace. Throws std::invalid_argument on a
 /// stimulus with a posed mesh (it has no vertex transform) and on a write latency beyond the end of its loop.
 /// With memory `axi` all cores go through the same cycles.
-TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory = {});
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus);
+/// With this memory instead of the configuration's.
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory);
 
 }  // namespace faster::testing

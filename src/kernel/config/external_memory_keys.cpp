@@ -17,7 +17,8 @@ std::string key_name(char const* part) { return std::string("accelerator.memory.
 
 void add_request_keys(Keys& keys) {
     keys.push_back(Make::integer_key(
-        {key_name("burst_bytes"), "bytes", "Longest burst; ranges are cut at its multiples. A power of two, at least port_bytes.",
+        {key_name("burst_bytes"), "bytes",
+         "Longest burst; ranges are cut at its multiples. A power of two, at least port_bytes.",
          "AXI3: 16 beats of 16 bytes"},
         {4, 4096}, [](auto& settings) -> auto& { return settings.external_memory.burst_bytes; }));
     keys.push_back(Make::integer_key(
@@ -31,8 +32,7 @@ void add_request_keys(Keys& keys) {
         {key_name("prefetch"), "", "Whether masters work ahead of their processes, across samples.", this_project},
         [](auto& settings) -> auto& { return settings.external_memory.prefetch; }));
     keys.push_back(Make::integer_key(
-        {key_name("ports"), "", "Ports between cores and memory; core c uses port c mod ports.",
-         "ZCU102, FPT 2019"},
+        {key_name("ports"), "", "Ports between cores and memory; core c uses port c mod ports.", "ZCU102, FPT 2019"},
         {1, 1024}, [](auto& settings) -> auto& { return settings.external_memory.ports; }));
     keys.push_back(Make::integer_key(
         {key_name("request_cycles"), "cycles", "From asking for a burst to its arrival at the controller.",
@@ -42,15 +42,16 @@ void add_request_keys(Keys& keys) {
 
 void add_dram_keys(Keys& keys) {
     keys.push_back(Make::number_key(
-        {key_name("dram_gb_per_s"), "GB/s", "Peak bandwidth of the memory, in 1e9 bytes per second.", "ZCU102, DDR4-2400"},
+        {key_name("dram_gb_per_s"), "GB/s", "Peak bandwidth of the memory, in 1e9 bytes per second.",
+         "ZCU102, DDR4-2400"},
         {0, 1e6, true}, [](auto& settings) -> auto& { return settings.external_memory.dram_gb_per_s; }));
     keys.push_back(Make::number_key(
         {key_name("dram_efficiency"), "", "Part of the peak that can be had; row misses and refresh are in it.",
          "FPT 2019"},
         {0, 1, true}, [](auto& settings) -> auto& { return settings.external_memory.dram_efficiency; }));
     keys.push_back(Make::number_key(
-        {key_name("read_latency_ns"), "ns", "From the begin of a burst at the controller to its first beat at the port.",
-         this_project},
+        {key_name("read_latency_ns"), "ns",
+         "From the begin of a burst at the controller to its first beat at the port.", this_project},
         {0, 1e6}, [](auto& settings) -> auto& { return settings.external_memory.read_latency_ns; }));
 }
 

@@ -1,0 +1,55 @@
+#include "support/memory_trials.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/engine_agreement.hpp"
+#include "support/random_memory.hpp"
+#include "support/random_stimulus.hpp"
+
+namespace faster::testing {
+namespace {
+
+RandomStimulusOptions stimuli(std::uint64_t seed) {
+    RandomStimulusOptions options;
+    options.width = {24, 64};
+    options.height = {24, 64};
+    options.window = {4, 20};
+    options.samples = {0, seed % 5 == 0 ? 24 : 8};
+    options.random_fraction_bits = seed % 3 == 0;
+    return options;
+}
+
+RandomConfigOptions machines(std::uint64_t seed) {
+    RandomConfigOptions options;
+    options.cores = {1, seed % 2 == 0 ? 12 : 4};
+    options.is_deadlock_free = seed % 4 != 0;
+    if (seed % 4 == 0)
+        options.fifo_depth = {1, 8};
+    if (seed % 11 == 0)
+        options.flow = Flow::fpga_grip;
+    if (seed % 3 != 0)
+        return options;
+    options.any_scan = true;
+    options.any_clearing = true;
+    options.any_buffers = true;
+    options.any_region = true;
+    options.max_lanes = 4;
+    return options;
+}
+
+}  // namespace
+
+int check_memory_seeds(std::uint64_t first, std::uint64_t count) {
+    int deadlocks = 0;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        Stimulus const stimulus = random_stimulus(seed, stimuli(seed));
+        AcceleratorConfig config = random_config(seed, machines(seed));
+        draw_memory(seed, config);
+        adopt(stimulus, config);
+        deadlocks += check_agreement(config, stimulus) ? 0 : 1;
+    }
+    return deadlocks;
+}
+
+}  // namespace faster::testing

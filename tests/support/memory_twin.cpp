@@ -227,6 +227,7 @@ TwinTraffic TwinMasterModel::traffic() const {
         traffic.granules += burst.granules;
         traffic.latency_sum += burst.answered - burst.asked;
         traffic.latency_max = std::max(traffic.latency_max, burst.answered - burst.asked);
+        traffic.last_asked = burst.asked;
     }
     return traffic;
 }

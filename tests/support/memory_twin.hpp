@@ -62,10 +62,11 @@ struct TwinTraffic {
     std::uint64_t granules = 0;  ///< of 64 bytes
     Cycles latency_sum = 0;      ///< from asking to the last beat, or the acknowledgement
     Cycles latency_max = 0;
+    Cycles last_asked = 0;
 
     friend bool operator==(TwinTraffic const& a, TwinTraffic const& b) {
         return a.bursts == b.bursts && a.bytes == b.bytes && a.granules == b.granules &&
-               a.latency_sum == b.latency_sum && a.latency_max == b.latency_max;
+               a.latency_sum == b.latency_sum && a.latency_max == b.latency_max && a.last_asked == b.last_asked;
     }
 };
 

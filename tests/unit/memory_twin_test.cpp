@@ -258,6 +258,21 @@ TEST_CASE("A range is cut at multiples of the burst, and widened to beats", "[me
     CHECK(stream.taken.back() == 50 + 34);
 }
 
+TEST_CASE("Granules are those that a burst touches, not those that it would fill", "[memory_twin]") {
+    auto const granules = [](std::uint64_t address, std::uint64_t bytes, std::uint64_t port_bytes) {
+        TwinMemory memory;
+        memory.port_bytes = port_bytes;
+        Bench bench(memory);
+        bench.add(0, tokens_of(1, bytes, address));
+        bench.run();
+        return bench.model.master(0).traffic().granules;
+    };
+    CHECK(granules(56, 16, 16) == 2);
+    CHECK(granules(64, 64, 16) == 1);
+    CHECK(granules(60, 4, 16) == 1);
+    CHECK(granules(64, 1, 128) == 2);  // widened to a beat
+}
+
 TEST_CASE("Tokens across bursts do not deadlock with one outstanding burst", "[memory_twin]") {
     TwinMemory memory;
     memory.outstanding = 1;

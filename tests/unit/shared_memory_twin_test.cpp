@@ -82,10 +82,10 @@ TEST_CASE("A window without triangles behind a memory, cycle for cycle", "[memor
     CHECK(process_of(result, 0, ModuleId::vertex_transform).memory_stall == 0);
     CHECK(process_of(result, 0, ModuleId::result_collector).memory_stall == 0);
     // Result: read in 162, asked for in 163.
-    CHECK(traffic_of(result, 0, TwinMaster::header) == TwinTraffic{1, 64, 1, 51, 51});
+    CHECK(traffic_of(result, 0, TwinMaster::header) == TwinTraffic{1, 64, 1, 51, 51, 0});
     CHECK(traffic_of(result, 0, TwinMaster::vertex) == TwinTraffic{});
-    CHECK(traffic_of(result, 0, TwinMaster::observation) == TwinTraffic{4, 64, 4, 4 * 48, 48});
-    CHECK(traffic_of(result, 0, TwinMaster::result) == TwinTraffic{1, 32, 1, 48, 48});
+    CHECK(traffic_of(result, 0, TwinMaster::observation) == TwinTraffic{4, 64, 4, 4 * 48, 48, 57});
+    CHECK(traffic_of(result, 0, TwinMaster::result) == TwinTraffic{1, 32, 1, 48, 48, 163});
     CHECK(result.port_beats == std::vector<std::uint64_t>{8, 0, 0});
     CHECK(result.controller_ps == 6 * 4444);
 }
@@ -204,8 +204,13 @@ TEST_CASE("With a touched region four words come before the rows, whatever prefe
     REQUIRE_FALSE(result.deadlock);
     // Region: fragments (1, 1) .. (2, 2) and a margin, the window: 4 rows of a beat.
     CHECK(traffic_of(result, 0, TwinMaster::observation).bursts == 4 + 4);
+    // The words come behind the 2 beats of the vertices, which were asked for in the same cycle, or one before.
+    auto const stall = [&] {
+        return process_of(run_twin(config, small_triangles(1), memory), 0, ModuleId::observation_reader).memory_stall;
+    };
+    CHECK(stall() == 49 + 2 + 49);
     memory.prefetch = true;
-    CHECK(traffic_of(run_twin(config, small_triangles(1), memory), 0, TwinMaster::observation).bursts == 4 + 4);
+    CHECK(stall() == 49 + 1 + 49);
     CHECK(traffic_of(run_twin(config, empty_windows(1), memory), 0, TwinMaster::observation).bursts == 4);
     memory.observation_on_chip = true;
     CHECK(traffic_of(run_twin(config, small_triangles(1), memory), 0, TwinMaster::observation).bursts == 4);

@@ -39,15 +39,19 @@ RandomConfigOptions machines(std::uint64_t seed) {
 
 }  // namespace
 
+MemoryTrial memory_trial(std::uint64_t seed) {
+    MemoryTrial trial{random_stimulus(seed, stimuli(seed)), random_config(seed, machines(seed))};
+    draw_memory(seed, trial.config);
+    adopt(trial.stimulus, trial.config);
+    return trial;
+}
+
 int check_memory_seeds(std::uint64_t first, std::uint64_t count) {
     int deadlocks = 0;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         CAPTURE(seed);
-        Stimulus const stimulus = random_stimulus(seed, stimuli(seed));
-        AcceleratorConfig config = random_config(seed, machines(seed));
-        draw_memory(seed, config);
-        adopt(stimulus, config);
-        deadlocks += check_agreement(config, stimulus) ? 0 : 1;
+        MemoryTrial const trial = memory_trial(seed);
+        deadlocks += check_agreement(trial.config, trial.stimulus) ? 0 : 1;
     }
     return deadlocks;
 }

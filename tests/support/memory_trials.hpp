@@ -1,11 +1,20 @@
 #pragma once
 #include <cstdint>
 
+#include "common/stimulus.hpp"
+#include "faster/accelerator_config.hpp"
+
 namespace faster::testing {
 
-/// Runs random workloads on random machines with random memories, seeds first .. first + count - 1, and checks that
-/// both engines agree with the twin. Returns how many deadlocked. Every fourth machine may deadlock, every third has
+/// A random workload on a random machine with a random memory. Every fourth machine may deadlock, every third has
 /// variants drawn, every eleventh is of flow fpga_grip.
+struct MemoryTrial {
+    Stimulus stimulus;
+    AcceleratorConfig config;
+};
+MemoryTrial memory_trial(std::uint64_t seed);
+
+/// Checks that both engines agree with the twin, seeds first .. first + count - 1. Returns how many deadlocked.
 int check_memory_seeds(std::uint64_t first, std::uint64_t count);
 
 }  // namespace faster::testing

@@ -23,7 +23,7 @@ class MemoryDice {
 };
 
 void draw_bursts(MemoryDice& dice, ExternalMemorySettings& memory) {
-    std::uint64_t const beat = dice.one_in(10) ? 12 : dice.between(2, 7);  // powers of two
+    auto const beat = dice.one_of<std::uint64_t>({2, 2, 3, 4, 4, 5, 6, 7, 12});  // powers of two
     memory.port_bytes = std::uint64_t{1} << beat;
     memory.burst_bytes = std::uint64_t{1} << (dice.one_in(4) ? beat : dice.between(beat, 12));
     memory.outstanding = dice.one_of<std::uint64_t>({1, 1, 2, 3, 4, 16, 1000});

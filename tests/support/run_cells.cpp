@@ -130,7 +130,7 @@ Cells cells_of(TwinResult const& twin, Part part) {
         if (part == Part::Loops)
             add_loops(cells, k, twin.loops[k]);
         if (part == Part::Stalls)
-            add_processes(cells, k, twin.processes[k], twin.total_cycles);
+            add_processes(cells, k, twin.processes[k], twin.total_cycles - twin.load_cycles);
     }
     return cells.take();
 }

@@ -206,6 +206,9 @@ class ProcessClock {
     void catch_up();
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
+    static void wake_writer(FifoChannel& fifo);
+    void wake_behind_flushing();
+    void let_out();
 
     std::string connect_stream();
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }

@@ -62,6 +62,7 @@ struct RunStatistics {
     std::optional<MemoryTraffic> memory;        ///< of an external memory that is not ideal
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
+    std::vector<Alternative> alternatives;      ///< likewise
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
     /// Those of the cores, which is what the classes of their processes add up to.

@@ -201,7 +201,7 @@ class Maker {
         std::vector<timing::BramDemand> demands;
         for (MachineMemory const& memory : machine_.memories)
             for (MemoryAccess const& access : description.accesses)
-                if (memory.is_present && access.memory == memory.name)
+                if ((memory.is_present || !loop.is_present) && access.memory == memory.name)
                     demands.push_back({memory.name, memory.sharers * memory.partition.accesses_per_bank(access.pattern),
                                        memory.ports});
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);

@@ -24,6 +24,11 @@ std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
     return static_cast<std::size_t>(std::find_if(fifos_.begin(), fifos_.end(), same) - fifos_.begin());
 }
 
+std::size_t CoreTiming::number_of(MemoryStream const& stream) const {
+    auto const same = [&stream](MemoryStream const& other) { return &other == &stream; };
+    return static_cast<std::size_t>(std::find_if(streams_.begin(), streams_.end(), same) - streams_.begin());
+}
+
 void CoreTiming::connect() {
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
@@ -50,9 +55,15 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     auto copy = std::make_unique<CoreTiming>();
     for (FifoTiming const& fifo : fifos_)
         copy->add_fifo(fifo.shape());
+    for (MemoryStream const& stream : streams_)
+        copy->add_stream(stream.name(), stream.enters_by());
     for (ProcessTiming const& process : processes_) {
         ProcessTiming& same = copy->add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory()) {
+                same.add_stream(copy->stream(number_of(*process.stream())));
+                continue;
+            }
             FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
             process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
         }

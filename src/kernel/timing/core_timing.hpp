@@ -97,6 +97,7 @@ class CoreTiming {
     std::deque<FifoTiming> const& fifos() const { return fifos_; }
     std::deque<ProcessTiming> const& processes() const { return processes_; }
     std::size_t number_of(FifoTiming const& fifo) const;
+    std::size_t number_of(MemoryStream const& stream) const;
     /// Numbers of the processes at a FIFO; -1: none. Once connected, by the first resolve().
     struct Ends {
         int writer = -1;

@@ -70,7 +70,7 @@ MemoryBlock beats_of(ExternalMemory const& shape, std::uint64_t address, std::ui
     block.bytes = bytes;
     block.lead = address % shape.port_bytes;
     block.token_bytes = shape.port_bytes;
-    block.tokens = (block.lead + bytes + shape.port_bytes - 1) / shape.port_bytes;
+    block.tokens = bytes == 0 ? 0 : (block.lead + bytes + shape.port_bytes - 1) / shape.port_bytes;
     return block;
 }
 

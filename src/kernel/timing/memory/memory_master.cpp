@@ -69,16 +69,16 @@ void MemoryMaster::find_ask() {
     ask_ = std::max({ask_from_, entry_cycle_, slot});
 }
 
-/// Of bursts that are done: a read once the last token that ends in it has been taken. All that has been taken either
-/// is of such bursts, or of one whose last token has not.
+/// Of bursts that are done: a read once its last beat has come and the last token that ends in it has been taken. All
+/// that has been taken either is of such bursts, or of one whose last token has not.
 void MemoryMaster::free_slots(HandedOut* handing_out) {
     std::uint64_t const taken = stream_.is_write() ? 0 : stream_.taken();
     for (std::uint64_t i = 0; handing_out != nullptr && i < taken; ++i)
         handing_out->push_back(stream_.after_taking(i));
     for (; !served_.empty() && served_.front().last_token <= forgotten_ + taken; served_.pop_front()) {
         Served const& burst = served_.front();
-        free_from_.push_back(burst.last_token == 0 ? burst.after_last_beat
-                                                   : stream_.after_taking(burst.last_token - 1 - forgotten_));
+        Cycles const after_taking = burst.last_token == 0 ? 0 : stream_.after_taking(burst.last_token - 1 - forgotten_);
+        free_from_.push_back(std::max(after_taking, burst.after_last_beat));
     }
     stream_.forget_taken(taken);
     forgotten_ += taken;

@@ -257,25 +257,22 @@ class Maker {
                 machine_.processes[module].loops.push_back(loop);
     }
 
+    /// What comes from memory, no state of a process tells: who takes it does not follow.
     void add_lead() {
-        if (core_.pace.driver.empty() || takes_from_memory())
+        if (core_.pace.driver.empty() || uses_memory(core_.pace.driver))
             return;
         machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
             std::size_t const anchor = machine_.fifo(follower.anchor);
-            if (machine_.fifos[anchor].is_present)
+            if (machine_.fifos[anchor].is_present && !uses_memory(follower.module))
                 machine_.lead.followers.push_back(
                     {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
         }
     }
 
-    /// One of those that follow: what it takes from memory, no state of theirs tells.
-    bool takes_from_memory() const {
-        return std::any_of(machine_.streams.begin(), machine_.streams.end(), [this](MachineStream const& stream) {
-            std::string const& module = machine_.processes[stream.process].name;
-            return stream.is_present && (module == core_.pace.driver ||
-                                         std::any_of(core_.pace.followers.begin(), core_.pace.followers.end(),
-                                                     [&module](auto const& one) { return one.module == module; }));
+    bool uses_memory(std::string const& module) const {
+        return std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
+            return stream.is_present && machine_.processes[stream.process].name == module;
         });
     }
 

@@ -1,5 +1,6 @@
 #include "channels/dataflow_accelerator.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,19 +15,61 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
         CoreShare const share = share_of(core, machine_->cores, samples);
         cores_.push_back(make_core(core_name.c_str(), machine_, share, time_base));
     }
-    if (engine == Engine::decoupled)
+    if (machine_->external_memory)
+        join_by_memory(*machine_->external_memory);
+    else if (engine == Engine::decoupled)
         let_cores_take_turns();
 }
 
-/// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
-void DataflowAccelerator::let_cores_take_turns() {
-    auto const automaton = std::make_shared<timing::Automaton>();
+void DataflowAccelerator::join_by_memory(timing::ExternalMemory const& shape) {
+    memory_ = std::make_unique<timing::MemorySystem>(shape, masters_of(*machine_));
     for (std::size_t core = 0; core < cores_.size(); ++core) {
-        if (!machine_->lead.followers.empty())
-            cores_[core]->timing().let_follow(machine_->lead, automaton);
-        if (core > 0)
-            cores_[core]->run_after(*cores_[core - 1]);
+        memory_->add_core(cores_[core]->timing(), cores_[core]->share().count > 0);
+        cores_[core]->use_memory(memory_.get(), core, &memory_asked_);
     }
+    if (engine_ == Engine::decoupled) {
+        let_cores_share_automaton();
+        return;
+    }
+    SC_THREAD(serve_memory);
+}
+
+/// What is asked for in a cycle is known before that cycle is over, and nothing depends on its answer before the next.
+void DataflowAccelerator::serve_memory() {
+    std::uint64_t const ticks = TimeBase{engine_, machine_->clock_mhz}.ticks_per_cycle();
+    for (;;) {
+        for (timing::MemorySystem::Target const& target : memory_->follow())
+            wake(target);
+        std::optional<Cycles> const ask = memory_->next_ask();
+        if (!ask) {
+            wait(memory_asked_);
+            continue;
+        }
+        sc_dt::uint64 const due = *ask * ticks + ticks / 2;
+        sc_dt::uint64 const now = sc_core::sc_time_stamp().value();
+        if (due > now)
+            wait(sc_core::sc_time::from_value(due - now), memory_asked_);
+        else
+            wake(memory_->serve_next());
+    }
+}
+
+void DataflowAccelerator::wake(timing::MemorySystem::Target const& target) {
+    cores_[target.core]->memory_event(target.process).notify(sc_core::SC_ZERO_TIME);
+}
+
+/// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
+void DataflowAccelerator::let_cores_share_automaton() {
+    auto const automaton = std::make_shared<timing::Automaton>();
+    for (std::unique_ptr<DataflowCore> const& core : cores_)
+        if (!machine_->lead.followers.empty())
+            core->timing().let_follow(machine_->lead, automaton);
+}
+
+void DataflowAccelerator::let_cores_take_turns() {
+    let_cores_share_automaton();
+    for (std::size_t core = 1; core < cores_.size(); ++core)
+        cores_[core]->run_after(*cores_[core - 1]);
 }
 
 /// A core that is stuck before it has done its share does not keep the next ones from theirs.

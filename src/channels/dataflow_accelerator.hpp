@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "channels/dataflow_core.hpp"
+#include "kernel/timing/memory/memory_system.hpp"
 
 namespace faster {
 
-/// All cores of a machine. They share nothing but the list of samples, of which each does a part.
+/// All cores of a machine. They share the list of samples, of which each does a part, and nothing else, unless there is
+/// an external memory.
 class DataflowAccelerator : public sc_core::sc_module {
   public:
     /// Makes one core. All arguments are for the constructor of DataflowCore.
     using MakeCore = std::function<std::unique_ptr<DataflowCore>(
         char const* name, std::shared_ptr<Machine const> const& machine, CoreShare share, TimeBase const& time_base)>;
 
+    SC_HAS_PROCESS(DataflowAccelerator);
     DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
                         std::size_t samples, Engine engine, MakeCore const& make_core);
 
@@ -23,15 +26,29 @@ class DataflowAccelerator : public sc_core::sc_module {
     Engine engine() const { return engine_; }
     std::vector<std::unique_ptr<DataflowCore>> const& cores() const { return cores_; }
 
+    /// The external memory; null: an ideal one.
+    timing::MemorySystem* memory() const { return memory_.get(); }
+
+    /// What the ports of an external memory bring before cycle 0.
+    void load_before(std::vector<timing::MemoryEntry> of_ports) { loads_ = std::move(of_ports); }
+    std::vector<timing::MemoryEntry> const& loads() const { return loads_; }
+
     /// Lets simulated time pass until nothing moves any more.
     void run();
 
   private:
+    void let_cores_share_automaton();
     void let_cores_take_turns();
+    void join_by_memory(timing::ExternalMemory const& shape);
+    void serve_memory();
+    void wake(timing::MemorySystem::Target const& target);
 
     std::shared_ptr<Machine const> machine_;
     Engine engine_;
     std::vector<std::unique_ptr<DataflowCore>> cores_;
+    std::unique_ptr<timing::MemorySystem> memory_;
+    std::vector<timing::MemoryEntry> loads_;
+    sc_core::sc_event memory_asked_{"memory_asked"};
 };
 
 }  // namespace faster

@@ -18,6 +18,10 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
         timing_.add_fifo(fifo.shape());
     for (std::size_t process = 0; process < machine_->process_places(); ++process)
         timing_.add_process(machine_->processes[process].name);
+    for (std::size_t const stream : streams_of(*machine_)) {
+        timing_.add_stream(machine_->streams[stream].name, machine_->streams[stream].enters_by());
+        memory_events_.resize(machine_->process_places());
+    }
     begun_.resize(timing_.processes().size());
 }
 
@@ -80,8 +84,19 @@ std::vector<DependenceStatistics> DataflowCore::dependences() const {
 }
 
 void DataflowCore::catch_up() {
-    if (time_base_.engine == Engine::decoupled)
+    if (time_base_.engine != Engine::decoupled)
+        return;
+    if (memory_ != nullptr)
+        memory_->note_sample();
+    else
         timing_.resolve(false);
+}
+
+void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {
+    std::vector<std::size_t> const streams = streams_of(*machine_);
+    for (std::size_t master = 0; master < streams.size(); ++master)
+        if (machine_->streams[streams[master]].process == process)
+            memory_->add(number_, master, std::move(entry));
 }
 
 void DataflowCore::start_of_simulation() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -52,6 +53,19 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
             throw std::logic_error("the FIFO " + std::string(name) + " is not there, or carries other tokens");
         return *found;
     }
+    /// The external memory that the cores share, and the number of this one; null: an ideal one.
+    void use_memory(timing::MemorySystem* memory, std::size_t number, sc_core::sc_event* asked) {
+        memory_ = memory;
+        number_ = number;
+        memory_asked_ = asked;
+    }
+    /// More for a process's stream, which it has, before it comes there.
+    void add_entry(std::size_t process, timing::MemoryEntry entry);
+    /// A process has come to an entry, or taken tokens (lockstep).
+    void tell_memory() { memory_asked_->notify(sc_core::SC_ZERO_TIME); }
+    /// Memory has something for a process.
+    sc_core::sc_event& memory_event(std::size_t process) { return memory_events_[process]; }
+
     std::vector<TokenField> token_fields(std::size_t fifo) const override;
     void add_tap(std::size_t fifo, recording::TokenTap& tap) override;
     void remove_tap(std::size_t fifo, recording::TokenTap& tap) override;
@@ -113,6 +127,10 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     CoreShare share_;
     TimeBase time_base_;
     timing::CoreTiming timing_;
+    timing::MemorySystem* memory_ = nullptr;
+    std::size_t number_ = 0;
+    sc_core::sc_event* memory_asked_ = nullptr;
+    std::deque<sc_core::sc_event> memory_events_;  // by process
     std::vector<std::unique_ptr<FifoChannel>> made_;
     struct WatchedDependence {
         std::size_t loop;    // number in the machine

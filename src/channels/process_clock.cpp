@@ -28,11 +28,36 @@ void ProcessClock::connect_all() {
     MachineProcess const& process = machine.processes[timing_.index()];
     for (MachineEnd const& end : process.ends)
         end.writes ? connect_writes(channel_of(end.fifo)) : connect_reads(channel_of(end.fifo));
-    for (std::size_t const loop : process.loops)
-        add_loop(machine.loops[loop].shape(), channels_of(machine.loops[loop].writes),
-                 channels_of(machine.loops[loop].reads));
+    std::string const loop_of_stream = connect_stream();
+    for (std::size_t const number : process.loops) {
+        MachineLoop const& loop = machine.loops[number];
+        timing::LoopShape shape = loop.shape();
+        shape.uses_memory = loop.name == loop_of_stream;
+        add_loop(std::move(shape), channels_of(loop.writes), channels_of(loop.reads));
+    }
     set_setup_cycles(process.setup_cycles);
     timing_.let_stamps_look_back(process.stamps_look_back);
+}
+
+/// Last, though a step accesses it first: so the other ports have the numbers that they always have. Returns the loop
+/// that takes its tokens.
+std::string ProcessClock::connect_stream() {
+    Machine const& machine = dataflow_core_.machine();
+    std::vector<std::size_t> const streams = streams_of(machine);
+    for (std::size_t i = 0; i < streams.size(); ++i)
+        if (machine.streams[streams[i]].process == timing_.index()) {
+            timing_.add_stream(core_.stream(i));
+            return machine.streams[streams[i]].loop;
+        }
+    return {};
+}
+
+timing::Ports ProcessClock::memory_port() const {
+    return uses_memory() ? timing::Ports::of(timing_.stream_port()) : timing::no_ports;
+}
+
+void ProcessClock::tell_entry(timing::MemoryEntry entry) {
+    dataflow_core_.add_entry(timing_.index(), std::move(entry));
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
@@ -100,6 +125,8 @@ unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel
         shape.writes.push_back({fifo->write_port().first(), fifo->timing().shape().write_latency});
     for (FifoChannel const* fifo : read)
         shape.reads.push_back({fifo->read_port().first(), fifo->timing().shape().read_stage});
+    if (shape.uses_memory)
+        shape.reads.push_back({timing_.stream_port(), 0});
     return timing_.add_loop(std::move(shape));
 }
 
@@ -123,6 +150,12 @@ void ProcessClock::let_out() {
 void ProcessClock::follow_in_lockstep() {
     using Status = timing::ProcessTiming::Status;
     for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
+        if (uses_memory())
+            dataflow_core_.tell_memory();
+        if (status == Status::blocked && is_memory(timing_.blocking_port())) {
+            sc_core::wait(dataflow_core_.memory_event(timing_.index()));
+            continue;
+        }
         if (status == Status::blocked) {
             FifoChannel& fifo = *fifos_[timing_.blocking_port()];
             bool const writing = timing_.writes(timing_.blocking_port());
@@ -134,10 +167,15 @@ void ProcessClock::follow_in_lockstep() {
         bring_kernel_to(timing_.front_cycle());
         timing::Ports const ports = timing_.front_ports();
         timing_.commit_front();
-        ports.each(
-            [this](unsigned port) { timing_.writes(port) ? fifos_[port]->wake_reader() : wake_writer(*fifos_[port]); });
+        ports.each([this](unsigned port) {
+            if (is_memory(port))
+                return;
+            timing_.writes(port) ? fifos_[port]->wake_reader() : wake_writer(*fifos_[port]);
+        });
     }
     wake_behind_flushing();
+    if (uses_memory())
+        dataflow_core_.tell_memory();
 }
 
 void ProcessClock::wake_writer(FifoChannel& fifo) {

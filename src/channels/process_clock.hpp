@@ -11,6 +11,7 @@
 #include "kernel/base/source_site.hpp"
 #include "kernel/base/write_distances.hpp"
 #include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/memory/memory_block.hpp"
 
 namespace faster {
 
@@ -154,6 +155,18 @@ class ProcessClock {
             take(i);
     }
 
+    bool uses_memory() const { return timing_.stream() != nullptr; }
+    /// The process's port to the external memory, for an iteration that takes a token, or none if the memory is ideal.
+    timing::Ports memory_port() const;
+    /// The same as an access of a step.
+    void access_memory() {
+        if (uses_memory())
+            access(memory_port());
+    }
+    /// What the process takes from memory, or puts there, in its next loop or step that it has not told of yet. Any
+    /// time before. It must use memory.
+    void tell_entry(timing::MemoryEntry entry);
+
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     void access(timing::Ports port) {
         timing_.note_site(port.first(), site_);
@@ -202,6 +215,8 @@ class ProcessClock {
     void wake_behind_flushing();
     void let_out();
 
+    std::string connect_stream();
+    bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
     std::uint64_t iterations_behind(std::string_view loop, FifoChannel const& fifo) const;
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;

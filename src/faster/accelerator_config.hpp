@@ -6,6 +6,7 @@
 #include "common/fixed_point.hpp"
 #include "common/flow.hpp"
 #include "common/inlier_unit_config.hpp"
+#include "common/memory_placement.hpp"
 #include "common/rasterizer_config.hpp"
 #include "kernel/machine/machine_settings.hpp"
 
@@ -24,6 +25,7 @@ struct AcceleratorConfig : MachineSettings {
     EdgeExtractionConfig edge_extraction;
     RasterizerConfig rasterizer;
     InlierUnitConfig inlier_unit;
+    MemoryPlacement memory_placement;
 };
 
 }  // namespace faster

@@ -3,6 +3,7 @@
 #include "faster/enum_names.hpp"
 #include "faster/faster_config.hpp"
 #include "faster/faster_keys.hpp"
+#include "kernel/config/external_memory_keys.hpp"
 #include "kernel/config/machine_keys.hpp"
 
 namespace faster {
@@ -210,6 +211,8 @@ Keys faster_keys(CoreDescription const& core) {
     add_inlier_unit_keys(keys);
     add_edge_extraction_keys(keys);
     add_unit_latency_keys(keys);
+    append(keys, external_memory_keys());
+    append(keys, memory_placement_keys());
     append(keys, machine_keys(core));
     append(keys, workload_keys());
     return keys;

@@ -41,6 +41,11 @@ template <> struct EnumNames<SweepRegion> {
         {{SweepRegion::window, "window"}, {SweepRegion::touched, "touched"}}};
 };
 
+template <> struct EnumNames<Placement> {
+    static constexpr std::array<std::pair<Placement, char const*>, 2> all{
+        {{Placement::external, "external"}, {Placement::on_chip, "on_chip"}}};
+};
+
 template <> struct EnumNames<EdgeTokens> {
     static constexpr std::array<std::pair<EdgeTokens, char const*>, 2> all{
         {{EdgeTokens::all, "all"}, {EdgeTokens::object, "object"}}};

@@ -4,6 +4,7 @@
 
 #include "faster/faster_config.hpp"
 #include "kernel/config/config_sources.hpp"
+#include "kernel/config/external_memory_keys.hpp"
 
 namespace faster {
 namespace {
@@ -104,6 +105,13 @@ void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>&
     }
 }
 
+void check_observation_copies(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    if (config.external_memory.model == MemoryModel::axi && config.memory_placement.observation_copies > config.cores)
+        complaints.push_back(complaint(loaded, "accelerator.memory.observation_copies",
+                                       fmt::format("at most {}", with_value(loaded, "accelerator.raster_cores"))));
+}
+
 }  // namespace
 
 std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
@@ -116,6 +124,9 @@ std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
     check_edge_tokens(loaded, complaints);
     check_neighbourhood(loaded, complaints);
     check_edge_extraction(loaded, complaints);
+    check_observation_copies(loaded, complaints);
+    for (std::string const& complaint : external_memory_complaints(loaded))
+        complaints.push_back(complaint);
     return complaints;
 }
 

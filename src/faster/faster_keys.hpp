@@ -7,7 +7,8 @@ namespace faster {
 /// Every key of FASTER, in the order of the documentation. `core`: a raster core, of any configuration.
 Keys faster_keys(CoreDescription const& core);
 
-/// Part of faster_keys(): what the machine works on.
+/// Parts of faster_keys(): where an iteration's data lie, and what the machine works on.
+Keys memory_placement_keys();
 Keys workload_keys();
 
 }  // namespace faster

@@ -14,6 +14,9 @@ inline Condition extracts_edges(AcceleratorConfig const& config) {
 inline Condition sweeps_touched_region(AcceleratorConfig const& config) {
     return {config.inlier_unit.sweep_region == SweepRegion::touched, "accelerator.inlier_unit.sweep_region"};
 }
+inline Condition has_external_memory(AcceleratorConfig const& config) {
+    return {config.external_memory.model != MemoryModel::ideal, "accelerator.memory.model"};
+}
 inline Condition has_map_buffers(AcceleratorConfig const& config, bool two) {
     return {(config.edge_map.buffers > 1) == two, "accelerator.edge_map.buffers"};
 }

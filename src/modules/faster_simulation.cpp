@@ -1,6 +1,9 @@
 #include "modules/faster_simulation.hpp"
 
+#include <optional>
 #include <utility>
+
+#include "modules/memory_entries.hpp"
 
 namespace faster {
 
@@ -13,8 +16,14 @@ std::unique_ptr<DataflowAccelerator> make_accelerator(AcceleratorConfig const& c
         core->set_probe(probe);
         return core;
     };
-    return std::make_unique<DataflowAccelerator>("accelerator", std::move(machine), stimulus.samples.size(), engine,
-                                                 make_core);
+    std::optional<timing::ExternalMemory> const memory = machine->external_memory;
+    if (memory)
+        check_fits_on_chip(config.memory_placement, stimulus);
+    auto accelerator = std::make_unique<DataflowAccelerator>("accelerator", std::move(machine), stimulus.samples.size(),
+                                                             engine, make_core);
+    if (memory)
+        accelerator->load_before(loads_of_ports(config.memory_placement, *memory, stimulus, config.cores));
+    return accelerator;
 }
 
 RunStatistics simulate(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,

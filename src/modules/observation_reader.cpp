@@ -4,6 +4,7 @@
 
 #include "channels/port_binding.hpp"
 #include "modules/conditions.hpp"
+#include "modules/memory_entries.hpp"
 #include "modules/read_corners.hpp"
 #include "modules/token_widths.hpp"
 
@@ -32,8 +33,29 @@ ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
         .does("reads one token of observed pixels per iteration")
         .of_depth(5)
         .writes_to({"observed_depth", "observed_edge"})
-        .unlisted();
+        .unlisted()
+        .accesses_memory("observation", widened({{{0, 0}}, {}}, static_cast<int>(lanes)));
+    add_stream(config, module);
     return module;
+}
+
+/// On the chip, only the table of valid depths is outside. A region is not known before the sample is drawn.
+void ObservationReader::add_stream(AcceleratorConfig const& config, ModuleDescription& module) {
+    module.memory("observation")
+        .holds("observed depths and edges of the image, if they are on the chip")
+        .of_words(config.memory_placement.observation_height, config.memory_placement.observation_width,
+                  wires::depth + 1)
+        .sized_by("accelerator.memory.observation_width")
+        .shared_in_copies(config.memory_placement.observation_copies)
+        .loaded_before()
+        .only_if(has_external_memory(config))
+        .only_if({config.memory_placement.observation == Placement::on_chip, "accelerator.memory.observation"});
+    bool const reads_pixels = config.memory_placement.observation == Placement::external;
+    module.fetches("observation")
+        .brings("observed pixels, and words of the table of valid depths")
+        .taken_by("read")
+        .prefetches(sweeps_touched_region(config).holds ? timing::Prefetch::none : timing::Prefetch::handed)
+        .only_if({reads_pixels || sweeps_touched_region(config).holds, "accelerator.memory.observation"});
 }
 
 ObservationReader::ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core)
@@ -49,26 +71,41 @@ void ObservationReader::end_of_elaboration() {
 }
 
 void ObservationReader::run() {
+    bool const knows_all = clock_.uses_memory() && !core_.sweeps_touched();
+    for (std::size_t i = 0; knows_all && i < core_.sample_count; ++i)
+        clock_.tell_entry(pixels_of(i, core_.window_rows()));
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         clock_.begin_sample();
         clock_.here();
         SampleHeader const header = sample_observation_in.read();
         clock_.advance(1);
         if (core_.sweeps_touched())
-            send_valid_depth(header);
-        send_pixels(header, core_.rows_of(core_.sweeps_touched() ? receive_region() : core_.whole_window()));
+            send_valid_depth(i);
+        LaneRows const rows = core_.rows_of(core_.sweeps_touched() ? receive_region() : core_.whole_window());
+        if (clock_.uses_memory() && !knows_all && rows.tokens() > 0)
+            clock_.tell_entry(pixels_of(i, rows));
+        send_pixels(header, rows);
     }
 }
 
+timing::MemoryEntry ObservationReader::pixels_of(std::size_t i, LaneRows const& rows) const {
+    if (core_.config.memory_placement.observation == Placement::on_chip)
+        return {i, {}};
+    return pixel_entry(core_.config.memory_placement, i, core_.stimulus, core_.sample(i), rows);
+}
+
 /// Four reads of the table outside, through the pipeline that reads the pixels.
-void ObservationReader::send_valid_depth(SampleHeader const& header) {
+void ObservationReader::send_valid_depth(std::size_t i) {
     constexpr std::uint64_t reads = 4;
+    SampleInput const& sample = core_.sample(i);
+    if (clock_.uses_memory())
+        clock_.tell_entry(table_entry(core_.config.memory_placement, i, core_.stimulus, sample));
     clock_.enter_loop(read_loop_);
-    clock_.iterate(timing::no_ports, reads);
+    clock_.iterate(clock_.memory_port(), reads);
     clock_.leave_loop();
     clock_.here();
-    valid_depth_out->write(valid_depth_->count(core_.window_offset(header.centre_row),
-                                               core_.window_offset(header.centre_col), core_.stimulus.window));
+    valid_depth_out->write(valid_depth_->count(core_.window_offset(sample.centre_row),
+                                               core_.window_offset(sample.centre_col), core_.stimulus.window));
     clock_.advance(1);
 }
 
@@ -83,7 +120,9 @@ void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& 
     }
     auto& depth = channel_of(observed_depth_out);
     auto& edge = channel_of(observed_edge_out);
-    timing::Ports const ports = depth.write_port() | edge.write_port();
+    bool const is_external = core_.config.memory_placement.observation == Placement::external;
+    timing::Ports const ports =
+        depth.write_port() | edge.write_port() | (is_external ? clock_.memory_port() : timing::no_ports);
     std::size_t const tokens = rows.tokens_per_row();
     std::int64_t const first_row = core_.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
     std::int64_t const first_col = core_.window_offset(header.centre_col);

@@ -35,7 +35,9 @@ class ObservationReader : public sc_core::sc_module {
   private:
     void end_of_elaboration() override;
     void run();
-    void send_valid_depth(SampleHeader const& header);
+    static void add_stream(AcceleratorConfig const& config, ModuleDescription& module);
+    timing::MemoryEntry pixels_of(std::size_t i, LaneRows const& rows) const;
+    void send_valid_depth(std::size_t i);
     PixelBox receive_region();
     void send_pixels(SampleHeader const& header, LaneRows const& rows);
     template <class Pixel>

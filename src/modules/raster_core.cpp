@@ -7,7 +7,7 @@ namespace faster {
 
 CoreDescription describe_raster_core(AcceleratorConfig const& config) {
     CoreDescription core;
-    core.modules = {SampleDispatcher::describe(),     VertexTransform::describe(),
+    core.modules = {SampleDispatcher::describe(),     VertexTransform::describe(config),
                     Rasterizer::describe(config),     AreaReciprocal::describe(config),
                     EdgeMapBuilder::describe(config), ObservationReader::describe(config),
                     InlierUnit::describe(config),     ResultCollector::describe(config),

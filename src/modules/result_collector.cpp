@@ -2,6 +2,7 @@
 
 #include "channels/port_binding.hpp"
 #include "modules/conditions.hpp"
+#include "modules/memory_entries.hpp"
 
 namespace faster {
 
@@ -9,6 +10,7 @@ ModuleDescription ResultCollector::describe(AcceleratorConfig const& config) {
     ModuleDescription module("result_collector");
     module.reads_from("result");
     module.reads_from("valid_depth").only_if(sweeps_touched_region(config));
+    module.stores("result").brings("results of samples");
     return module;
 }
 
@@ -20,6 +22,8 @@ ResultCollector::ResultCollector(sc_core::sc_module_name const& name, CoreContex
 void ResultCollector::end_of_elaboration() { clock_.connect_all(); }
 
 void ResultCollector::run() {
+    for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
+        clock_.tell_entry(result_entry(core_.config.memory_placement, i, core_.first_sample + i));
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         clock_.begin_sample();
         results_.push_back(receive());
@@ -30,13 +34,11 @@ void ResultCollector::run() {
 }
 
 SampleCounters ResultCollector::receive() {
-    if (!core_.sweeps_touched()) {
-        clock_.here();
-        return result_in.read();
-    }
     Step const step(clock_);
+    clock_.access_memory();
     SampleCounters counters = result_in.read();
-    counters.valid_depth = valid_depth_in->read();
+    if (core_.sweeps_touched())
+        counters.valid_depth = valid_depth_in->read();
     return counters;
 }
 

@@ -1,6 +1,7 @@
 #include "modules/sample_dispatcher.hpp"
 
 #include "channels/port_binding.hpp"
+#include "modules/memory_entries.hpp"
 #include "modules/token_widths.hpp"
 
 namespace faster {
@@ -16,6 +17,7 @@ ModuleDescription SampleDispatcher::describe() {
     module.writes_to("sample_observation")
         .carries("sample headers from the dispatcher to the observation reader")
         .of_bits(wires::header);
+    module.fetches("header").brings("headers of samples").prefetches(timing::Prefetch::all).headers();
     return module;
 }
 
@@ -27,6 +29,8 @@ SampleDispatcher::SampleDispatcher(sc_core::sc_module_name const& name, CoreCont
 void SampleDispatcher::end_of_elaboration() { clock_.connect_all(); }
 
 void SampleDispatcher::run() {
+    for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
+        clock_.tell_entry(header_entry(core_.config.memory_placement, i, core_.first_sample + i));
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         clock_.begin_sample();
         SampleInput const& sample = core_.sample(i);
@@ -34,6 +38,7 @@ void SampleDispatcher::run() {
                                   sample.centre_col, sample.triangle_count};
         {
             Step const step(clock_);
+            clock_.access_memory();
             sample_vertex_out.write(header);
             sample_raster_out.write(header);
             sample_observation_out.write(header);

@@ -3,18 +3,37 @@
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
+#include "modules/conditions.hpp"
+#include "modules/memory_entries.hpp"
 #include "modules/token_widths.hpp"
 
 namespace faster {
 
-ModuleDescription VertexTransform::describe() {
+ModuleDescription VertexTransform::describe(AcceleratorConfig const& config) {
     ModuleDescription module("vertex_transform");
     module.reads_from("sample_vertex");
     module.writes_to("vertex")
         .carries("vertices from the vertex transform to the rasterizer")
         .of_bits(2 * wires::vertex_xy + wires::vertex_z)
         .leaves("vertex", 40);
-    module.loop("vertex").does("transforms one vertex per iteration").of_depth(41).writes_to({"vertex"}).unlisted();
+    module.loop("vertex")
+        .does("transforms one vertex per iteration")
+        .of_depth(41)
+        .writes_to({"vertex"})
+        .unlisted()
+        .accesses_memory("mesh", {{{0, 0}}, {}});
+    module.memory("mesh")
+        .holds("vertices of the mesh, three per triangle, if it is on the chip")
+        .of_words(1, 3 * config.memory_placement.mesh_triangles, 2 * wires::vertex_xy + wires::vertex_z)
+        .sized_by("accelerator.memory.mesh_triangles")
+        .loaded_before()
+        .only_if(has_external_memory(config))
+        .only_if({config.memory_placement.mesh == Placement::on_chip, "accelerator.memory.mesh"});
+    module.fetches("vertex")
+        .brings("vertices of the mesh")
+        .taken_by("vertex")
+        .prefetches(timing::Prefetch::handed)
+        .only_if({config.memory_placement.mesh == Placement::external, "accelerator.memory.mesh"});
     return module;
 }
 
@@ -32,6 +51,9 @@ void VertexTransform::end_of_elaboration() {
 }
 
 void VertexTransform::run() {
+    for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
+        if (core_.sample(i).triangle_count > 0)
+            clock_.tell_entry(mesh_entry(core_.config.memory_placement, i, core_.sample(i).triangle_count));
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         clock_.begin_sample();
         clock_.here();
@@ -62,7 +84,7 @@ void VertexTransform::send(TriangleCode const* triangles, std::size_t count) {
         for (std::size_t i = 0; i < n; ++i)
             out = std::copy_n(triangles[done + i].vertex, 3, out);
         vertices.commit(3 * n);
-        clock_.iterate(vertices.write_port(), 3 * n);
+        clock_.iterate(vertices.write_port() | clock_.memory_port(), 3 * n);
         done += n;
     }
     clock_.leave_loop();

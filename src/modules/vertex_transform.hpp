@@ -18,7 +18,7 @@ class VertexTransform : public sc_core::sc_module {
     sc_core::sc_fifo_in<SampleHeader> sample_vertex_in{"sample_vertex_in"};
     sc_core::sc_fifo_out<VertexCode> vertex_out{"vertex_out"};
 
-    static ModuleDescription describe();
+    static ModuleDescription describe(AcceleratorConfig const& config);
 
     SC_HAS_PROCESS(VertexTransform);
     VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core);

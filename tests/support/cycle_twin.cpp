@@ -4,11 +4,13 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "support/memory_twin.hpp"
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
 #include "support/twin_programs.hpp"
@@ -210,7 +212,17 @@ std::vector<BramUse> output_uses(AcceleratorConfig const& config) {
     return uses;
 }
 
-std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
+/// A copy on the chip is read by all its cores in the same iteration.
+std::vector<BramUse> read_uses(AcceleratorConfig const& config, TwinMemory const& memory) {
+    if (!memory.is_axi || !memory.observation_on_chip)
+        return {};
+    std::vector<Word> words;
+    for (std::size_t core = 0; core < cores_of_a_copy(memory, config.cores); ++core)
+        append(words, side_by_side({own}, config.inlier_unit.sweep_lanes));
+    return {{BramId::observation, words}};
+}
+
+std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config, TwinMemory const& memory) {
     EdgeMapAlgorithm const algorithm = config.edge_map.algorithm;
     bool const is_inner = algorithm == EdgeMapAlgorithm::inner_border;
     if (loop == LoopId::edge_clear) {
@@ -224,6 +236,8 @@ std::vector<BramUse> bram_uses(LoopId loop, AcceleratorConfig const& config) {
         return token_uses(config);
     if (loop == LoopId::output || loop == LoopId::buffered_output)
         return output_uses(config);
+    if (loop == LoopId::read)
+        return read_uses(config, memory);
     if (loop == LoopId::depth_clear)
         return {{BramId::depth_buffer, {own}}};
     if (loop == LoopId::fragment)
@@ -285,12 +299,12 @@ struct LoopRules {
     std::string limited_by;
 };
 
-LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
+LoopRules rules_of(AcceleratorConfig const& config, LoopId id, TwinMemory const& memory) {
     LoopConfig const loop = loop_of(config, id);
     Cycles ports_ii = 0;
     double largest_quotient = 0;
     std::string tightest;
-    for (BramUse const& use : bram_uses(id, config)) {
+    for (BramUse const& use : bram_uses(id, config, memory)) {
         BramConfig const bram = bram_of(config, use.bram);
         std::uint64_t const accesses = most_in_a_bank(use.words, bram.partition, config.window);
         ports_ii = std::max(ports_ii, ceil_div(accesses, bram.ports));
@@ -316,10 +330,10 @@ LoopRules rules_of(AcceleratorConfig const& config, LoopId id) {
     return rules;
 }
 
-std::array<TwinLoop, loop_count> make_loops(AcceleratorConfig const& config) {
+std::array<TwinLoop, loop_count> make_loops(AcceleratorConfig const& config, TwinMemory const& memory) {
     std::array<TwinLoop, loop_count> loops;
     for (LoopId const id : loop_ids) {
-        LoopRules const rules = rules_of(config, id);
+        LoopRules const rules = rules_of(config, id, memory);
         loops[index_of(id)].ii = rules.ii;
         loops[index_of(id)].limited_by = rules.limited_by;
     }
@@ -339,12 +353,100 @@ struct Stages {
     std::array<Cycles, loop_count> depth{};
 };
 
+/// A core's masters: when their entries begin, and when tokens are there.
+class CoreMemory {
+  public:
+    CoreMemory(TwinMemory const& memory, AcceleratorConfig const& config, TwinMemoryModel& model, std::size_t core)
+        : memory_(memory), config_(config), model_(model), first_master_(core * master_count) {
+        for (std::size_t master = 0; master < master_count; ++master)
+            model.add_master(core % memory.ports, static_cast<TwinMaster>(master) == TwinMaster::result);
+    }
+
+    void add_sample(TwinSamplePrograms const& sample) {
+        for (TwinProgram const& program : sample.programs) {
+            for (TwinState const& state : program) {
+                if (state.master)
+                    add_entry(*state.master, state.ranges);
+            }
+        }
+        ++samples_;
+    }
+
+    /// A process has come to the step or loop of this entry.
+    void arrive(TwinMaster id, std::size_t entry, Cycles cycle) {
+        if (!works_ahead(id))
+            master(id).begin_entry(entry, cycle);
+    }
+
+    /// SampleDispatcher has handed out a sample: its addresses are known from the next cycle on.
+    void hand_out(std::size_t sample, Cycles cycle) {
+        for (Ahead const& ahead : ahead_) {
+            if (ahead.sample == sample)
+                master(ahead.master).begin_entry(ahead.entry, cycle + 1);
+        }
+    }
+
+    Cycles token_legal_from(TwinMaster id, std::size_t entry, std::size_t token) const {
+        return model_.master(number(id)).token_legal_from(entry, token);
+    }
+
+    void take(TwinMaster id, std::size_t entry, std::size_t token, Cycles cycle) {
+        master(id).take(entry, token, cycle);
+    }
+
+    std::array<TwinTraffic, master_count> traffic() const {
+        std::array<TwinTraffic, master_count> traffic;
+        for (std::size_t i = 0; i < master_count; ++i)
+            traffic[i] = model_.master(first_master_ + i).traffic();
+        return traffic;
+    }
+
+  private:
+    /// An entry of a master that does not wait for its process.
+    struct Ahead {
+        TwinMaster master;
+        std::size_t entry;
+        std::size_t sample;
+    };
+
+    std::size_t number(TwinMaster id) const { return first_master_ + static_cast<std::size_t>(id); }
+    TwinMasterModel& master(TwinMaster id) { return model_.master(number(id)); }
+
+    bool works_ahead(TwinMaster id) const {
+        bool const knows_late =
+            id == TwinMaster::observation && config_.inlier_unit.sweep_region == SweepRegion::touched;
+        return memory_.prefetch && id != TwinMaster::result && !knows_late;
+    }
+
+    void add_entry(TwinMaster id, TwinRanges const& ranges) {
+        std::size_t const entry = master(id).entries();
+        master(id).add_entry(ranges);
+        if (works_ahead(id) && id == TwinMaster::header)
+            master(id).begin_entry(entry, 0);
+        else if (works_ahead(id))
+            ahead_.push_back({id, entry, samples_});
+    }
+
+    TwinMemory const& memory_;
+    AcceleratorConfig const& config_;
+    TwinMemoryModel& model_;
+    std::size_t first_master_;
+    std::size_t samples_ = 0;
+    std::vector<Ahead> ahead_;
+};
+
 /// One process: where it is in its program, and since when.
 class ProcessModel {
   public:
     ProcessModel(AcceleratorConfig const& config, TwinProgram program, Fifos& fifos,
-                 std::array<TwinLoop, loop_count>& loops)
-        : config_(config), stages_(config), program_(std::move(program)), fifos_(fifos), loops_(loops) {}
+                 std::array<TwinLoop, loop_count>& loops, TwinMemory const& memory, CoreMemory& core_memory)
+        : config_(config),
+          stages_(config),
+          program_(std::move(program)),
+          fifos_(fifos),
+          loops_(loops),
+          memory_(memory),
+          core_memory_(core_memory) {}
 
     bool is_finished() const { return state_ == program_.size(); }
 
@@ -357,6 +459,12 @@ class ProcessModel {
     /// legal, an access of this process stays so: nobody else can take its token or its place), and j is not.
     void run_cycle(Cycles cycle) {
         while (!is_finished() && local_time_ <= cycle) {
+            arrive();
+            std::optional<std::size_t> const token = current_token();
+            if (token && core_memory_.token_legal_from(*master(), entry_, *token) > cycle) {
+                ++stats_.memory_stall;
+                return;
+            }
             std::vector<TwinAccess> const accesses = current_accesses();
             for (TwinAccess const& access : accesses) {
                 if (fifo(access).legal_from(access.kind) > cycle) {
@@ -368,6 +476,8 @@ class ProcessModel {
             for (TwinAccess const& access : accesses) {
                 fifo(access).access(access.kind, cycle);
             }
+            if (token)
+                core_memory_.take(*master(), entry_, *token, cycle);
             finish_step(cycle);
         }
     }
@@ -393,6 +503,37 @@ class ProcessModel {
 
   private:
     FifoModel& fifo(TwinAccess const& access) const { return fifos_[index_of(access.fifo)]; }
+
+    std::optional<TwinMaster> const& master() const { return program_[state_].master; }
+    bool reads_memory() const { return master() && *master() != TwinMaster::result; }
+
+    /// Tells the master when a step or loop is come to.
+    void arrive() {
+        if (reads_memory() && !has_arrived_)
+            core_memory_.arrive(*master(), entry_, local_time_);
+        has_arrived_ = true;
+    }
+
+    /// Token that the step at hand takes from memory.
+    std::optional<std::size_t> current_token() const {
+        TwinState const& state = program_[state_];
+        if (!reads_memory())
+            return {};
+        if (!state.loop)
+            return 0;
+        Cycles const ii = loops_[index_of(*state.loop)].ii;
+        bool const begins_iteration = loop_step_ % ii == 0 && loop_step_ / ii < state.iterations.size();
+        return begins_iteration ? std::optional<std::size_t>(loop_step_ / ii) : std::nullopt;
+    }
+
+    /// A process has one master at most, so its entries are those of its states.
+    void next_state() {
+        if (master()) {
+            ++entry_;
+        }
+        has_arrived_ = false;
+        ++state_;
+    }
 
     /// Steps of a loop: p = 0 .. (n - 1) * II + L - 1.
     Cycles last_loop_step(TwinState const& state) const {
@@ -447,7 +588,11 @@ class ProcessModel {
         TwinState const& state = program_[state_];
         if (!state.loop) {
             local_time_ = cycle + state.advance;
-            ++state_;
+            if (master() == TwinMaster::header)
+                core_memory_.hand_out(entry_, cycle);
+            if (master() == TwinMaster::result)
+                core_memory_.arrive(TwinMaster::result, entry_, local_time_);
+            next_state();
             return;
         }
         if (loop_step_ == 0) {
@@ -459,7 +604,7 @@ class ProcessModel {
             loop_step_ = 0;
             next_setup_ = 0;
             setup_began_.clear();
-            ++state_;
+            next_state();
         } else {
             ++loop_step_;
             local_time_ = std::max(local_time_, setup_done());
@@ -467,7 +612,7 @@ class ProcessModel {
     }
 
     void count_loop_entry(LoopId id, std::uint64_t iterations) {
-        LoopRules const rules = rules_of(config_, id);
+        LoopRules const rules = rules_of(config_, id, memory_);
         TwinLoop& loop = loops_[index_of(id)];
         ++loop.entries;
         loop.iterations += iterations;
@@ -480,7 +625,11 @@ class ProcessModel {
     TwinProgram const program_;
     Fifos& fifos_;
     std::array<TwinLoop, loop_count>& loops_;
+    TwinMemory const& memory_;
+    CoreMemory& core_memory_;
     std::size_t state_ = 0;
+    std::size_t entry_ = 0;  ///< of the master, if the state has one
+    bool has_arrived_ = false;
     Cycles loop_step_ = 0;  ///< p, inside a loop
     std::size_t next_setup_ = 0;
     std::vector<Cycles> setup_began_;  ///< of the loop's setups so far
@@ -629,86 +778,170 @@ SampleRange samples_of_core(std::size_t samples, std::size_t cores, std::size_t 
     return SampleRange{std::min(samples, core * per_core), std::min(samples, (core + 1) * per_core)};
 }
 
-/// Cores share nothing, so each has its own cycles 0, 1, 2, ...
-void run_core(AcceleratorConfig const& config, Stimulus const& stimulus, SampleRange const& range, TwinResult& result) {
-    std::array<TwinProgram, module_count> programs;
-    for (std::size_t sample = range.begin; sample < range.end; ++sample) {
-        TwinSamplePrograms of_sample = programs_of_sample(config, stimulus, sample);
-        result.samples[sample].counters = of_sample.counters;
+/// One core: its FIFOs and processes.
+class CoreModel {
+  public:
+    CoreModel(AcceleratorConfig const& config, Stimulus const& stimulus, SampleRange const& range,
+              TwinMemory const& memory, CoreMemory core_memory, TwinResult& result)
+        : range_(range),
+          core_memory_(std::move(core_memory)),
+          fifos_(make_fifos(config)),
+          loops_(make_loops(config, memory)) {
+        std::array<TwinProgram, module_count> programs;
+        for (std::size_t sample = range.begin; sample < range.end; ++sample) {
+            TwinSamplePrograms of_sample = programs_of_sample(config, stimulus, sample, memory);
+            result.samples[sample].counters = of_sample.counters;
+            core_memory_.add_sample(of_sample);
+            for (std::size_t i = 0; i < module_count; ++i) {
+                for (TwinState& state : of_sample.programs[i]) {
+                    programs[i].push_back(std::move(state));
+                }
+            }
+        }
+        FifoConfig const reciprocal = fifo_of(config, FifoId::area_reciprocal);
+        processes_.reserve(module_count);
         for (std::size_t i = 0; i < module_count; ++i) {
-            for (TwinState& state : of_sample.programs[i]) {
-                programs[i].push_back(std::move(state));
+            bool const flushes =
+                i == index_of(ModuleId::area_reciprocal) && !reciprocal.squeezes && reciprocal.write_latency > 0;
+            if (flushes) {
+                processes_.emplace_back(FlushingModel(config, programs[i], fifos_));
+            } else {
+                processes_.emplace_back(
+                    ProcessModel(config, std::move(programs[i]), fifos_, loops_, memory, core_memory_));
             }
         }
     }
-    Fifos fifos = make_fifos(config);
-    std::array<TwinLoop, loop_count> loops = make_loops(config);
-    FifoConfig const reciprocal = fifo_of(config, FifoId::area_reciprocal);
-    std::vector<AnyProcess> processes;
-    processes.reserve(module_count);
-    for (std::size_t i = 0; i < module_count; ++i) {
-        bool const flushes =
-            i == index_of(ModuleId::area_reciprocal) && !reciprocal.squeezes && reciprocal.write_latency > 0;
-        if (flushes) {
-            processes.emplace_back(FlushingModel(config, programs[i], fifos));
-        } else {
-            processes.emplace_back(ProcessModel(config, std::move(programs[i]), fifos, loops));
+    CoreModel(CoreModel const&) = delete;  // its processes refer to its FIFOs
+    CoreModel& operator=(CoreModel const&) = delete;
+    CoreModel(CoreModel&&) = delete;
+    CoreModel& operator=(CoreModel&&) = delete;
+    ~CoreModel() = default;
+
+    void run_cycle(Cycles cycle) {
+        for (AnyProcess& process : processes_) {
+            process.run_cycle(cycle);
+        }
+        for (FifoModel& fifo : fifos_) {
+            fifo.end_cycle(cycle);
         }
     }
 
-    auto const finished = [](AnyProcess const& process) { return process.is_finished(); };
-    auto const at_rest = [](AnyProcess const& process) { return process.is_finished() || process.is_stuck(); };
-    for (Cycles cycle = 0; !std::all_of(processes.begin(), processes.end(), finished); ++cycle) {
-        for (AnyProcess& process : processes) {
-            process.run_cycle(cycle);
-        }
-        for (FifoModel& fifo : fifos) {
-            fifo.end_cycle(cycle);
-        }
-        // All unfinished processes wait for one another: a process that only lets time pass, or waits for a token that
-        // is already under way, is not stuck.
-        if (std::all_of(processes.begin(), processes.end(), at_rest) &&
-            !std::all_of(processes.begin(), processes.end(), finished)) {
+    bool is_finished() const {
+        return std::all_of(processes_.begin(), processes_.end(),
+                           [](AnyProcess const& process) { return process.is_finished(); });
+    }
+
+    /// All unfinished processes wait for one another: a process that only lets time pass, or waits for a token that
+    /// is already under way, is not stuck.
+    bool is_at_rest() const {
+        return std::all_of(processes_.begin(), processes_.end(),
+                           [](AnyProcess const& process) { return process.is_finished() || process.is_stuck(); });
+    }
+
+    /// A process that is at rest may still come to a loop, whose first bursts are asked for.
+    bool is_still(Cycles cycle) const {
+        return std::all_of(processes_.begin(), processes_.end(), [cycle](AnyProcess const& process) {
+            return process.is_finished() || process.local_time() <= cycle;
+        });
+    }
+
+    void collect(TwinResult& result) const {
+        if (!is_finished()) {
             result.deadlock = true;
-            for (AnyProcess const& process : processes) {
+            for (AnyProcess const& process : processes_) {
                 if (!process.is_finished()) {
                     result.deadlock_cycle = std::max(result.deadlock_cycle, process.local_time());
                 }
             }
-            break;
+        }
+        std::vector<Cycles> const& starts = fifos_[index_of(FifoId::sample_raster)].read_cycles();
+        std::vector<Cycles> const& ends = fifos_[index_of(FifoId::result)].read_cycles();
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            result.samples[range_.begin + i].start_cycle = starts[i];
+        }
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            result.samples[range_.begin + i].end_cycle = ends[i];
+            result.total_cycles = std::max(result.total_cycles, ends[i] + 1);
+        }
+        result.loops.push_back(loops_);
+        auto& fifo_table = result.fifos.emplace_back();
+        for (std::size_t i = 0; i < fifo_count; ++i) {
+            fifo_table[i] = fifos_[i].stats();
+        }
+        auto& process_table = result.processes.emplace_back();
+        for (std::size_t i = 0; i < module_count; ++i) {
+            process_table[i] = processes_[i].stats();
         }
     }
 
-    std::vector<Cycles> const& starts = fifos[index_of(FifoId::sample_raster)].read_cycles();
-    std::vector<Cycles> const& ends = fifos[index_of(FifoId::result)].read_cycles();
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        result.samples[range.begin + i].start_cycle = starts[i];
+    std::array<TwinTraffic, master_count> traffic() const { return core_memory_.traffic(); }
+
+  private:
+    SampleRange const range_;
+    CoreMemory core_memory_;
+    Fifos fifos_;
+    std::array<TwinLoop, loop_count> loops_;
+    std::vector<AnyProcess> processes_;
+};
+
+using Cores = std::deque<CoreModel>;
+
+/// Lets cycles 0, 1, 2, ... pass for these cores until nothing moves any more, outside the chip included.
+void run_together(Cores& cores, TwinMemoryModel& memory) {
+    auto const finished = [](CoreModel const& core) { return core.is_finished(); };
+    auto const at_rest = [](CoreModel const& core) { return core.is_finished() || core.is_at_rest(); };
+    for (Cycles cycle = 0; !std::all_of(cores.begin(), cores.end(), finished) || !memory.is_idle(); ++cycle) {
+        for (CoreModel& core : cores) {
+            core.run_cycle(cycle);
+        }
+        memory.end_cycle(cycle);
+        auto const still = [cycle](CoreModel const& core) { return core.is_still(cycle); };
+        if (memory.is_idle() && std::all_of(cores.begin(), cores.end(), at_rest) &&
+            std::all_of(cores.begin(), cores.end(), still)) {
+            break;
+        }
     }
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        result.samples[range.begin + i].end_cycle = ends[i];
-        result.total_cycles = std::max(result.total_cycles, ends[i] + 1);
+}
+
+/// Cores first .. end - 1 in cycles of their own.
+void run_cores(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory, std::size_t first,
+               std::size_t end, TwinResult& result) {
+    TwinMemoryModel model(memory, config.clock_mhz);
+    Cores cores;
+    for (std::size_t core = first; core < end; ++core) {
+        cores.emplace_back(config, stimulus, samples_of_core(stimulus.samples.size(), config.cores, core), memory,
+                           CoreMemory(memory, config, model, core - first), result);
     }
-    result.loops.push_back(loops);
-    auto& fifo_table = result.fifos.emplace_back();
-    for (std::size_t i = 0; i < fifo_count; ++i) {
-        fifo_table[i] = fifos[i].stats();
+    run_together(cores, model);
+    for (CoreModel const& core : cores) {
+        core.collect(result);
+        if (memory.is_axi) {
+            result.traffic.push_back(core.traffic());
+        }
     }
-    auto& process_table = result.processes.emplace_back();
-    for (std::size_t i = 0; i < module_count; ++i) {
-        process_table[i] = processes[i].stats();
+    for (std::size_t port = 0; memory.is_axi && port < memory.ports; ++port) {
+        result.port_beats.push_back(model.port_beats(port));
     }
+    result.controller_ps += model.controller_ps();
 }
 
 }  // namespace
 
 TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    return run_twin(config, stimulus, memory_of(config));
+}
+
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory) {
     check(config, stimulus);
     TwinResult result;
     result.samples.resize(stimulus.samples.size());
-    std::size_t const cores = config.cores;
-    for (std::size_t core = 0; core < cores; ++core) {
-        run_core(config, stimulus, samples_of_core(stimulus.samples.size(), cores, core), result);
+    // Cores that share no memory share nothing.
+    std::size_t const together = memory.is_axi ? config.cores : 1;
+    for (std::size_t core = 0; core < config.cores; core += together) {
+        run_cores(config, stimulus, memory, core, core + together, result);
     }
+    result.load_cycles = load_cycles(memory, config.clock_mhz, stimulus, config.cores);
+    result.total_cycles += result.load_cycles;
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "common/tokens.hpp"
 #include "faster/accelerator_config.hpp"
 #include "kernel/base/cycles.hpp"
+#include "support/memory_twin.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {
@@ -38,6 +39,7 @@ struct TwinLoop {
 struct TwinProcess {
     Cycles empty_stall = 0;
     Cycles full_stall = 0;
+    Cycles memory_stall = 0;
     Cycles end_cycle = 0;  ///< local time after its last state: the first cycle it has nothing to do in
 };
 
@@ -48,17 +50,25 @@ struct TwinResult {
     /// Max over the processes not finished of the cycle in which they reached the step they are stuck in; over all
     /// cores.
     Cycles deadlock_cycle = 0;
-    Cycles total_cycles = 0;
+    Cycles load_cycles = 0;                                        ///< before cycle 0
+    Cycles total_cycles = 0;                                       ///< with the load
     std::vector<TwinSample> samples;                               ///< one per stimulus sample, in order
     std::vector<std::array<TwinFifo, fifo_count>> fifos;           ///< [core][FifoId]
     std::vector<std::array<TwinLoop, loop_count>> loops;           ///< [core][LoopId]
     std::vector<std::array<TwinProcess, module_count>> processes;  ///< [core][ModuleId]
+    // With memory `axi`, else empty:
+    std::vector<std::array<TwinTraffic, master_count>> traffic;  ///< [core][TwinMaster]
+    std::vector<std::uint64_t> port_beats;                       ///< [port]: of reads
+    std::uint64_t controller_ps = 0;                             ///< spent serving
 };
 
 /// The oracle of the timing contract (SPEC section 3): lets cycle 0, 1, 2, ... pass and has every process of a core
 /// attempt its current step in each. Slow and plain on purpose; shares nothing with the engine but the configuration
 /// and stimulus structs. Window and fraction bits are the stimulus's, as for a trace. Throws std::invalid_argument on a
 /// stimulus with a posed mesh (it has no vertex transform) and on a write latency beyond the end of its loop.
+/// With memory `axi` all cores go through the same cycles.
 TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus);
+/// With this memory instead of the configuration's.
+TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory);
 
 }  // namespace faster::testing

@@ -92,12 +92,21 @@ template <class Visit, class Row> void visit_alternative(Visit visit, Row& row) 
     visit(row.key, row.value, row.other, row.step.valid, row.step.deadlocks, row.step.total_cycles);
 }
 
+template <class Visit, class Memory> void visit_memory(Visit visit, Memory& memory) {
+    for (auto& row : memory.masters)
+        visit(row.core, row.master, row.port, row.bursts, row.bytes, row.latency_least, row.latency_median,
+              row.latency_90, row.latency_most);
+    visit(memory.port_beats, memory.controller_busy_ps, memory.largest_queue, memory.period_ps);
+}
+
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
     ByteWriter writer;
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
     CriticalPath const path = run.critical_path.value_or(CriticalPath{});
-    put(std::string{}, run.total_cycles, run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(),
-        run.stuck.size(), path.rows.size(), run.sensitivities.size(), run.alternatives.size(),
+    MemoryTraffic const memory = run.memory.value_or(MemoryTraffic{});
+    put(std::string{}, run.total_cycles, run.load_cycles, run.memory.has_value(), memory.masters.size(),
+        run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(), run.stuck.size(),
+        path.rows.size(), run.sensitivities.size(), run.alternatives.size(),
         run.cores.empty() ? std::size_t{0} : run.cores.front().dependences.size(), maps.size());
     for (auto const& row : run.samples)
         visit_sample(put, row);
@@ -111,6 +120,7 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
         visit_sensitivity(put, row);
     for (auto const& row : run.alternatives)
         visit_alternative(put, row);
+    visit_memory(put, memory);
     for (auto const& row : maps)
         put(row.edge_map.pixels(), row.object_map.pixels(), row.depth_buffer.pixels());
     return writer.bytes();
@@ -136,7 +146,11 @@ ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
     run.statistics.machine = machine;
     bool has_path = false;
     CriticalPath path;
-    get(run.statistics.total_cycles, has_path, path.core);
+    bool has_memory = false;
+    MemoryTraffic memory;
+    get(run.statistics.total_cycles, run.statistics.load_cycles, has_memory);
+    memory.masters.resize(reader.get_size());
+    get(has_path, path.core);
     run.statistics.samples.resize(reader.get_size());
     run.statistics.cores.resize(reader.get_size(), idle_core(machine));
     run.statistics.stuck.resize(reader.get_size());
@@ -159,6 +173,9 @@ ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
         visit_sensitivity(get, row);
     for (auto& row : run.statistics.alternatives)
         visit_alternative(get, row);
+    visit_memory(get, memory);
+    if (has_memory)
+        run.statistics.memory = std::move(memory);
     if (has_path)
         run.statistics.critical_path = path;
     for (auto& row : run.maps) {

@@ -131,11 +131,13 @@ constexpr std::array<LoopId, keyed_loop_count> keyed_loop_ids{
 struct BramId : PartId<BramId> {
     operator std::string() const { return name; }  // NOLINT: as a configuration names it
 
-    static BramId const edge_map, object_map, depth_buffer;
+    static BramId const edge_map, object_map, depth_buffer,
+        observation;  ///< memory.observation: on_chip; shared by cores, so none of a core's own
 };
 inline constexpr BramId BramId::edge_map{{0, "edge_map"}};
 inline constexpr BramId BramId::object_map{{1, "object_map"}};
 inline constexpr BramId BramId::depth_buffer{{2, "depth_buffer"}};
+inline constexpr BramId BramId::observation{{3, "observation"}};
 
 constexpr std::size_t bram_count = 3;
 constexpr std::array<BramId, bram_count> bram_ids{BramId::edge_map, BramId::object_map, BramId::depth_buffer};

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "faster/accelerator_config.hpp"
+#include "support/memory_twin.hpp"
 #include "support/parts.hpp"
 #include "support/token_bits.hpp"
 
@@ -69,5 +70,30 @@ inline BramConfig bram_of(AcceleratorConfig const& config, BramId id) {
 
 /// Cycles of the rasterizer's triangle setup, without those that spans take besides.
 inline Cycles setup_depth_of(AcceleratorConfig const& config) { return config.setup("rasterizer").value_or(12); }
+
+inline TwinMemory memory_of(AcceleratorConfig const& config) {
+    ExternalMemorySettings const& asked = config.external_memory;
+    MemoryPlacement const& placement = config.memory_placement;
+    TwinMemory memory;
+    memory.is_axi = asked.model == MemoryModel::axi;
+    memory.ports = asked.ports;
+    memory.port_bytes = asked.port_bytes;
+    memory.burst_bytes = asked.burst_bytes;
+    memory.outstanding = asked.outstanding;
+    memory.request_cycles = asked.request_cycles;
+    memory.read_latency_ns = asked.read_latency_ns;
+    memory.dram_gb_per_s = asked.dram_gb_per_s;
+    memory.dram_efficiency = asked.dram_efficiency;
+    memory.prefetch = asked.prefetch;
+    memory.mesh_on_chip = placement.mesh == Placement::on_chip;
+    memory.observation_on_chip = placement.observation == Placement::on_chip;
+    memory.observation_copies = placement.observation_copies;
+    memory.mesh_address = placement.mesh_address;
+    memory.image_address = placement.image_address;
+    memory.table_address = placement.table_address;
+    memory.header_address = placement.header_address;
+    memory.result_address = placement.result_address;
+    return memory;
+}
 
 }  // namespace faster::testing

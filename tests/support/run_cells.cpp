@@ -1,6 +1,7 @@
 #include "support/run_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "kernel/figures/column_values.hpp"
@@ -69,11 +70,13 @@ void add_stalls(CellList& cells, ProcessStatistics const& process, Cycles) {
     // The twin counts the wait for the first token as a stall.
     cells.add("empty_stall", process[CycleClass::empty_stall] + process[CycleClass::idle_before]);
     cells.add("full_stall", process[CycleClass::full_stall]);
+    cells.add("memory_stall", process[CycleClass::memory_stall]);
     cells.add("idle", process[CycleClass::idle_after]);
 }
 void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles) {
     cells.add("empty_stall", std::min(process.empty_stall, total_cycles));  // what is waited for may come later
     cells.add("full_stall", process.full_stall);
+    cells.add("memory_stall", process.memory_stall);
     cells.add("idle", total_cycles - std::min(process.end_cycle, total_cycles));
 }
 
@@ -97,10 +100,52 @@ void add_processes(CellList& cells, std::size_t core, Processes const& processes
     }
 }
 
+/// A master that asked for nothing has no cells.
+void add_master(CellList& cells, std::size_t core, std::string const& name, std::uint64_t bursts, std::uint64_t bytes,
+                Cycles latency_most) {
+    if (bursts == 0)
+        return;
+    cells.at(in_core(core, "master " + name + ", "));
+    cells.add("bursts", bursts);
+    cells.add("bytes", bytes);
+    cells.add("latency_most", latency_most);
+}
+
+void add_memory(CellList& cells, MemoryTraffic const& memory) {
+    for (MasterStatistics const& master : memory.masters)
+        add_master(cells, master.core, master.master, master.bursts, master.bytes, master.latency_most);
+    for (std::size_t port = 0; port < memory.port_beats.size(); ++port) {
+        cells.at("port " + std::to_string(port) + ", ");
+        cells.add("beats", memory.port_beats[port]);
+    }
+    cells.at("controller, ");
+    cells.add("busy_ps", memory.controller_busy_ps);
+}
+void add_memory(CellList& cells, TwinResult const& twin) {
+    constexpr std::array<char const*, master_count> names{"header", "vertex", "observation", "result"};
+    for (std::size_t core = 0; core < twin.traffic.size(); ++core) {
+        for (std::size_t i = 0; i < master_count; ++i) {
+            TwinTraffic const& traffic = twin.traffic[core][i];
+            add_master(cells, core, names[i], traffic.bursts, traffic.bytes, traffic.latency_max);
+        }
+    }
+    for (std::size_t port = 0; port < twin.port_beats.size(); ++port) {
+        cells.at("port " + std::to_string(port) + ", ");
+        cells.add("beats", twin.port_beats[port]);
+    }
+    cells.at("controller, ");
+    cells.add("busy_ps", twin.controller_ps);
+}
+
 }  // namespace
 
 Cells cells_of(RunStatistics const& run, Part part) {
     CellList cells;
+    if (part == Part::Memory && run.memory) {
+        add_memory(cells, *run.memory);
+        cells.at("");
+        cells.add("load_cycles", run.load_cycles);
+    }
     if (part == Part::Samples) {
         cells.add("total_cycles", run.total_cycles);
         for (std::size_t i = 0; i < run.samples.size(); ++i)
@@ -119,6 +164,11 @@ Cells cells_of(RunStatistics const& run, Part part) {
 
 Cells cells_of(TwinResult const& twin, Part part) {
     CellList cells;
+    if (part == Part::Memory && !twin.traffic.empty()) {
+        add_memory(cells, twin);
+        cells.at("");
+        cells.add("load_cycles", twin.load_cycles);
+    }
     if (part == Part::Samples) {
         cells.add("total_cycles", twin.total_cycles);
         for (std::size_t i = 0; i < twin.samples.size(); ++i)
@@ -130,7 +180,7 @@ Cells cells_of(TwinResult const& twin, Part part) {
         if (part == Part::Loops)
             add_loops(cells, k, twin.loops[k]);
         if (part == Part::Stalls)
-            add_processes(cells, k, twin.processes[k], twin.total_cycles);
+            add_processes(cells, k, twin.processes[k], twin.total_cycles - twin.load_cycles);
     }
     return cells.take();
 }
@@ -148,7 +198,7 @@ void leave_out_stalls(Cells& cells) {
 
 Cells all_cells(RunStatistics const& run) {
     Cells cells;
-    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls})
+    for (Part const part : {Part::Samples, Part::Fifos, Part::Loops, Part::Stalls, Part::Memory})
         for (Cell& cell : cells_of(run, part))
             cells.push_back(std::move(cell));
     CellList more;

@@ -15,7 +15,7 @@ struct Cell {
 using Cells = std::vector<Cell>;
 
 /// Which part of a run's figures.
-enum class Part { Samples, Fifos, Loops, Stalls };
+enum class Part { Samples, Fifos, Loops, Stalls, Memory };
 
 /// The figures that engine and twin both have, in the same order.
 Cells cells_of(RunStatistics const& run, Part part);

@@ -415,9 +415,43 @@ TwinProgram result_collector(AcceleratorConfig const& config) {
     return program;
 }
 
+void bring(TwinState& state, TwinMaster master, TwinRanges ranges) {
+    state.master = master;
+    state.ranges = std::move(ranges);
+}
+
+/// The reader's states that go over the table, if there is one, and over pixels.
+void bring_observation(TwinProgram& reader, AcceleratorConfig const& config, Stimulus const& stimulus,
+                       std::size_t sample, TwinRegion const& region, TwinMemory const& memory) {
+    auto const lanes = static_cast<std::size_t>(config.inlier_unit.sweep_lanes);
+    bool is_table = touches(config);
+    for (TwinState& state : reader) {
+        if (!state.loop)
+            continue;
+        if (is_table)
+            bring(state, TwinMaster::observation, table_ranges(memory, stimulus, sample));
+        else if (!memory.observation_on_chip)
+            bring(state, TwinMaster::observation, row_ranges(memory, stimulus, sample, region, lanes));
+        is_table = false;
+    }
+}
+
+/// Which steps and loops have data outside the chip.
+void bring_all(TwinSamplePrograms& all, AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample,
+               TwinSampleFunction const& function, TwinMemory const& memory) {
+    auto const program = [&all](ModuleId id) -> TwinProgram& { return all.programs[index_of(id)]; };
+    bring(program(ModuleId::sample_dispatcher).front(), TwinMaster::header, header_ranges(memory, sample));
+    if (!memory.mesh_on_chip && !function.triangles.empty())
+        bring(program(ModuleId::vertex_transform).back(), TwinMaster::vertex,
+              mesh_ranges(memory, function.triangles.size()));
+    bring_observation(program(ModuleId::observation_reader), config, stimulus, sample, function.region, memory);
+    bring(program(ModuleId::result_collector).front(), TwinMaster::result, result_ranges(memory, sample));
+}
+
 }  // namespace
 
-TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample) {
+TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample,
+                                      TwinMemory const& memory) {
     TwinSampleFunction const function = evaluate_sample(stimulus, sample, config);
     std::size_t const side = static_cast<std::size_t>(stimulus.window);
 
@@ -439,6 +473,8 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     if (config.inlier_unit.buffers == 2)
         set(ModuleId::inlier_sweep, inlier_sweep(function, config));
     set(ModuleId::result_collector, result_collector(config));
+    if (memory.is_axi)
+        bring_all(result, config, stimulus, sample, function, memory);
     return result;
 }
 

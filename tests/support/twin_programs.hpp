@@ -9,6 +9,7 @@
 #include "common/tokens.hpp"
 #include "faster/accelerator_config.hpp"
 #include "kernel/base/cycles.hpp"
+#include "support/memory_twin.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {
@@ -36,6 +37,10 @@ struct TwinState {
     };
     std::vector<Setup> setups;  ///< ascending
     Cycles setup_cycles = 0;
+    /// Of what moves data outside the chip: a step takes token 0, iteration i of a loop token i, before `accesses`; the
+    /// result is written behind the step.
+    std::optional<TwinMaster> master;
+    TwinRanges ranges;
 };
 
 using TwinProgram = std::vector<TwinState>;
@@ -47,6 +52,7 @@ struct TwinSamplePrograms {
     SampleCounters counters;
 };
 
-TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample);
+TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus const& stimulus, std::size_t sample,
+                                      TwinMemory const& memory);
 
 }  // namespace faster::testing

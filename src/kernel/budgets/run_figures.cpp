@@ -42,7 +42,8 @@ struct Rows {
 void add_row(Figures& figures, std::string const& table, ModuleRow const& module) {
     Section section(figures, table + module.module + ".");
     for (std::size_t c = 0; c < cycle_class_count; ++c)
-        section.set(cycles_column(cycle_class_names[c]), module.cycles[c]);
+        if (module.has_class(c))
+            section.set(cycles_column(cycle_class_names[c]), module.cycles[c]);
     section.set("stalls.", module.stalls);
     section.set("port_conflicts.", module.port_conflicts);
 }

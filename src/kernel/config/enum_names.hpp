@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/config/run_config.hpp"
+#include "kernel/machine/external_memory_settings.hpp"
 #include "kernel/machine/fifo_kind.hpp"
 #include "kernel/machine/partition_config.hpp"
 
@@ -39,6 +40,11 @@ template <> struct EnumNames<WhenFull> {
 template <> struct EnumNames<PartitionType> {
     static constexpr std::array<std::pair<PartitionType, char const*>, 3> all{
         {{PartitionType::none, "none"}, {PartitionType::cyclic, "cyclic"}, {PartitionType::block, "block"}}};
+};
+
+template <> struct EnumNames<MemoryModel> {
+    static constexpr std::array<std::pair<MemoryModel, char const*>, 2> all{
+        {{MemoryModel::ideal, "ideal"}, {MemoryModel::axi, "axi"}}};
 };
 
 template <> struct EnumNames<Engine> {

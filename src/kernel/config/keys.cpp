@@ -104,6 +104,9 @@ Keys retiming_keys() {
 }
 
 bool is_retimable(Key const& key, RunConfig const& config) {
+    // An external memory joins the cores: nothing but a run tells what happens then.
+    if (config.machine().external_memory.model != MemoryModel::ideal)
+        return false;
     return key.decides_time && !design().decides_function(key.name(), config);
 }
 

@@ -17,10 +17,11 @@ enum class PathCause : std::size_t {
     recurrence,     ///< a loop-carried dependence forbids the target interval
     read_latency,   ///< a token that is waited for goes through a FIFO
     backpressure,   ///< a token that was waited for has been read: its place in the FIFO is free a cycle later
+    memory,         ///< the external memory has not brought what comes next, whoever keeps it busy
 };
-constexpr std::size_t path_cause_count = 7;
+constexpr std::size_t path_cause_count = 8;
 constexpr std::array<char const*, path_cause_count> path_cause_names{
-    "busy", "fill_drain", "setup", "port_conflict", "recurrence", "read_latency", "backpressure"};
+    "busy", "fill_drain", "setup", "port_conflict", "recurrence", "read_latency", "backpressure", "memory"};
 
 inline char const* name_of(PathCause cause) { return path_cause_names[static_cast<std::size_t>(cause)]; }
 

@@ -13,6 +13,7 @@ enum class CycleClass : std::size_t {
     setup,
     empty_stall,
     full_stall,
+    memory_stall,
     port_conflict,
     recurrence,
     idle_before,
@@ -26,6 +27,7 @@ inline constexpr ColumnFacts cycle_classes[]{
     {"setup", "cycles", Tells::work, "prepares what its next loop goes over"},
     {"empty_stall", "cycles", Tells::waiting, "an input FIFO is empty; `stalls` has them by FIFO"},
     {"full_stall", "cycles", Tells::waiting, "an output FIFO is full; `stalls` has them by FIFO"},
+    {"memory_stall", "cycles", Tells::waiting, "the external memory has not brought what comes next"},
     {"port_conflict", "cycles", Tells::work,
      "a block RAM has too few ports for the target interval; `port_conflicts` has them by block RAM"},
     {"recurrence", "cycles", Tells::work, "a dependence between iterations forbids the target interval"},
@@ -42,6 +44,10 @@ constexpr std::array<char const*, cycle_class_count> cycle_class_names = [] {
     return names;
 }();
 constexpr std::size_t index_of(CycleClass which) { return static_cast<std::size_t>(which); }
+/// Nobody waits for an ideal memory: then there is no such class.
+constexpr bool is_class_of(std::size_t which, bool has_external_memory) {
+    return has_external_memory || which != index_of(CycleClass::memory_stall);
+}
 inline char const* name_of(CycleClass which) { return cycle_class_names[index_of(which)]; }
 
 }  // namespace faster

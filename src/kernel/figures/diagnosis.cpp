@@ -7,8 +7,8 @@ namespace faster {
 namespace {
 
 Cycles waits_of(ProcessStatistics const& process) {
-    return process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::idle_before] +
-           process[CycleClass::idle_after];
+    return process[CycleClass::empty_stall] + process[CycleClass::full_stall] + process[CycleClass::memory_stall] +
+           process[CycleClass::idle_before] + process[CycleClass::idle_after];
 }
 
 std::size_t last_to_end(RunStatistics const& run) {
@@ -37,12 +37,12 @@ Cause loop_cause(LoopStatistics const& row, std::size_t loop) {
 
 Diagnosis diagnose(RunStatistics const& run) {
     Diagnosis diagnosis;
-    if (run.total_cycles == 0)
+    if (run.core_cycles() == 0)
         return diagnosis;
     diagnosis.core = last_to_end(run);
     CoreStatistics const& core = run.cores[diagnosis.core];
     diagnosis.module = least_waiting(core, run.machine);
-    diagnosis.cycles = run.total_cycles;
+    diagnosis.cycles = run.core_cycles();
     ProcessStatistics const& process = core.processes[diagnosis.module];
     diagnosis.waits = waits_of(process);
     Cycles left = diagnosis.cycles;
@@ -54,6 +54,7 @@ Diagnosis diagnose(RunStatistics const& run) {
     };
     for (std::size_t f = 0; f < process.stalls.size(); ++f)
         add({Cause::Kind::stall, f, process.stalls[f]});
+    add({Cause::Kind::memory_stall, 0, process[CycleClass::memory_stall]});
     add({Cause::Kind::setup, 0, process[CycleClass::setup]});
     add({Cause::Kind::fill_drain, 0, process[CycleClass::fill_drain]});
     add({Cause::Kind::idle, 0, process[CycleClass::idle_before] + process[CycleClass::idle_after]});

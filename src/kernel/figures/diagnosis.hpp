@@ -8,7 +8,7 @@ namespace faster {
 /// One thing that the cycles of a process go into. A loop counts with all cycles of its iterations, those that a port
 /// conflict or a recurrence costs included.
 struct Cause {
-    enum class Kind { loop, stall, setup, fill_drain, idle, between_loops };
+    enum class Kind { loop, stall, memory_stall, setup, fill_drain, idle, between_loops };
     Kind kind = Kind::loop;
     std::size_t item = 0;      ///< number of a loop or FIFO of the machine
     Cycles cycles = 0;         ///< of one core
@@ -20,7 +20,7 @@ struct Cause {
 struct Diagnosis {
     std::size_t core = 0;
     std::size_t module = 0;
-    Cycles cycles = 0;          ///< total_cycles of the run
+    Cycles cycles = 0;          ///< of the run, without a load
     Cycles waits = 0;           ///< of them, in which the module stalls or is idle
     std::vector<Cause> causes;  ///< the largest first; they add up to cycles
 };

@@ -16,6 +16,9 @@ struct ModuleRow {
     std::array<Cycles, cycle_class_count> cycles{};
     std::vector<NamedCycles> stalls;          ///< of the FIFOs that it reads and writes
     std::vector<NamedCycles> port_conflicts;  ///< of all block RAMs
+    bool has_external_memory = false;
+
+    bool has_class(std::size_t which) const { return is_class_of(which, has_external_memory); }
 };
 
 /// The column of a class: "busy_cycles".

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "kernel/figures/dependence_row.hpp"
 #include "kernel/figures/fifo_columns.hpp"
 #include "kernel/figures/loop_columns.hpp"
+#include "kernel/figures/memory_traffic.hpp"
 #include "kernel/figures/sample_columns.hpp"
 #include "kernel/figures/sensitivity.hpp"
 #include "kernel/machine/machine.hpp"
@@ -48,20 +50,25 @@ struct StuckProcess {
     std::uint64_t capacity = 0;
     Cycles since_cycle = 0;
     std::string waits_for;  ///< the process at the FIFO's other end
-    std::string source;     ///< file and line of its loop, or of its access outside loops
+    bool waits_for_memory = false;
+    std::string source;  ///< file and line of its loop, or of its access outside loops
 };
 
 /// Everything a run has to tell. Simulated figures only: host time is measured by whoever calls.
 struct RunStatistics {
     Machine machine;  ///< what the figures are of
     Cycles total_cycles = 0;
+    Cycles load_cycles = 0;                 ///< of them, before the cores' cycle 0: memories on the chip are filled
     std::vector<SampleStatistics> samples;  ///< by sample
     std::vector<CoreStatistics> cores;
+    std::optional<MemoryTraffic> memory;        ///< of an external memory that is not ideal
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::vector<Alternative> alternatives;      ///< likewise
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
+    /// Those of the cores, which is what the classes of their processes add up to.
+    Cycles core_cycles() const { return total_cycles - load_cycles; }
     bool deadlocked() const { return !stuck.empty(); }
     Cycles deadlock_cycle() const;
     /// The processes that wait for each other in a circle, in order; the last waits for the first.

@@ -26,7 +26,7 @@ Cycles port_conflict_cycles(CoreStatistics const& core, std::string const& bram)
 }
 
 ModuleRow module_row(Machine const& machine, std::size_t core, std::size_t i, ProcessStatistics const& process) {
-    ModuleRow row{core, machine.processes[i].name, process.cycles, {}, {}};
+    ModuleRow row{core, machine.processes[i].name, process.cycles, {}, {}, machine.external_memory.has_value()};
     for (std::size_t const f : fifos_of(machine))
         if (machine.fifos[f].writer == i || machine.fifos[f].reader == i)
             row.stalls.push_back({machine.fifos[f].name, process.stalls[f]});

@@ -43,7 +43,7 @@ double ramb36_count(MemoryShape const& memory) {
     std::uint64_t const copies = divided_up(memory.ports, ports_per_primitive * memory.partition);
     double const banks = static_cast<double>(copies * memory.partition);
     std::uint64_t const words = std::max(memory.bank_words, divided_up(memory.words, memory.partition));
-    return static_cast<double>(memory.buffers) * banks * ramb36_of_bank(words, memory.bits);
+    return memory.share * static_cast<double>(memory.buffers) * banks * ramb36_of_bank(words, memory.bits);
 }
 
 }  // namespace faster

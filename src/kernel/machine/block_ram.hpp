@@ -11,6 +11,7 @@ struct MemoryShape {
     std::uint64_t partition = 1;   ///< banks that share the words
     std::uint64_t bank_words = 0;  ///< of the largest bank; 0: they share evenly
     std::uint64_t buffers = 1;     ///< how often all of this is there
+    double share = 1;              ///< of all this that is a core's, if several share it
 };
 
 /// How many block RAMs of 36 Kbit a memory takes on an UltraScale+ device; a RAMB18 is half of one.

@@ -1,6 +1,7 @@
 #include "kernel/machine/machine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -47,6 +48,26 @@ struct PlacedEnd {
     std::string decided_by;
 };
 
+/// docs/memory-model.md: whole picoseconds, halves up.
+std::uint64_t rounded(double value) { return static_cast<std::uint64_t>(std::floor(value + 0.5)); }
+
+std::optional<timing::ExternalMemory> shape_of(MachineSettings const& settings) {
+    ExternalMemorySettings const& memory = settings.external_memory;
+    if (memory.model == MemoryModel::ideal)
+        return std::nullopt;
+    timing::ExternalMemory shape;
+    shape.burst_bytes = memory.burst_bytes;
+    shape.port_bytes = memory.port_bytes;
+    shape.outstanding = memory.outstanding;
+    shape.prefetches = memory.prefetch;
+    shape.ports = memory.ports;
+    shape.request_cycles = memory.request_cycles;
+    shape.period_ps = std::max<std::uint64_t>(1, rounded(1e6 / settings.clock_mhz));
+    shape.latency_ps = rounded(1e3 * memory.read_latency_ns);
+    shape.granule_ps = rounded(64e3 / (memory.dram_gb_per_s * memory.dram_efficiency));
+    return shape;
+}
+
 class Maker {
   public:
     Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
@@ -54,13 +75,19 @@ class Maker {
         machine_.clock_mhz = settings.clock_mhz;
         machine_.cores_are = core.cores_are;
         machine_.remark = core.remark;
+        machine_.external_memory = shape_of(settings);
         for (ModuleDescription const& module : core.modules)
             add_process(module);
         for (std::string const& fifo : core.fifos)
             add_fifo(fifo);
         for (std::size_t i = 0; i < core.modules.size(); ++i)
-            for (MemoryDescription const& memory : core.modules[i].memories)
-                add_memory(i, memory);
+            for (StreamDescription const& stream : core.modules[i].streams)
+                add_stream(i, stream);
+        for (bool const is_loaded : {false, true})
+            for (std::size_t i = 0; i < core.modules.size(); ++i)
+                for (MemoryDescription const& memory : core.modules[i].memories)
+                    if (memory.is_loaded == is_loaded)
+                        add_memory(i, memory);
         for (std::size_t i = 0; i < core.modules.size(); ++i)
             for (LoopDescription const& loop : core.modules[i].loops)
                 add_loop(i, loop);
@@ -126,12 +153,26 @@ class Maker {
         machine_.fifos.push_back(std::move(fifo));
     }
 
+    void add_stream(std::size_t module, StreamDescription const& description) {
+        MachineStream stream;
+        stream.name = description.name;
+        decide(stream, first_failing(core_.modules[module].conditions, description.conditions));
+        if (stream.is_present && !machine_.external_memory)
+            decide(stream, "accelerator.memory.model");
+        stream.process = module;
+        stream.loop = description.loop;
+        stream.writes = description.writes;
+        stream.prefetch = description.prefetch;
+        stream.is_header = description.is_header;
+        machine_.streams.push_back(std::move(stream));
+    }
+
     void add_memory(std::size_t module, MemoryDescription const& description) {
         MemorySettings const settings = settings_.memory(description.name);
         BankPartition const partition(settings.partition, static_cast<std::int64_t>(description.rows),
                                       static_cast<std::int64_t>(description.cols));
-        MachineMemory memory{description.name, true,           {}, module,   module, 0,
-                             description.cols, settings.ports, {}, partition};
+        MachineMemory memory{description.name, true,           {}, module, module,   0,
+                             description.cols, settings.ports, 1,  {},     partition};
         decide(memory, first_failing(core_.modules[module].conditions, description.conditions));
         if (!description.reader.empty())
             memory.reader = machine_.process(description.reader);
@@ -142,6 +183,10 @@ class Maker {
         memory.shape.partition = partition.banks();
         memory.shape.bank_words = partition.bank_words();
         memory.shape.buffers = description.buffers;
+        if (description.copies > 0) {
+            memory.sharers = (settings_.cores + description.copies - 1) / description.copies;
+            memory.shape.share = static_cast<double>(description.copies) / static_cast<double>(settings_.cores);
+        }
         machine_.memories.push_back(std::move(memory));
     }
 
@@ -156,8 +201,9 @@ class Maker {
         std::vector<timing::BramDemand> demands;
         for (MachineMemory const& memory : machine_.memories)
             for (MemoryAccess const& access : description.accesses)
-                if (access.memory == memory.name)
-                    demands.push_back({memory.name, memory.partition.accesses_per_bank(access.pattern), memory.ports});
+                if ((memory.is_present || !loop.is_present) && access.memory == memory.name)
+                    demands.push_back({memory.name, memory.sharers * memory.partition.accesses_per_bank(access.pattern),
+                                       memory.ports});
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
@@ -232,16 +278,23 @@ class Maker {
                 machine_.processes[module].loops.push_back(loop);
     }
 
+    /// What comes from memory, no state of a process tells: who takes it does not follow.
     void add_lead() {
-        if (core_.pace.driver.empty())
+        if (core_.pace.driver.empty() || uses_memory(core_.pace.driver))
             return;
         machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
             std::size_t const anchor = machine_.fifo(follower.anchor);
-            if (machine_.fifos[anchor].is_present)
+            if (machine_.fifos[anchor].is_present && !uses_memory(follower.module))
                 machine_.lead.followers.push_back(
                     {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
         }
+    }
+
+    bool uses_memory(std::string const& module) const {
+        return std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
+            return stream.is_present && machine_.processes[stream.process].name == module;
+        });
     }
 
     std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {
@@ -270,6 +323,11 @@ timing::FifoShape MachineFifo::shape() const {
     return shape;
 }
 
+timing::MemoryStream::EntersBy MachineStream::enters_by() const {
+    using EntersBy = timing::MemoryStream::EntersBy;
+    return writes ? EntersBy::write : loop.empty() ? EntersBy::step : EntersBy::loop;
+}
+
 timing::LoopShape MachineLoop::shape() const {
     timing::LoopShape shape;
     shape.name = name;
@@ -282,6 +340,8 @@ std::size_t Machine::process_places() const { return modules_of(*this).back() + 
 std::size_t Machine::process(std::string_view name) const { return number_of(name, processes); }
 std::size_t Machine::fifo(std::string_view name) const { return number_of(name, fifos); }
 std::size_t Machine::memory(std::string_view name) const { return number_of(name, memories); }
+
+std::size_t Machine::stream(std::string_view name) const { return number_of(name, streams); }
 
 std::size_t Machine::loop(std::size_t process, std::string_view name) const {
     auto const found = std::find_if(loops.begin(), loops.end(), [=](MachineLoop const& loop) {
@@ -312,6 +372,18 @@ std::vector<std::size_t> modules_of(Machine const& machine) { return present(mac
 std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
 std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
 std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
+
+std::vector<std::size_t> streams_of(Machine const& machine) { return present(machine.streams); }
+
+std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine) {
+    std::vector<timing::MemorySystem::MasterShape> masters;
+    for (std::size_t const i : streams_of(machine)) {
+        MachineStream const& stream = machine.streams[i];
+        masters.push_back({static_cast<unsigned>(stream.process), static_cast<unsigned>(masters.size()),
+                           stream.prefetch, stream.is_header});
+    }
+    return masters;
+}
 
 double ramb36_of_core(Machine const& machine) {
     double sum = 0;

@@ -14,6 +14,9 @@
 #include "kernel/timing/fifo_timing.hpp"
 #include "kernel/timing/initiation_interval.hpp"
 #include "kernel/timing/lead.hpp"
+#include "kernel/timing/memory/external_memory.hpp"
+#include "kernel/timing/memory/memory_stream.hpp"
+#include "kernel/timing/memory/memory_system.hpp"
 #include "kernel/timing/process_timing.hpp"
 
 namespace faster {
@@ -86,10 +89,25 @@ struct MachineMemory {
     std::size_t owner = 0;   ///< number of the process that has it
     std::size_t reader = 0;  ///< and of the one that reads it out; mostly the same
     std::uint64_t words = 0;
-    std::uint64_t cols = 1;   ///< of its rows of words
-    std::uint64_t ports = 2;  ///< of a bank
+    std::uint64_t cols = 1;     ///< of its rows of words
+    std::uint64_t ports = 2;    ///< of a bank
+    std::uint64_t sharers = 1;  ///< cores that access one copy
     MemoryShape shape;
     BankPartition partition;
+};
+
+/// A process's end of the external memory.
+struct MachineStream {
+    std::string name;  ///< of the master
+    bool is_present = true;
+    std::string decided_by;
+    std::size_t process = 0;
+    std::string loop;  ///< of the process, which takes tokens; empty: steps do
+    bool writes = false;
+    timing::Prefetch prefetch = timing::Prefetch::none;
+    bool is_header = false;
+
+    timing::MemoryStream::EntersBy enters_by() const;
 };
 
 /// One configuration of a design with everything resolved: what its cores consist of, and how long what takes. All
@@ -103,6 +121,8 @@ struct Machine {
     std::vector<MachineFifo> fifos;
     std::vector<MachineLoop> loops;
     std::vector<MachineMemory> memories;
+    std::vector<MachineStream> streams;                     ///< masters, in the order that settles ties
+    std::optional<timing::ExternalMemory> external_memory;  ///< none: ideal
     std::vector<LineBuffer> line_buffers;
     timing::Lead lead;
     std::size_t begins = 0;  ///< process whose stamps begin samples
@@ -119,6 +139,7 @@ struct Machine {
     std::size_t process(std::string_view name) const;
     std::size_t fifo(std::string_view name) const;
     std::size_t memory(std::string_view name) const;
+    std::size_t stream(std::string_view name) const;
     std::size_t loop(std::size_t process, std::string_view name) const;
 };
 
@@ -135,6 +156,9 @@ std::vector<std::size_t> modules_of(Machine const& machine);
 std::vector<std::size_t> fifos_of(Machine const& machine);
 std::vector<std::size_t> loops_of(Machine const& machine);
 std::vector<std::size_t> brams_of(Machine const& machine);
+std::vector<std::size_t> streams_of(Machine const& machine);
+/// The masters of an external memory: the streams of every core that are there.
+std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine);
 
 /// Block RAMs of 36 Kbit of one core, line buffers included; without FIFOs.
 double ramb36_of_core(Machine const& machine);

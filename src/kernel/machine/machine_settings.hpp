@@ -6,6 +6,7 @@
 
 #include "kernel/base/cycles.hpp"
 #include "kernel/machine/dependence.hpp"
+#include "kernel/machine/external_memory_settings.hpp"
 #include "kernel/machine/fifo_kind.hpp"
 #include "kernel/machine/partition_config.hpp"
 
@@ -48,6 +49,7 @@ struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
     FifoGeneration fifo_rules = FifoGeneration::spec;
+    ExternalMemorySettings external_memory;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, DependenceSettings> dependences;  ///< by MODULE.LOOP.MEMORY

@@ -7,6 +7,7 @@
 
 #include "kernel/base/cycles.hpp"
 #include "kernel/machine/access_pattern.hpp"
+#include "kernel/timing/memory/external_memory.hpp"
 
 namespace faster {
 
@@ -45,6 +46,24 @@ struct FifoEnd {
         return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
     }
     FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
+};
+
+/// A module's end of the external memory, a master: what it reads there, or writes.
+struct StreamDescription {
+    std::string name;      ///< of the master, e.g. "vertex"
+    bool writes = false;   ///< by steps that nobody waits for
+    std::string loop;      ///< each iteration of which takes a token; empty: steps do
+    std::string contents;  ///< "vertices of the mesh", for the documentation
+    Conditions conditions;
+    timing::Prefetch prefetch = timing::Prefetch::none;
+    bool is_header = false;
+
+    StreamDescription& brings(std::string text) { return contents = std::move(text), *this; }
+    StreamDescription& taken_by(std::string its_loop) { return loop = std::move(its_loop), *this; }
+    StreamDescription& prefetches(timing::Prefetch what) { return prefetch = what, *this; }
+    /// Its tokens are headers of samples, which tell others what to fetch.
+    StreamDescription& headers() { return is_header = true, *this; }
+    StreamDescription& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };
 
 /// What one iteration of a loop asks of one memory in its worst branch.
@@ -103,6 +122,8 @@ struct MemoryDescription {
     std::uint64_t bits = 1;     ///< of a word; 0: there is no such memory
     std::uint64_t buffers = 1;  ///< how often all of it is there
     std::string size_key;       ///< configuration key that decides rows and cols; or empty
+    bool is_loaded = false;     ///< with data from outside, before an iteration begins; listed behind all others
+    std::uint64_t copies = 0;   ///< of it, which all cores share; 0: each core has its own
     std::string reader;         ///< module that reads it out, if not the one that describes it
 
     MemoryDescription& holds(std::string text) { return contents = std::move(text), *this; }
@@ -111,6 +132,8 @@ struct MemoryDescription {
     }
     MemoryDescription& sized_by(std::string key) { return size_key = std::move(key), *this; }
     MemoryDescription& in_buffers(std::uint64_t number) { return buffers = number, *this; }
+    MemoryDescription& loaded_before() { return is_loaded = true, *this; }
+    MemoryDescription& shared_in_copies(std::uint64_t number) { return copies = number, *this; }
     MemoryDescription& read_out_by(std::string module) { return reader = std::move(module), *this; }
     MemoryDescription& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };
@@ -159,6 +182,9 @@ class ModuleDescription {
 
     FifoEnd& reads_from(std::string fifo) { return add_end(std::move(fifo), false); }
     FifoEnd& writes_to(std::string fifo) { return add_end(std::move(fifo), true); }
+    /// At most one of a module is there: read from the external memory, or written to it.
+    StreamDescription& fetches(std::string master) { return add_stream(std::move(master), false); }
+    StreamDescription& stores(std::string master) { return add_stream(std::move(master), true); }
     LoopDescription& loop(std::string its_name) {
         loops.emplace_back().name = std::move(its_name);
         return loops.back();
@@ -177,6 +203,7 @@ class ModuleDescription {
     std::string name;
     Conditions conditions;
     std::vector<FifoEnd> ends;
+    std::vector<StreamDescription> streams;
     std::vector<LoopDescription> loops;
     std::vector<NumberDescription> numbers;
     std::vector<MemoryDescription> memories;
@@ -189,6 +216,11 @@ class ModuleDescription {
         ends.emplace_back().fifo = std::move(fifo);
         ends.back().writes = writes;
         return ends.back();
+    }
+    StreamDescription& add_stream(std::string master, bool writes) {
+        streams.emplace_back().name = std::move(master);
+        streams.back().writes = writes;
+        return streams.back();
     }
 };
 

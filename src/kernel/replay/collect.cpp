@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/replay/collect_traffic.hpp"
+
 namespace faster::replay {
 
 namespace {
@@ -95,12 +97,15 @@ class CycleSorter {
 void CycleSorter::add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) const {
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
+        if (fifo.is_memory())
+            continue;
         bool const writes = process.writes(port);
         Cycles const idle = port == process.first_port() ? process.idle_before_cycles() : 0;
         Cycles const stall = (writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles()) - idle;
         row.stalls[core_.number_of(fifo)] += stall;
         row[writes ? CycleClass::full_stall : CycleClass::empty_stall] += stall;
     }
+    row[CycleClass::memory_stall] = process.memory_stall_cycles();
     row[CycleClass::idle_before] = process.idle_before_cycles();
 }
 
@@ -168,13 +173,17 @@ void add_samples(FinishedCore const& core, std::uint64_t index, Machine const& m
 void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
     for (timing::Wait const& wait : core.waits())
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
-                         wait.since, wait.other, std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
+                         wait.since, wait.other, wait.for_memory,
+                         std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
 }
 
 }  // namespace
 
-RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine) {
+RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
+                      timing::MemorySystem const* memory) {
     RunStatistics run;
+    if (memory != nullptr)
+        run.memory = collect_traffic(*memory, machine, cores.size());
     run.machine = machine;
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());

@@ -15,7 +15,8 @@ struct FinishedCore {
     Counters const* counters;  ///< by sample of its share, as far as it got
 };
 
-/// The figures of a finished (or stuck) run of a machine.
-RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine);
+/// The figures of a finished (or stuck) run of a machine. `memory`: the external one; null if it is ideal.
+RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
+                      timing::MemorySystem const* memory = nullptr);
 
 }  // namespace faster::replay

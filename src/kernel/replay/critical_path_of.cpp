@@ -30,7 +30,8 @@ class ProcessRows {
     void add_region(timing::Region region) {
         add_own(region);
         for (unsigned port = 0; port < process_.port_count(); ++port)
-            add_crossings(region, port);
+            if (!process_.fifo(port).is_memory())
+                add_crossings(region, port);
     }
 
     void add_own(timing::Region region) {
@@ -83,7 +84,10 @@ class ProcessRows {
 
     static PathCause cause_of(Part part) {
         bool const flows = part == Part::fill || part == Part::drain;
-        return part == Part::setup ? PathCause::setup : flows ? PathCause::fill_drain : PathCause::busy;
+        return part == Part::setup    ? PathCause::setup
+               : part == Part::memory ? PathCause::memory
+               : flows                ? PathCause::fill_drain
+                                      : PathCause::busy;
     }
 
     /// Adds to the row of the same thing, if there is one: a loop's filling and draining are one.

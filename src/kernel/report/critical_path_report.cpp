@@ -23,7 +23,7 @@ void add_line(std::string& text, RunStatistics const& run, PathRow const& row) {
     std::string const place =
         machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
     fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, row.cycles,
-                   100.0 * static_cast<double>(row.cycles) / static_cast<double>(run.total_cycles));
+                   100.0 * static_cast<double>(row.cycles) / static_cast<double>(run.core_cycles()));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string critical_path_text(RunStatistics const& run) {
         return "";
     std::vector<PathRow> const& rows = run.critical_path->rows;
     std::string text = fmt::format("\nCritical path of core {}, the last to end: how its {} cycles came about\n",
-                                   run.critical_path->core, run.total_cycles);
+                                   run.critical_path->core, run.core_cycles());
     text += fmt::format("  {:<27} {:<28} {:>13} {:>7}\n", "module.loop", "cause", "cycles", "%");
     for (std::size_t i = 0; i < rows.size() && i < most_rows; ++i)
         add_line(text, run, rows[i]);

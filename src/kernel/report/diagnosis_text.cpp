@@ -50,6 +50,8 @@ std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, RunStati
             return loop_sentence(cause, diagnosis, run);
         case Cause::Kind::stall:
             return stall_sentence(cause, diagnosis, run.machine);
+        case Cause::Kind::memory_stall:
+            return fmt::format("{} {} waits for memory.", share(cause.cycles, diagnosis), module);
         case Cause::Kind::setup:
             return fmt::format("{} is {} {}, {} cycles each.", share(cause.cycles, diagnosis), module,
                                process.setup_activity, process.setup_cycles);

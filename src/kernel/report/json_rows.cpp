@@ -20,7 +20,8 @@ Json by_name(std::vector<NamedCycles> const& all) {
 Json json_row(ModuleRow const& module) {
     Json row{{"core", module.core}, {"module", module.module}};
     for (std::size_t c = 0; c < cycle_class_count; ++c)
-        row[cycles_column(cycle_class_names[c])] = module.cycles[c];
+        if (module.has_class(c))
+            row[cycles_column(cycle_class_names[c])] = module.cycles[c];
     row["stalls"] = by_name(module.stalls);
     row["port_conflicts"] = by_name(module.port_conflicts);
     return row;

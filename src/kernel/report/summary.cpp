@@ -5,6 +5,7 @@
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/hazard_report.hpp"
 #include "kernel/report/json_rows.hpp"
+#include "kernel/report/memory_traffic_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
 namespace faster::report {
@@ -36,6 +37,10 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
     summary["loops"] = json_table(loop_columns, loop_rows(run));
     if (Json hazards = hazards_json(run); !hazards.empty())
         summary["hazards"] = std::move(hazards);
+    if (run.memory)
+        summary["load_cycles"] = run.load_cycles;
+    if (run.memory)
+        summary["external_memory"] = memory_traffic_json(run);
     summary["bound_by"] = diagnosis_sentences(run);
     if (run.critical_path)
         summary["critical_path"] = critical_path_json(run);

@@ -10,6 +10,7 @@
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/hazard_report.hpp"
 #include "kernel/report/latencies.hpp"
+#include "kernel/report/memory_traffic_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
 namespace faster::report {
@@ -38,20 +39,25 @@ void headline(std::string& text, RunStatistics const& run) {
     line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
          machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
     line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, machine.milliseconds(run.total_cycles));
+    if (run.load_cycles > 0)
+        line(text, "load   {} cycles of them, before cycle 0 of all that follows", run.load_cycles);
 }
 
 void module_table(std::string& text, RunStatistics const& run) {
-    Cycles const lane_cycles = run.total_cycles * run.cores.size();
+    Cycles const lane_cycles = run.core_cycles() * run.cores.size();
     line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
     std::string header = fmt::format("  {:<19}", "module");
-    for (char const* name : cycle_class_names)
-        header += fmt::format(" {:>{}}", in_words(name), column_width(name));
+    bool const has_memory = run.machine.external_memory.has_value();
+    for (std::size_t c = 0; c < cycle_class_count; ++c)
+        if (is_class_of(c, has_memory))
+            header += fmt::format(" {:>{}}", in_words(cycle_class_names[c]), column_width(cycle_class_names[c]));
     line(text, "{}", header);
     for (std::size_t const i : modules_of(run.machine)) {
         ProcessStatistics const p = process_sum(run, i);
         std::string row = fmt::format("  {:<19}", run.machine.processes[i].name);
         for (std::size_t c = 0; c < cycle_class_count; ++c)
-            row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
+            if (is_class_of(c, has_memory))
+                row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
         line(text, "{}", row);
     }
 }
@@ -108,6 +114,9 @@ void host_speed(std::string& text, RunStatistics const& run, HostTime const& hos
 }
 
 std::string describe(StuckProcess const& p) {
+    if (p.waits_for_memory)
+        return fmt::format("core {}: {} ({}, {}) waits for memory, {}; since cycle {}", p.core, p.process, p.position,
+                           p.source, p.fifo, p.since_cycle);
     return fmt::format("core {}: {} ({}, {}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}",
                        p.core, p.process, p.position, p.source, p.waits_for, p.to_write ? "read from" : "write to",
                        p.fifo, p.occupancy, p.capacity, p.since_cycle);
@@ -128,6 +137,7 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
     fifo_table(text, run);
     bram_table(text, run);
     text += hazards_text(run);
+    text += memory_traffic_text(run);
     latency_table(text, run);
     host_speed(text, run, host);
     return text;

@@ -24,15 +24,24 @@ std::size_t CoreTiming::number_of(FifoTiming const& fifo) const {
     return static_cast<std::size_t>(std::find_if(fifos_.begin(), fifos_.end(), same) - fifos_.begin());
 }
 
+std::size_t CoreTiming::number_of(MemoryStream const& stream) const {
+    auto const same = [&stream](MemoryStream const& other) { return &other == &stream; };
+    return static_cast<std::size_t>(std::find_if(streams_.begin(), streams_.end(), same) - streams_.begin());
+}
+
 void CoreTiming::connect() {
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory())
+                continue;
             Ends& both = ends_[number_of(process.fifo(port))];
             (process.writes(port) ? both.writer : both.reader) = static_cast<int>(process.index());
         }
     for (ProcessTiming& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory())
+                continue;
             Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
             process.set_neighbour(port, other < 0 ? 0 : bit(other));
@@ -46,9 +55,15 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     auto copy = std::make_unique<CoreTiming>();
     for (FifoTiming const& fifo : fifos_)
         copy->add_fifo(fifo.shape());
+    for (MemoryStream const& stream : streams_)
+        copy->add_stream(stream.name(), stream.enters_by());
     for (ProcessTiming const& process : processes_) {
         ProcessTiming& same = copy->add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory()) {
+                same.add_stream(copy->stream(number_of(*process.stream())));
+                continue;
+            }
             FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
             process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
         }
@@ -115,12 +130,43 @@ bool CoreTiming::keep_more() {
             fifo.keep_more();
             keeps_more = true;
         }
+    for (MemoryStream& stream : streams_)
+        if (stream.is_write() && stream.fifo().known_writes() == 0) {
+            stream.fifo().keep_more();
+            keeps_more = true;
+        }
     return keeps_more;
+}
+
+Cycles CoreTiming::unknown_from() const {
+    Cycles from = ~Cycles{0};
+    for (ProcessTiming const& process : processes_)
+        if (process.finished() && process.port_count() > 0)
+            from = std::min(from, process.not_before());
+    return from;
 }
 
 void CoreTiming::resolve(bool to_the_end) {
     if (holds_)
         return;
+    go_on(to_the_end);
+    if (to_the_end && automaton_ != nullptr)
+        automaton_->settle(*group_, session_);
+    for (ProcessTiming& process : processes_)
+        process.log().compact();
+    shorten_trail();
+}
+
+void CoreTiming::resume(ProcessMask processes) {
+    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
+        resolve_processes(processes);
+    } else {
+        go_on(true);
+        shorten_trail();
+    }
+}
+
+void CoreTiming::go_on(bool to_the_end) {
     if (ends_.empty())
         connect();
     ProcessMask const all = all_processes();
@@ -138,17 +184,14 @@ void CoreTiming::resolve(bool to_the_end) {
                 break;
         }
     }
-    if (to_the_end && automaton_ != nullptr)
-        automaton_->settle(*group_, session_);
-    for (ProcessTiming& process : processes_)
-        process.log().compact();
-    shorten_trail();
 }
 
 void CoreTiming::resolve_processes(ProcessMask processes) {
     if (ends_.empty())
         connect();
     settle(processes, 0);
+    while (!streams_.empty() && keep_more())
+        settle(all_processes(), 0);
     shorten_trail();
 }
 
@@ -233,6 +276,16 @@ bool CoreTiming::let_driver_go() {
     return driver.advance(true) != 0 || driver.log().pending() != before;
 }
 
+/// Who has to go on before a process can.
+std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned port) const {
+    FifoTiming const& fifo = process.fifo(port);
+    if (fifo.is_memory())
+        return "memory";
+    Ends const& both = ends_[number_of(fifo)];
+    int const other = process.writes(port) ? both.reader : both.writer;
+    return other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
+}
+
 std::vector<Wait> CoreTiming::waits() {
     if (ends_.empty())
         connect();
@@ -255,9 +308,8 @@ std::vector<Wait> CoreTiming::waits() {
         wait.capacity = fifo.shape().capacity;
         wait.since = process.waiting_since();
         wait.site = process.site_at_hand(port);
-        Ends const& both = ends_[number_of(fifo)];
-        int const other = wait.to_write ? both.reader : both.writer;
-        wait.other = other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
+        wait.for_memory = fifo.is_memory();
+        wait.other = name_at_other_end(process, port);
         waits.push_back(wait);
     }
     return waits;

@@ -6,6 +6,7 @@
 
 #include "kernel/timing/lookup/automaton.hpp"
 #include "kernel/timing/lookup/steady_state.hpp"
+#include "kernel/timing/memory/memory_stream.hpp"
 #include "kernel/timing/process_timing.hpp"
 
 namespace faster::timing {
@@ -21,6 +22,7 @@ struct Wait {
     Cycles since = 0;   ///< local time of the process
     SourceSite site;    ///< of the loop, or of the access outside loops
     std::string other;  ///< the process at the other end of the FIFO
+    bool for_memory = false;
 };
 
 /// The FIFOs and processes of one core, and the calculation of their times. Which process goes first never
@@ -33,6 +35,14 @@ class CoreTiming {
     /// The shape may be that of another process of the same ports.
     ProcessTiming& add_process(std::string name,
                                std::shared_ptr<ProcessShape> shape = std::make_shared<ProcessShape>());
+    /// A process's end of the external memory.
+    MemoryStream& add_stream(std::string const& name, MemoryStream::EntersBy enters_by) {
+        return streams_.emplace_back(name, enters_by);
+    }
+    MemoryStream& stream(std::size_t number) { return streams_[number]; }
+    std::deque<MemoryStream> const& streams() const { return streams_; }
+    /// From when on processes may do something that is not logged yet, once all that is has its cycles, or waits.
+    Cycles unknown_from() const;
 
     /// Gives cycles to all logged operations that can have them. With `to_the_end` false, may leave some for later
     /// whose answer by other processes is not logged yet: it will be quicker then. Counters are complete only at the
@@ -41,6 +51,9 @@ class CoreTiming {
 
     /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
     void hold(bool holds) { holds_ = holds; }
+
+    /// Likewise, with or without an automaton, where some processes have got tokens from memory.
+    void resume(ProcessMask processes);
 
     /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
     void resolve_processes(ProcessMask processes);
@@ -84,6 +97,7 @@ class CoreTiming {
     std::deque<FifoTiming> const& fifos() const { return fifos_; }
     std::deque<ProcessTiming> const& processes() const { return processes_; }
     std::size_t number_of(FifoTiming const& fifo) const;
+    std::size_t number_of(MemoryStream const& stream) const;
     /// Numbers of the processes at a FIFO; -1: none. Once connected, by the first resolve().
     struct Ends {
         int writer = -1;
@@ -96,6 +110,8 @@ class CoreTiming {
 
   private:
     void connect();
+    void go_on(bool to_the_end);
+    std::string name_at_other_end(ProcessTiming const& process, unsigned port) const;
     void find_patient();
     /// All but the processes `held`, a bit each.
     void settle(ProcessMask runnable, ProcessMask held);
@@ -108,6 +124,7 @@ class CoreTiming {
     void write_next();
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
+    std::deque<MemoryStream> streams_;
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;            // by FIFO
     std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has

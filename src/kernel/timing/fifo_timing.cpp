@@ -21,6 +21,26 @@ FifoTiming::FifoTiming(FifoShape shape) : shape_(std::move(shape)), rules_(shape
     }
 }
 
+/// What is read has no writer whose room decides anything: the line of room tells when tokens were taken.
+FifoTiming FifoTiming::of_memory(std::string name, bool writes) {
+    FifoShape shape;
+    shape.name = std::move(name);
+    shape.capacity = FifoShape::unlimited;
+    FifoTiming timing(shape);
+    timing.is_memory_ = true;
+    if (!writes) {
+        timing.rules_.free = CycleRing(room_kept(shape));
+        timing.room_ = room_kept(shape);
+    }
+    return timing;
+}
+
+void FifoTiming::make_room() {
+    rules_.readable.grow();
+    rules_.free.grow();
+    room_ = 2 * room_ + 1;
+}
+
 void FifoTiming::keep_more() {
     if (!is_unlimited())
         throw std::logic_error(name() + ": only an unlimited FIFO keeps more");

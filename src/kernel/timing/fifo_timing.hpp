@@ -15,6 +15,8 @@ class FifoTiming {
     using End = FifoEnd<CycleRing>;
 
     explicit FifoTiming(FifoShape shape);
+    /// A process's end of the external memory, which is at the other one: see MemoryStream.
+    static FifoTiming of_memory(std::string name, bool writes);
 
     std::string const& name() const { return shape_.name; }
     FifoShape const& shape() const { return shape_; }
@@ -51,6 +53,16 @@ class FifoTiming {
     End end(bool writes) { return writes ? rules_.writer() : rules_.reader(); }
     void note(bool writes, std::uint64_t count) { writes ? note_writes(count) : note_reads(count); }
 
+    bool is_memory() const { return is_memory_; }
+    /// Of what a process reads from memory: its next token can be read from a cycle on. Makes room where it is needed.
+    void deliver(Cycles cycle) {
+        if (rules_.free.known() + rules_.readable.known() == room_)
+            make_room();
+        rules_.readable.append(cycle);
+    }
+    /// The cycle after each was taken, earliest_write(), need not be kept.
+    void forget_taken(std::uint64_t tokens) { rules_.free.consume(tokens); }
+
     void add_stall(bool writes, Cycles cycles) { (writes ? full_stall_cycles_ : empty_stall_cycles_) += cycles; }
 
   private:
@@ -77,6 +89,7 @@ class FifoTiming {
     Cycles written(std::uint64_t i) const { return rules_.readable[known_reads() + i]; }
     void look_at_writes(std::uint64_t first);
     void look_at_reads(std::uint64_t first);
+    void make_room();
 
     FifoShape shape_;
     FifoRules<CycleRing> rules_;
@@ -84,6 +97,8 @@ class FifoTiming {
     std::uint64_t max_occupancy_ = 0;  // unlimited: not looked for
     Cycles full_stall_cycles_ = 0;
     Cycles empty_stall_cycles_ = 0;
+    bool is_memory_ = false;
+    std::uint64_t room_ = 0;  // of memory: tokens whose cycles can be kept
 };
 
 }  // namespace faster::timing

@@ -175,14 +175,19 @@ template <class Process, class Port> class ProcessRules {
         if (!plan_->aligned)
             state_.delay_line.assign(plan_->delay_line_length, 0);
     }
+    Region region_at_hand() const {
+        if (!state_.in_loop)
+            return Region();
+        bool const drains = !log_.exhausted() && log_.begin()->kind() == Kind::leave;
+        return Region::of_loop(state_.loop, drains ? Region::Part::drain : Region::Part::iterations);
+    }
     void leave_trail(unsigned port) {
-        Region region;
-        if (state_.in_loop) {
-            bool const drains = !log_.exhausted() && log_.begin()->kind() == Kind::leave;
-            region = Region::of_loop(state_.loop, drains ? Region::Part::drain : Region::Part::iterations);
-        }
-        trail_->stalled(index_, port, region, state_.in_loop ? state_.pipeline.offset : 0,
-                        static_cast<Cycles>(state_.time));
+        note_wait(self().ports_[port], region_at_hand(), state_.in_loop ? state_.pipeline.offset : 0, 0, state_.time);
+    }
+    /// The trail learns that the process waited for a port, up to a cycle, in a step of a region so many steps after
+    /// its iteration's first.
+    void note_wait(Port const& port, Region region, Cycles step, Time /*from*/, Time until) {
+        trail_->stalled(index_, port.number, region, step, static_cast<Cycles>(until));
     }
 
     /// To a step of the flushing pipeline; those before it took in bubbles instead of what a port reads.
@@ -228,6 +233,8 @@ template <class Process, class Port> class ProcessRules {
             make_port_set(ports);
         return *sets_[ports];
     }
+    /// Ports stand in program order by their numbers, or as Process says.
+    void put_in_order(PortSet& /*set*/) const {}
     /// The ports have changed.
     void forget_port_sets() { sets_.clear(); }
 
@@ -268,18 +275,19 @@ template <class Process, class Port> class ProcessRules {
         if (!self().may_access(ports))
             return false;
         Time const arrival = state_.time;
-        int waited_for = -1;
+        Port const* waited_for = nullptr;
         for (Port const& port : set) {
             Time const earliest = port.end.earliest();
             if (earliest <= state_.time)
                 continue;
             Time const stall = earliest - state_.time;
             state_.time = earliest;
-            waited_for = static_cast<int>(port.number);
+            waited_for = &port;
             self().charge(port, stall);
         }
-        if (trail_ != nullptr && waited_for >= 0)
-            leave_trail(static_cast<unsigned>(waited_for));
+        if (trail_ != nullptr && waited_for != nullptr)
+            self().note_wait(*waited_for, region_at_hand(), state_.in_loop ? state_.pipeline.offset : 0, arrival,
+                             state_.time);
         self().performs(ports, arrival);
         for (Port const& port : set) {
             port.end.access(state_.time);
@@ -412,6 +420,8 @@ template <class Process, class Port> class ProcessRules {
 
     /// Of a loop that is not aligned: an iteration with accesses, or one of the silent ones behind it.
     bool iterate_in_pipeline(Operation& operation) {
+        if (is_uniform(operation))
+            return run_in_pipeline(operation);
         std::uint32_t& gap_left = state_.pipeline.gap_left;
         if (!pass_phases(gap_left > 0 ? Ports::Number{0} : operation.ports(), true))
             return false;
@@ -420,6 +430,45 @@ template <class Process, class Port> class ProcessRules {
         if (gap_left == 0)
             take_off(operation, 1);
         return true;
+    }
+
+    /// All iterations in the pipeline access what the next ones do, in one step of each: so every step does the same.
+    bool is_uniform(Operation const& operation) const {
+        PipelinePosition const& pipeline = state_.pipeline;
+        if (plan_->phases.size() != 1 || self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 ||
+            operation.gap() > 0 || operation.ports() == 0 || operation.count() < 2 ||
+            pipeline.iteration < plan_->longest_lag || !are_in_one_step(operation.ports()))
+            return false;
+        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
+            if (state_.delayed(lag) != operation.ports())
+                return false;
+        return true;
+    }
+
+    /// Of a loop with one step.
+    bool are_in_one_step(Ports::Number ports) const {
+        std::size_t const all = port_set(ports).size();
+        auto const& known = plan_->phases.front().ports;
+        return all <= most_in_run &&
+               all == static_cast<std::size_t>(std::count_if(known.begin(), known.end(), [ports](auto const& port) {
+                   return Ports(ports).has(port.first);
+               }));
+    }
+
+    bool run_in_pipeline(Operation& operation) {
+        std::uint32_t const wanted = operation.count();
+        Time const stride = static_cast<Time>(plan_->ii);
+        std::uint32_t const done =
+            run(port_set(operation.ports()), wanted, [stride](std::uint32_t /*i*/) { return stride; });
+        if (done == 0)
+            return false;
+        Ports::Number const ports = operation.ports();
+        state_.pipeline.iteration += done;
+        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
+            state_.delayed(lag) = ports;
+        count(done);
+        take_off(operation, done);
+        return done == wanted;
     }
 
     /// The II steps of an iteration that accesses `ports`, whose tokens leave in this or later iterations. False: it
@@ -538,6 +587,7 @@ template <class Process, class Port> class ProcessRules {
         /// The next iteration is `stride` cycles after this one.
         template <bool MayWait> [[gnu::always_inline]] void iterate(bool is_tail, Time stride) {
             unsigned waited_for = N;
+            Time const arrival = time_;
             for (unsigned i = is_tail ? N - 1 : 0; MayWait && i < N; ++i) {
                 Time const later = std::max<Time>(earliest_[i][accesses_of(i)], time_);
                 stalls_[i] += later - time_;
@@ -545,9 +595,9 @@ template <class Process, class Port> class ProcessRules {
                 time_ = later;
             }
             if (process_.trail_ != nullptr && waited_for < N)
-                process_.trail_->stalled(process_.index_, set_[waited_for].number,
-                                         Region::of_loop(process_.state_.loop, Region::Part::iterations), 0,
-                                         static_cast<Cycles>(time_));
+                process_.self().note_wait(set_[waited_for],
+                                          Region::of_loop(process_.state_.loop, Region::Part::iterations), 0, arrival,
+                                          time_);
             for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i)
                 appended_[i][accesses_of(i)] = static_cast<typename Line::Cycle>(time_ + later_[i]);
             whole_ += is_tail ? 0 : 1;
@@ -722,6 +772,7 @@ template <class Process, class Port> class ProcessRules {
             sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);
         auto set = std::make_unique<PortSet>();
         Ports(ports).each([&](unsigned number) { set->push_back(self().ports_[number]); });
+        self().put_in_order(*set);
         sets_[ports] = std::move(set);
     }
 

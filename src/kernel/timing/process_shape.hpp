@@ -29,6 +29,7 @@ struct LoopShape {
     std::vector<LoopWrite> writes;
     /// All ports that the loop reads. May be empty if it writes none, and each iteration reads in its first step.
     std::vector<LoopRead> reads;
+    bool uses_memory = false;  ///< each iteration takes a token of the process's memory stream, in its first step
 };
 
 /// What leaving a loop adds to its counters.

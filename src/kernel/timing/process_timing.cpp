@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/timing/memory/memory_stream.hpp"
+
 namespace faster::timing {
 
 ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<ProcessShape> shape)
@@ -20,6 +22,12 @@ unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
     port_sites_.emplace_back();
     forget_port_sets();
     return number;
+}
+
+unsigned ProcessTiming::add_stream(MemoryStream& stream) {
+    stream_ = &stream;
+    stream_port_ = add_port(stream.fifo(), stream.is_write());
+    return stream_port_;
 }
 
 unsigned ProcessTiming::add_loop(LoopShape shape) {
@@ -66,6 +74,18 @@ ProcessMask ProcessTiming::advance(bool pause) {
     return woken_;
 }
 
+void ProcessTiming::wait_for(ProcessPort const& port) {
+    status_ = Status::blocked;
+    blocking_port_ = port.number;
+    if (port.fifo->is_memory() && !port.writes)
+        stream_->comes_to_step(state_.time);
+}
+
+/// What comes from memory is waited for first.
+void ProcessTiming::put_in_order(PortSet& set) const {
+    std::stable_partition(set.begin(), set.end(), [](ProcessPort const& port) { return port.fifo->is_memory(); });
+}
+
 bool ProcessTiming::may_access(Ports::Number ports) {
     front_ports_ = Ports(ports);
     if (!may_go_on() || (stops_ && !granted_))
@@ -76,7 +96,9 @@ bool ProcessTiming::may_access(Ports::Number ports) {
 
 void ProcessTiming::add_stall(ProcessPort const& port, Cycles stall) {
     port.fifo->add_stall(port.writes, stall);
-    (port.writes ? figures_.full_stall_cycles : figures_.empty_stall_cycles) += stall;
+    (port.fifo->is_memory() ? figures_.memory_stall_cycles
+     : port.writes          ? figures_.full_stall_cycles
+                            : figures_.empty_stall_cycles) += stall;
 }
 
 void ProcessTiming::let_bubbles_in(ProcessPort const& port, Cycles bubbles, Cycles from) {
@@ -127,11 +149,14 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     figures_.has_accessed = true;
     by_steps_ = observer_ != nullptr;
     figures_.first_port = Ports(ports).first();
-    figures_.idle_before_cycles = arrival == 0 ? state_.time : 0;
+    bool const waits_for_memory = stream_ != nullptr && Ports(ports).has(stream_port_);
+    figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
 
 void ProcessTiming::entered() {
     ++figures_.loops_entered;
+    if (loops()[state_.loop].uses_memory)
+        stream_->enters_loop(state_.time);
     if (observer_ != nullptr)
         observer_->entered_loop(*this, state_.loop, state_.time);
 }

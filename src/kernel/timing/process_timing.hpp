@@ -15,6 +15,8 @@
 
 namespace faster::timing {
 
+class MemoryStream;
+
 struct LoopCounters {
     std::uint64_t entries = 0;  ///< with at least one iteration
     std::uint64_t iterations = 0;
@@ -48,6 +50,7 @@ struct ProcessPort {
 struct ProcessFigures {
     Cycles empty_stall_cycles = 0;
     Cycles full_stall_cycles = 0;
+    Cycles memory_stall_cycles = 0;
     Cycles awaited_setup_cycles = 0;
     Cycles idle_before_cycles = 0;
     unsigned first_port = 0;
@@ -77,6 +80,10 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     /// Ports in program order of a step. Return the port's number.
     unsigned add_reads(FifoTiming& fifo) { return add_port(fifo, false); }
     unsigned add_writes(FifoTiming& fifo) { return add_port(fifo, true); }
+    /// The process's stream; a step accesses it before all else, though its port's number is the last.
+    unsigned add_stream(MemoryStream& stream);
+    MemoryStream* stream() const { return stream_; }
+    unsigned stream_port() const { return stream_port_; }
     unsigned add_loop(LoopShape shape);
 
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
@@ -143,6 +150,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     std::vector<Cycles> const& stamps() const { return figures_.stamps; }
     Cycles empty_stall_cycles() const { return figures_.empty_stall_cycles; }
     Cycles full_stall_cycles() const { return figures_.full_stall_cycles; }
+    Cycles memory_stall_cycles() const { return figures_.memory_stall_cycles; }
     LoopCost loop_cost(unsigned loop) const;
     /// What the process waited for its first access of all, if it had nothing to do before it; and the port.
     Cycles idle_before_cycles() const { return figures_.idle_before_cycles; }
@@ -199,9 +207,16 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
         return goes_on;
     }
     bool may_access(Ports::Number ports);
-    void wait_for(ProcessPort const& port) {
-        status_ = Status::blocked;
-        blocking_port_ = port.number;
+    void wait_for(ProcessPort const& port);
+    void put_in_order(PortSet& set) const;
+    /// A wait for memory is the process's own time, in a region of its own. It comes first in a step.
+    void note_wait(ProcessPort const& port, Region region, Cycles step, Cycles from, Cycles until) {
+        if (!port.fifo->is_memory()) {
+            Rules::note_wait(port, region, step, from, until);
+            return;
+        }
+        trail_->marked(index_, Region::memory(), from);
+        trail_->marked(index_, region, until);
     }
     void charge(ProcessPort const& port, Cycles stall);
     void performs(Ports::Number ports, Cycles arrival);
@@ -232,6 +247,8 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
     std::vector<SourceSite> port_sites_;
+    MemoryStream* stream_ = nullptr;
+    unsigned stream_port_ = 0;
     StepObserver* observer_ = nullptr;
     bool by_steps_ = true;  ///< until the first access; always when observed
     Cycles arrival_ = 0;

@@ -161,10 +161,16 @@ std::string report_data(HtmlReportInput const& input) {
     data["version"] = 1;
     data["headline"] = headline(input);
     data["bound_by"] = diagnosis_sentences(input.run);
-    data["cycle_classes"] = cycle_class_names;
+    data["cycle_classes"] = Json::array();
+    for (std::size_t c = 0; c < cycle_class_count; ++c)
+        if (is_class_of(c, input.run.machine.external_memory.has_value()))
+            data["cycle_classes"].push_back(cycle_class_names[c]);
     data["modules"] = modules(input.run);
     data["stalls"] = stalls(input.run);
-    data["path_causes"] = path_cause_names;
+    data["path_causes"] = Json::array();
+    for (char const* cause : path_cause_names)
+        if (input.run.machine.external_memory || cause != name_of(PathCause::memory))
+            data["path_causes"].push_back(cause);
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
     data["sensitivities"] = sensitivities_json(input.run);
     data["alternatives"] = alternatives_json(input.run);

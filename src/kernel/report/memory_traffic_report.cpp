@@ -1,0 +1,94 @@
+#include "kernel/report/memory_traffic_report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "kernel/report/json_rows.hpp"
+
+namespace faster::report {
+
+namespace {
+
+double percent(double share) { return 100 * share; }
+
+double share_of(Cycles part, Cycles whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+/// A master of all cores together: latencies of the core with the largest.
+std::vector<MasterStatistics> over_cores(MemoryTraffic const& traffic) {
+    std::vector<MasterStatistics> sums;
+    for (MasterStatistics const& row : traffic.masters) {
+        auto const same = [&row](MasterStatistics const& sum) { return sum.master == row.master; };
+        auto const found = std::find_if(sums.begin(), sums.end(), same);
+        if (found == sums.end()) {
+            sums.push_back(row);
+            continue;
+        }
+        found->bursts += row.bursts;
+        found->bytes += row.bytes;
+        found->latency_least =
+            row.bursts > 0 ? std::min(found->latency_least, row.latency_least) : found->latency_least;
+        found->latency_median = std::max(found->latency_median, row.latency_median);
+        found->latency_90 = std::max(found->latency_90, row.latency_90);
+        found->latency_most = std::max(found->latency_most, row.latency_most);
+    }
+    return sums;
+}
+
+Cycles memory_stalls(RunStatistics const& run) {
+    Cycles sum = 0;
+    for (CoreStatistics const& core : run.cores)
+        for (ProcessStatistics const& process : core.processes)
+            sum += process[CycleClass::memory_stall];
+    return sum;
+}
+
+}  // namespace
+
+std::string memory_traffic_text(RunStatistics const& run) {
+    if (!run.memory)
+        return {};
+    MemoryTraffic const& traffic = *run.memory;
+    Cycles const cycles = run.core_cycles();
+    std::string text = fmt::format(
+        "\nExternal memory: {} bytes, {:.2f} GB/s; controller busy {:.1f} %, largest queue {} bursts; alone it would "
+        "take {} cycles; memory stalls {} lane-cycles\n",
+        traffic.bytes(), traffic.gb_per_s(traffic.bytes(), cycles), percent(traffic.controller_utilisation(cycles)),
+        traffic.largest_queue, traffic.memory_alone(), memory_stalls(run));
+    for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
+        text += fmt::format("  port {}: busy {:.1f} %\n", port, percent(share_of(traffic.port_beats[port], cycles)));
+    text += fmt::format("  {:<12} {:>10} {:>14} {:>7} {:>46}\n", "master", "bursts", "bytes", "GB/s",
+                        "latency of bursts [cycles]: least median 90 % most");
+    for (MasterStatistics const& row : over_cores(traffic))
+        text += fmt::format("  {:<12} {:>10} {:>14} {:>7.2f} {:>28} {:>6} {:>6} {:>7}\n", row.master, row.bursts,
+                            row.bytes, traffic.gb_per_s(row.bytes, cycles), row.latency_least, row.latency_median,
+                            row.latency_90, row.latency_most);
+    return text;
+}
+
+Json memory_traffic_json(RunStatistics const& run) {
+    if (!run.memory)
+        return {};
+    MemoryTraffic const& traffic = *run.memory;
+    Json ports = Json::array();
+    for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
+        ports.push_back({{"port", port},
+                         {"beats", traffic.port_beats[port]},
+                         {"utilisation", share_of(traffic.port_beats[port], run.core_cycles())}});
+    Json masters = json_table(master_columns, traffic.masters);
+    for (std::size_t i = 0; i < traffic.masters.size(); ++i)
+        masters[i]["gb_per_s"] = traffic.gb_per_s(traffic.masters[i].bytes, run.core_cycles());
+    return {{"bytes", traffic.bytes()},
+            {"gb_per_s", traffic.gb_per_s(traffic.bytes(), run.core_cycles())},
+            {"memory_stall_cycles", memory_stalls(run)},
+            {"memory_alone_cycles", traffic.memory_alone()},
+            {"controller",
+             {{"busy_ps", traffic.controller_busy_ps},
+              {"utilisation", traffic.controller_utilisation(run.core_cycles())},
+              {"largest_queue", traffic.largest_queue}}},
+            {"ports", ports},
+            {"masters", masters}};
+}
+
+}  // namespace faster::report

@@ -1,0 +1,77 @@
+#include "kernel/timing/memory/memory_load.hpp"
+
+#include <algorithm>
+#include <deque>
+
+#include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/memory/memory_system.hpp"
+
+namespace faster::timing {
+
+namespace {
+
+/// What takes a port's beats: a loop that does nothing else.
+class Loader {
+  public:
+    explicit Loader(MemoryEntry const& entry) : process_(core_.add_process("load")) {
+        LoopShape loop;
+        loop.name = "load";
+        loop.interval = schedule(1, 1, {});
+        loop.uses_memory = true;
+        loop.reads = {{process_.add_stream(core_.add_stream("load", MemoryStream::EntersBy::loop)), 0}};
+        process_.add_loop(std::move(loop));
+        std::uint64_t beats = 0;
+        for (MemoryBlock const& block : entry.blocks)
+            beats += block.all_tokens();
+        if (beats > 0)
+            take(beats);
+    }
+
+    CoreTiming& core() { return core_; }
+    /// One behind the last cycle in which it takes something.
+    Cycles end() const { return process_.local_time(); }
+
+  private:
+    void take(std::uint64_t beats) {
+        process_.log().enter(0);
+        for (std::uint64_t taken = 0; taken < beats;) {
+            auto const count = static_cast<std::uint32_t>(std::min<std::uint64_t>(beats - taken, 1U << 16));
+            process_.log().iterate(Ports::of(process_.stream_port()).number(), 0, count);
+            taken += count;
+        }
+        process_.log().leave();
+    }
+
+    CoreTiming core_;
+    ProcessTiming& process_;
+};
+
+}  // namespace
+
+Cycles cycles_of_load(ExternalMemory const& shape, std::vector<MemoryEntry> const& of_ports) {
+    std::deque<Loader> loaders;
+    MemorySystem memory(shape, {{}});
+    for (MemoryEntry const& entry : of_ports) {
+        loaders.emplace_back(entry);
+        memory.add_core(loaders.back().core(), true);
+    }
+    for (std::size_t port = 0; port < of_ports.size(); ++port)
+        memory.add(port, 0, of_ports[port]);
+    memory.go_on(true);
+    Cycles end = 0;
+    for (Loader const& loader : loaders)
+        end = std::max(end, loader.end());
+    return end;
+}
+
+MemoryBlock beats_of(ExternalMemory const& shape, std::uint64_t address, std::uint64_t bytes) {
+    MemoryBlock block;
+    block.address = address;
+    block.bytes = bytes;
+    block.lead = address % shape.port_bytes;
+    block.token_bytes = shape.port_bytes;
+    block.tokens = bytes == 0 ? 0 : (block.lead + bytes + shape.port_bytes - 1) / shape.port_bytes;
+    return block;
+}
+
+}  // namespace faster::timing

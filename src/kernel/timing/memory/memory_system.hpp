@@ -1,0 +1,105 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "kernel/timing/memory/external_memory.hpp"
+#include "kernel/timing/memory/memory_master.hpp"
+
+namespace faster::timing {
+
+class CoreTiming;
+
+/// The memory that all cores of a machine share: it joins their times (docs/memory-model.md). Bursts are served in the
+/// order in which they are asked for. One may be served as soon as nothing that is not known yet can be asked for
+/// before it.
+class MemorySystem {
+  public:
+    /// What a stream of a core is to the memory. Masters stand in the order that settles ties.
+    struct MasterShape {
+        unsigned process = 0;
+        unsigned stream = 0;  ///< number of the core's stream
+        Prefetch prefetch = Prefetch::none;
+        bool hands_out = false;  ///< headers, which tell others what to prefetch
+    };
+
+    MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters);
+
+    ExternalMemory const& shape() const { return shape_; }
+    /// In order. The core must stay where it is. `has_work`: it does something at all.
+    void add_core(CoreTiming& core, bool has_work);
+    /// More to do for a core's master, in order; before its process comes there.
+    void add(std::size_t core, std::size_t master, MemoryEntry entry) {
+        masters_[core * shapes_.size() + master].add(std::move(entry));
+    }
+
+    /// Gives cycles to all operations that the cores have logged and that can have them. `at_the_end`: nothing more
+    /// will be logged.
+    void go_on(bool at_the_end);
+    /// To be called when a core has logged another sample: goes on when about all have.
+    void note_sample() {
+        if (++samples_ % cores_.size() == 0)
+            go_on(false);
+    }
+
+    // Step by step, for who brings time itself.
+
+    /// A process that may go on.
+    struct Target {
+        std::size_t core = 0;
+        unsigned process = 0;
+    };
+    /// Looks at what all processes have done.
+    std::vector<Target> follow();
+    /// When the next burst is asked for, as far as is known.
+    std::optional<Cycles> next_ask() const;
+    /// Serves it.
+    Target serve_next();
+
+    MasterFigures const& figures(std::size_t core, std::size_t master) const {
+        return masters_[core * shapes_.size() + master].figures();
+    }
+    std::vector<MasterShape> const& masters() const { return shapes_; }
+    std::vector<PortFigures> const& ports() const { return port_figures_; }
+    ControllerFigures const& controller() const { return controller_; }
+
+  private:
+    /// Requests by the cycle of asking, then by master.
+    using Request = std::pair<Cycles, std::size_t>;
+    using Requests = std::priority_queue<Request, std::vector<Request>, std::greater<>>;
+
+    struct Served {
+        std::size_t master = 0;
+        Cycles first_readable = MemoryMaster::never;
+    };
+    bool follow_master(std::size_t master);
+    void settle(std::size_t core, bool is_resolved);
+    void note_request(std::size_t master);
+    Served serve();
+    Cycles unknown_from() const;
+    void note_queue(std::uint64_t arrival, std::uint64_t begin);
+    Target target_of(std::size_t master) const {
+        return {master / shapes_.size(), shapes_[master % shapes_.size()].process};
+    }
+
+    ExternalMemory shape_;
+    std::vector<MasterShape> shapes_;
+    std::vector<CoreTiming*> cores_;
+    std::uint64_t samples_ = 0;
+    std::vector<CoreTiming const*> working_;          // those that do something
+    std::deque<MemoryMaster::HandedOut> handed_out_;  // by core
+    std::deque<MemoryMaster> masters_;                // of the first core, of the second, ...
+    std::vector<bool> is_waiting_;                    // by master: is in requests_
+    Requests requests_;
+    std::uint64_t controller_free_ps_ = 0;
+    std::vector<Cycles> port_free_;
+    std::vector<PortFigures> port_figures_;
+    ControllerFigures controller_;
+    std::deque<std::uint64_t> begins_ps_;  // of bursts that begin later than they arrive
+};
+
+}  // namespace faster::timing

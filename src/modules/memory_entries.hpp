@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "common/memory_placement.hpp"
+#include "common/stimulus.hpp"
+#include "faster/lane_rows.hpp"
+#include "kernel/timing/memory/external_memory.hpp"
+#include "kernel/timing/memory/memory_block.hpp"
+
+namespace faster {
+
+/// What a raster core takes from the external memory, and puts there, for a sample (docs/memory-model.md). `i`: the
+/// sample's number in its core; `sample`: in the whole job.
+timing::MemoryEntry header_entry(MemoryPlacement const& placement, std::size_t i, std::size_t sample);
+timing::MemoryEntry result_entry(MemoryPlacement const& placement, std::size_t i, std::size_t sample);
+timing::MemoryEntry mesh_entry(MemoryPlacement const& placement, std::size_t i, std::size_t triangles);
+/// Four words of the table of valid depths: the corners of the window.
+timing::MemoryEntry table_entry(MemoryPlacement const& placement, std::size_t i, Stimulus const& stimulus,
+                                SampleInput const& sample);
+/// Pixels of the window that are in the image, or of the part of it that `rows` are.
+timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i, Stimulus const& stimulus,
+                                SampleInput const& sample, LaneRows const& rows);
+
+/// What each port brings before an iteration, for the memories on the chip of the cores behind it.
+std::vector<timing::MemoryEntry> loads_of_ports(MemoryPlacement const& placement, timing::ExternalMemory const& memory,
+                                                Stimulus const& stimulus, std::size_t cores);
+/// Throws InputError if a mesh or an image is too large for the memory that is to hold it.
+void check_fits_on_chip(MemoryPlacement const& placement, Stimulus const& stimulus);
+
+}  // namespace faster

@@ -1,0 +1,62 @@
+#include "support/memory_trials.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/engine_agreement.hpp"
+#include "support/random_memory.hpp"
+#include "support/random_stimulus.hpp"
+
+namespace faster::testing {
+namespace {
+
+/// Tokens of many pixels lie across beats and bursts, which few others do.
+bool has_wide_tokens(std::uint64_t seed) { return seed % 6 == 0; }
+
+RandomStimulusOptions stimuli(std::uint64_t seed) {
+    RandomStimulusOptions options;
+    options.width = {24, 64};
+    options.height = {24, 64};
+    options.window = has_wide_tokens(seed) ? IntRange{16, 24} : IntRange{4, 20};
+    options.samples = {0, seed % 5 == 0 ? 24 : 8};
+    options.random_fraction_bits = seed % 3 == 0;
+    return options;
+}
+
+RandomConfigOptions machines(std::uint64_t seed) {
+    RandomConfigOptions options;
+    options.cores = {1, seed % 2 == 0 ? 12 : 4};
+    options.is_deadlock_free = seed % 4 != 0;
+    if (seed % 4 == 0)
+        options.fifo_depth = {1, 8};
+    if (seed % 11 == 0)
+        options.flow = Flow::fpga_grip;
+    if (seed % 3 != 0)
+        return options;
+    options.any_scan = true;
+    options.any_clearing = true;
+    options.any_buffers = true;
+    options.any_region = true;
+    options.max_lanes = has_wide_tokens(seed) ? 16 : 4;
+    return options;
+}
+
+}  // namespace
+
+MemoryTrial memory_trial(std::uint64_t seed) {
+    MemoryTrial trial{random_stimulus(seed, stimuli(seed)), random_config(seed, machines(seed))};
+    draw_memory(seed, trial.config);
+    adopt(trial.stimulus, trial.config);
+    return trial;
+}
+
+int check_memory_seeds(std::uint64_t first, std::uint64_t count) {
+    int deadlocks = 0;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        MemoryTrial const trial = memory_trial(seed);
+        deadlocks += check_agreement(trial.config, trial.stimulus) ? 0 : 1;
+    }
+    return deadlocks;
+}
+
+}  // namespace faster::testing

@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+
+#include "common/stimulus.hpp"
+#include "faster/accelerator_config.hpp"
+
+namespace faster::testing {
+
+/// A random workload on a random machine with a random memory. Every fourth machine may deadlock, every third has
+/// variants drawn, every eleventh is of flow fpga_grip.
+struct MemoryTrial {
+    Stimulus stimulus;
+    AcceleratorConfig config;
+};
+MemoryTrial memory_trial(std::uint64_t seed);
+
+/// Checks that both engines agree with the twin, seeds first .. first + count - 1. Returns how many deadlocked.
+int check_memory_seeds(std::uint64_t first, std::uint64_t count);
+
+}  // namespace faster::testing

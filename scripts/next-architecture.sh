@@ -91,7 +91,7 @@ without "forwarding: interval 2" loops.inlier_unit.fragment.recurrence_ii=2
 without "forwarding: interval 3" loops.inlier_unit.fragment.recurrence_ii=3
 
 header "next_zcu102 with other memories and clocks"
-without "as it is"
+row "as it is"
 for setting in memory.read_latency_ns={60,240} memory.request_cycles={12,48} memory.dram_efficiency={0.375,1} \
     memory.ports={1,2,4} memory.outstanding={8,32} memory.burst_bytes={128,512} memory.prefetch=true \
     fifo_rules={vivado_hls,vitis_hls} clock_mhz={150,250,300} raster_cores={6,7,9,10}; do

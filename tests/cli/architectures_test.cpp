@@ -47,7 +47,7 @@ nlohmann::json row_of(nlohmann::json const& table, std::string const& column, st
 TEST_CASE("Our own designs hold with the FIFOs of every generation", "[architectures]") {
     fs::path const source = FASTER_SOURCE_DIR;
     TempFolder const folder;
-    for (std::string const preset : {"next", "next_double_buffers"})
+    for (std::string const preset : {"next", "next_double_buffers", "next_zcu102"})
         for (std::string const trace : {"tomato_soup_can", "cracker_box"}) {
             CAPTURE(preset, trace);
             std::map<std::string, std::int64_t> totals;

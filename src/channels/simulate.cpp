@@ -70,7 +70,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     RunStatistics run = statistics_of(accelerator, taping.get());
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);
-    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
+    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.core_cycles());
     return run;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "channels/dataflow_core.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
 #include "kernel/timing/memory/memory_system.hpp"
 
 namespace faster {
@@ -29,9 +30,9 @@ class DataflowAccelerator : public sc_core::sc_module {
     /// The external memory; null: an ideal one.
     timing::MemorySystem* memory() const { return memory_.get(); }
 
-    /// What the ports of an external memory bring before cycle 0.
-    void load_before(std::vector<timing::MemoryEntry> of_ports) { loads_ = std::move(of_ports); }
-    std::vector<timing::MemoryEntry> const& loads() const { return loads_; }
+    /// What is brought from an external memory before cycle 0.
+    void load_before(std::vector<timing::LoadedRange> ranges) { loaded_ = std::move(ranges); }
+    std::vector<timing::LoadedRange> const& loaded() const { return loaded_; }
 
     /// Lets simulated time pass until nothing moves any more.
     void run();
@@ -47,7 +48,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     Engine engine_;
     std::vector<std::unique_ptr<DataflowCore>> cores_;
     std::unique_ptr<timing::MemorySystem> memory_;
-    std::vector<timing::MemoryEntry> loads_;
+    std::vector<timing::LoadedRange> loaded_;
     sc_core::sc_event memory_asked_{"memory_asked"};
 };
 

@@ -95,8 +95,12 @@ void DataflowCore::catch_up() {
 void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {
     std::vector<std::size_t> const streams = streams_of(*machine_);
     for (std::size_t master = 0; master < streams.size(); ++master)
-        if (machine_->streams[streams[master]].process == process)
+        if (machine_->streams[streams[master]].process == process) {
+            if (entry_call_)
+                entry_call_(master, entry);
             memory_->add(number_, master, std::move(entry));
+            return;
+        }
 }
 
 void DataflowCore::start_of_simulation() {

@@ -59,6 +59,9 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
         number_ = number;
         memory_asked_ = asked;
     }
+    /// To be called with all that is told of a master, by its number.
+    using EntryCall = std::function<void(std::size_t master, timing::MemoryEntry const& entry)>;
+    void on_entry(EntryCall call) { entry_call_ = std::move(call); }
     /// More for a process's stream, which it has, before it comes there.
     void add_entry(std::size_t process, timing::MemoryEntry entry);
     /// A process has come to an entry, or taken tokens (lockstep).
@@ -128,6 +131,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     TimeBase time_base_;
     timing::CoreTiming timing_;
     timing::MemorySystem* memory_ = nullptr;
+    EntryCall entry_call_;
     std::size_t number_ = 0;
     sc_core::sc_event* memory_asked_ = nullptr;
     std::deque<sc_core::sc_event> memory_events_;  // by process

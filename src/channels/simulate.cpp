@@ -2,21 +2,19 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
-#include "kernel/base/input_error.hpp"
 #include "kernel/replay/collect.hpp"
 #include "kernel/replay/critical_path_of.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
 
 namespace faster {
 
 namespace {
-/// A waveform and a critical path are told by the cores that keep the time.
-Taping::Timing timing_of_taping(Engine engine, SimulationOptions const& options) {
-    bool const asks_cores = engine == Engine::lockstep || options.critical_path || !options.recordings.empty();
+/// A waveform and a critical path are told by the cores that keep the time, and so are cores that share a memory.
+Taping::Timing timing_of_taping(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
+    bool const asks_cores = accelerator.engine() == Engine::lockstep || accelerator.memory() != nullptr ||
+                            options.critical_path || !options.recordings.empty();
     return asks_cores ? Taping::Timing::by_cores : Taping::Timing::from_tape;
 }
 
@@ -31,7 +29,7 @@ RunStatistics collect_from(DataflowAccelerator& accelerator) {
         results.push_back(all_results(*core));
         cores.push_back({core->share(), core->timing(), results.back().data()});
     }
-    return replay::collect(cores, accelerator.machine(), accelerator.memory());
+    return replay::collect(cores, accelerator.machine(), accelerator.memory(), accelerator.loaded());
 }
 
 /// Of a run that has come to its end, or is stuck.
@@ -54,28 +52,9 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
         cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
     return replay::critical_path_of(cores, accelerator.machine());
 }
-/// What nobody has taught yet to follow cores that share a memory.
-void check_options(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
-    char const* const asked = options.recorded != nullptr ? "a recording of what a run did (--events, --sensitivities)"
-                              : !options.recordings.empty() ? "waveforms and timelines (--vcd, --timeline, --report)"
-                                                            : nullptr;
-    if (accelerator.memory() != nullptr && asked != nullptr)
-        throw InputError(std::string("accelerator.memory.model = \"axi\", expected \"ideal\": ") + asked +
-                         " cannot be had with it");
-}
-
-/// The total has it; the cycles of the cores begin behind it.
-void add_load(DataflowAccelerator const& accelerator, RunStatistics& run) {
-    if (accelerator.memory() == nullptr)
-        return;
-    run.load_cycles = timing::cycles_of_load(accelerator.memory()->shape(), accelerator.loads());
-    run.total_cycles += run.load_cycles;
-}
-
 }  // namespace
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
-    check_options(accelerator, options);
     std::uint64_t done = 0;
     for (auto const& core : accelerator.cores()) {
         if (options.progress)
@@ -88,16 +67,14 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     Recordings recordings(accelerator, options.recordings);
     std::unique_ptr<Taping> taping;
     if (options.recorded != nullptr)
-        taping =
-            std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator.engine(), options));
+        taping = std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator, options));
     accelerator.run();
     RunStatistics run = statistics_of(accelerator, taping.get());
-    add_load(accelerator, run);
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);
     for (std::size_t i = 0; i < run.cores.size(); ++i)
         run.cores[i].dependences = accelerator.cores()[i]->dependences();
-    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
+    recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.core_cycles());
     return run;
 }
 

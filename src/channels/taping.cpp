@@ -31,10 +31,27 @@ Taping::Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run, Timin
       tapes_(accelerator.cores().size()),
       writer_(run, accelerator.machine().lead, accelerator.machine().process_places(),
               timing == Timing::from_tape ? timed_cores(accelerator) : replay::TapeWriter::Timed()) {
+    if (accelerator.memory() != nullptr)
+        tape_memory();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         accelerator.cores()[core]->on_start([this, core] { start(core); });
         accelerator.cores()[core]->on_process_begins(
             [this, core](std::size_t process) { begin_sample(core, process); });
+    }
+}
+
+void Taping::tape_memory() {
+    Machine const& machine = accelerator_.machine();
+    replay::RecordedMemory& memory = run_.memory.emplace();
+    memory.loaded = accelerator_.loaded();
+    memory.lead = machine.lead;
+    for (auto const& core : accelerator_.cores()) {
+        std::size_t const first = core->share().first;
+        memory.entries.resize(std::max(memory.entries.size(), first + core->share().count),
+                              std::vector<replay::RecordedMemory::Entries>(streams_of(machine).size()));
+        core->on_entry([&memory, first](std::size_t master, timing::MemoryEntry const& entry) {
+            memory.entries[first + entry.sample][master].push_back(entry);
+        });
     }
 }
 

@@ -40,6 +40,7 @@ class Taping {
         std::deque<std::size_t> left;  ///< by open sample: how many processes have left it
     };
 
+    void tape_memory();
     void start(std::size_t core);
     void begin_sample(std::size_t core, std::size_t process);
     void end_sample(std::size_t core, std::size_t process);

@@ -59,6 +59,10 @@ bool FasterDesign::decides_function(std::string const& key, RunConfig const& con
 }
 
 std::string FasterDesign::why_not_retimable(std::string const& key) const {
+    if (key == "accelerator.memory.model")
+        return "was ideal in the recorded run, of which nobody knows what it would fetch";
+    if (starts_with(key, "accelerator.memory."))
+        return "decides what is fetched, which was recorded";
     if (starts_with(key, "workload."))
         return "is part of the workload, which was recorded";
     if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")

@@ -1,6 +1,5 @@
 #include "modules/faster_simulation.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "modules/memory_entries.hpp"
@@ -16,13 +15,13 @@ std::unique_ptr<DataflowAccelerator> make_accelerator(AcceleratorConfig const& c
         core->set_probe(probe);
         return core;
     };
-    std::optional<timing::ExternalMemory> const memory = machine->external_memory;
-    if (memory)
+    bool const has_memory = machine->external_memory.has_value();
+    if (has_memory)
         check_fits_on_chip(config.memory_placement, stimulus);
     auto accelerator = std::make_unique<DataflowAccelerator>("accelerator", std::move(machine), stimulus.samples.size(),
                                                              engine, make_core);
-    if (memory)
-        accelerator->load_before(loads_of_ports(config.memory_placement, *memory, stimulus, config.cores));
+    if (has_memory)
+        accelerator->load_before(loaded_before(config.memory_placement, stimulus));
     return accelerator;
 }
 

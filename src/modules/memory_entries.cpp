@@ -102,27 +102,18 @@ timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i,
     return {i, {block}};
 }
 
-std::vector<timing::MemoryEntry> loads_of_ports(MemoryPlacement const& placement, timing::ExternalMemory const& memory,
-                                                Stimulus const& stimulus, std::size_t cores) {
-    std::vector<timing::MemoryEntry> loads(memory.ports);
+std::vector<timing::LoadedRange> loaded_before(MemoryPlacement const& placement, Stimulus const& stimulus) {
+    std::vector<timing::LoadedRange> ranges;
     if (stimulus.samples.empty())
-        return loads;
+        return ranges;
     if (placement.mesh == Placement::on_chip)
-        for (std::size_t port = 0; port < std::min<std::size_t>(cores, memory.ports); ++port)
-            loads[port].blocks.push_back(
-                timing::beats_of(memory, placement.mesh_address, 3 * vertex_bytes * most_triangles(stimulus)));
-    if (placement.observation == Placement::on_chip) {
-        std::uint64_t const bytes =
-            pixel_bytes * static_cast<std::uint64_t>(stimulus.width) * static_cast<std::uint64_t>(stimulus.height);
-        std::size_t const sharers = (cores + placement.observation_copies - 1) / placement.observation_copies;
-        std::vector<bool> reads(memory.ports);
-        for (std::size_t first = 0; first < cores; first += sharers)
-            reads[first % memory.ports] = true;
-        for (std::size_t port = 0; port < reads.size(); ++port)
-            if (reads[port])
-                loads[port].blocks.push_back(timing::beats_of(memory, placement.image_address, bytes));
-    }
-    return loads;
+        ranges.push_back({placement.mesh_address, 3 * vertex_bytes * most_triangles(stimulus), 0});
+    if (placement.observation == Placement::on_chip)
+        ranges.push_back(
+            {placement.image_address,
+             pixel_bytes * static_cast<std::uint64_t>(stimulus.width) * static_cast<std::uint64_t>(stimulus.height),
+             placement.observation_copies});
+    return ranges;
 }
 
 void check_fits_on_chip(MemoryPlacement const& placement, Stimulus const& stimulus) {

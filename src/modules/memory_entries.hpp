@@ -7,6 +7,7 @@
 #include "faster/lane_rows.hpp"
 #include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_block.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
 
 namespace faster {
 
@@ -22,9 +23,8 @@ timing::MemoryEntry table_entry(MemoryPlacement const& placement, std::size_t i,
 timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i, Stimulus const& stimulus,
                                 SampleInput const& sample, LaneRows const& rows);
 
-/// What each port brings before an iteration, for the memories on the chip of the cores behind it.
-std::vector<timing::MemoryEntry> loads_of_ports(MemoryPlacement const& placement, timing::ExternalMemory const& memory,
-                                                Stimulus const& stimulus, std::size_t cores);
+/// What memories on the chip hold, in the order in which they are loaded.
+std::vector<timing::LoadedRange> loaded_before(MemoryPlacement const& placement, Stimulus const& stimulus);
 /// Throws InputError if a mesh or an image is too large for the memory that is to hold it.
 void check_fits_on_chip(MemoryPlacement const& placement, Stimulus const& stimulus);
 

@@ -8,8 +8,10 @@
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/config/design.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/resolved_config.hpp"
+#include "kernel/replay/retime.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/html/html_report.hpp"
 #include "kernel/report/summary.hpp"
@@ -56,6 +58,17 @@ struct Outputs {
     std::unique_ptr<io::OutputFile> events;
 };
 
+/// What the cores would take if everything were there at once, for the roofline.
+void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& loaded, RunStatistics& run) {
+    if (!run.memory || !recorded.memory)
+        return;
+    RunConfig ideal = loaded.config;
+    find_key("accelerator.memory.model")->write(ideal, KeyValue{std::string("ideal")});
+    RunStatistics const alone = replay::retime(recorded, machine_of(ideal));
+    if (!alone.deadlocked())
+        run.memory->compute_alone = alone.total_cycles;
+}
+
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
     fmt::print(stderr, "{}", report::deadlock_report(run));
     if (outputs.folder)
@@ -90,7 +103,8 @@ int run(RunRequest const& request, RunExtras& extras) {
         SimulationOptions options;
         options.critical_path = request.critical_path || outputs.report;
         options.hazards = request.hazards;
-        options.recorded = request.sensitivities || outputs.events ? &recorded : nullptr;
+        bool const shows_roofline = machine.external_memory && outputs.report;
+        options.recorded = request.sensitivities || outputs.events || shows_roofline ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, machine, samples);
         if (outputs.report)
             options.recordings.push_back(sample_timeline_recording(machine, samples, timelines));
@@ -103,6 +117,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         return give_up(loaded, statistics, outputs);
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
+    add_compute_alone(recorded, loaded, statistics);
     if (request.sensitivities) {
         statistics.sensitivities = work_out_sensitivities(recorded, loaded);
         statistics.alternatives = replay::alternatives(recorded, loaded);

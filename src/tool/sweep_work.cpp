@@ -57,7 +57,7 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
     auto const start = std::chrono::steady_clock::now();
     try {
         events::EventFile const recorded = events::read_event_file(events);
-        replay::ScriptedRun const run(recorded.run, machine_of(recorded.loaded.config).lead);
+        replay::ScriptedRun const run(recorded.run, recorded.run.lead(machine_of(recorded.loaded.config)));
         for (std::size_t const point : assignment.points) {
             Machine const machine = with_timing_of(sweep.configuration(point), recorded.loaded.config);
             reply.results.emplace_back(point, sweeps::result_of(replay::retime(run, machine)));

@@ -10,6 +10,11 @@ TEST_CASE("Engines and twin agree behind external memory, seeds 20000 to 20039",
     CHECK(deadlocks < 12);
 }
 
+TEST_CASE("Recorded runs behind external memory are retimed as they would run, seeds 20000 to 20019",
+          "[engine_vs_twin][memory][retime]") {
+    CHECK(check_memory_retimings(20000, 20) > 12);
+}
+
 // 21561: an empty mesh on the chip, at an odd address; the others: bursts that end with the begin of a token.
 TEST_CASE("Engines and twin agree behind external memory where they did not at first", "[engine_vs_twin][memory]") {
     for (std::uint64_t const seed : {21561U, 21444U, 30042U, 31230U})

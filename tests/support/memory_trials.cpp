@@ -1,10 +1,19 @@
 #include "support/memory_trials.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
 
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "support/engine_agreement.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
+#include "support/run_cells.hpp"
+#include "support/temp_folder.hpp"
 
 namespace faster::testing {
 namespace {
@@ -40,7 +49,48 @@ RandomConfigOptions machines(std::uint64_t seed) {
     return options;
 }
 
+/// What a retiming may change.
+AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config) {
+    std::mt19937_64 random(seed);
+    draw_memory_timing(~seed, config);
+    config.cores = std::max<std::uint64_t>(config.memory_placement.observation_copies, 1 + random() % 12);
+    for (FifoId const fifo : {FifoId::vertex, FifoId::command, FifoId::observed_depth, FifoId::edge_token})
+        config.fifo(fifo).depth = fifo_of(config, fifo).depth + random() % 8;
+    return config;
+}
+
+void check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const& config, Stimulus const& stimulus) {
+    RunStatistics const retimed = replay::retime(recorded, raster_machine(config));
+    RunStatistics const run = run_forked(config, stimulus, Engine::lockstep).statistics;
+    CHECK(retimed.deadlocked() == run.deadlocked());
+    if (!run.deadlocked())
+        CHECK(first_difference(all_cells(retimed), all_cells(run)) == "");
+}
+
 }  // namespace
+
+int check_memory_retimings(std::uint64_t first, std::uint64_t count) {
+    int recorded = 0;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        MemoryTrial const trial = memory_trial(seed);
+        test::TempFolder const folder;
+        ForkOptions fork;
+        fork.events = folder / "events";
+        if (run_forked(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
+            continue;
+        ++recorded;
+        events::EventFile const file = events::read_event_file(fork.events);
+        AcceleratorConfig const other = other_timing(seed, trial.config);
+        check_retiming(file.run, trial.config, trial.stimulus);
+        check_retiming(file.run, other, trial.stimulus);
+        check_agreement(other, trial.stimulus);
+        AcceleratorConfig ideal = other;
+        ideal.external_memory.model = MemoryModel::ideal;
+        check_retiming(file.run, ideal, trial.stimulus);
+    }
+    return recorded;
+}
 
 MemoryTrial memory_trial(std::uint64_t seed) {
     MemoryTrial trial{random_stimulus(seed, stimuli(seed)), random_config(seed, machines(seed))};

@@ -17,4 +17,8 @@ MemoryTrial memory_trial(std::uint64_t seed);
 /// Checks that both engines agree with the twin, seeds first .. first + count - 1. Returns how many deadlocked.
 int check_memory_seeds(std::uint64_t first, std::uint64_t count);
 
+/// Records each trial, and retimes it with another memory, other cores and FIFOs: that is as it runs there, and as the
+/// twin does, and with an ideal memory as well. Trials that deadlock are not recorded. Returns how many were.
+int check_memory_retimings(std::uint64_t first, std::uint64_t count);
+
 }  // namespace faster::testing

@@ -62,6 +62,13 @@ void draw_placement(MemoryDice& dice, AcceleratorConfig& config) {
 
 }  // namespace
 
+void draw_memory_timing(std::uint64_t seed, AcceleratorConfig& config) {
+    MemoryDice dice(seed);
+    draw_bursts(dice, config.external_memory);
+    draw_controller(dice, config.external_memory);
+    config.clock_mhz = dice.one_of<double>({200, 333, static_cast<double>(dice.between(50, 800))});
+}
+
 void draw_memory(std::uint64_t seed, AcceleratorConfig& config) {
     MemoryDice dice(seed);
     config.external_memory.model = MemoryModel::axi;

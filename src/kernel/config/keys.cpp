@@ -81,6 +81,8 @@ std::string probable_key(std::string_view name, KnownPart const& part) {
     return only_key_ending_in(name);
 }
 
+bool is_of_memory(Key const& key) { return starts_with(key.name(), "accelerator.memory."); }
+
 }  // namespace
 
 Keys const& all_keys() {
@@ -90,9 +92,11 @@ Keys const& all_keys() {
 
 Keys timing_keys(RunConfig const& config) {
     IdleKeys const idle = idle_keys(config);
+    bool const has_memory = config.machine().external_memory.model != MemoryModel::ideal;
     Keys keys;
-    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
-                 [&idle](Key const& key) { return key.is_step && idle.decider_of(key.name()) == nullptr; });
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys), [&](Key const& key) {
+        return key.is_step && idle.decider_of(key.name()) == nullptr && (has_memory || !is_of_memory(key));
+    });
     return keys;
 }
 
@@ -104,8 +108,8 @@ Keys retiming_keys() {
 }
 
 bool is_retimable(Key const& key, RunConfig const& config) {
-    // An external memory joins the cores: nothing but a run tells what happens then.
-    if (config.machine().external_memory.model != MemoryModel::ideal)
+    // What comes from a memory that is ideal was not recorded.
+    if (key.name() == "accelerator.memory.model" && config.machine().external_memory.model == MemoryModel::ideal)
         return false;
     return key.decides_time && !design().decides_function(key.name(), config);
 }

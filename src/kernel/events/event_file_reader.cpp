@@ -11,6 +11,7 @@
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/event_file_format.hpp"
 #include "kernel/events/machine_json.hpp"
+#include "kernel/events/memory_json.hpp"
 
 namespace faster::events {
 
@@ -41,6 +42,7 @@ class Reader {
             read_configuration(header.at("configuration"), file.loaded);
             read_machine(header.at("machine"), machine_of(file.loaded.config), file.run);
             read_samples(index.at("samples"), file);
+            read_memory(index, machine_of(file.loaded.config), file.samples.size(), file.run);
             file.summary = index.at("summary").dump();
         } catch (Json::exception const& error) {
             fail_version(error.what());

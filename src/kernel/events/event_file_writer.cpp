@@ -5,6 +5,7 @@
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/event_file_format.hpp"
 #include "kernel/events/machine_json.hpp"
+#include "kernel/events/memory_json.hpp"
 
 namespace faster::events {
 
@@ -44,6 +45,8 @@ std::string index_of_file(std::string const& header, replay::RecordedRun const& 
     index["samples"] = Json::array();
     for (std::size_t i = 0; i < statistics.samples.size(); ++i)
         index["samples"].push_back(sample_json(run.tape.blocks()[i], statistics.samples[i]));
+    if (run.memory)
+        index["memory"] = memory_json(*run.memory);
     return index.dump();
 }
 

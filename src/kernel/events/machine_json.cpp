@@ -14,7 +14,7 @@ Json site_json(SourceSite const& site) { return {site.file, site.line}; }
 Json ports_json(timing::ProcessTiming const& process) {
     Json ports = Json::array();
     for (unsigned i = 0; i < process.port_count(); ++i)
-        ports.push_back({{"fifo", process.fifo(i).name()},
+        ports.push_back({{process.fifo(i).is_memory() ? "memory" : "fifo", process.fifo(i).name()},
                          {"access", process.writes(i) ? "write" : "read"},
                          {"source", site_json(process.port_site(i))}});
     return ports;
@@ -47,6 +47,8 @@ class MachineReader {
             shape.name = fifo.name;
             run_.blueprint->add_fifo(shape);
         }
+        for (std::size_t const i : streams_of(machine_))
+            run_.blueprint->add_stream(machine_.streams[i].name, machine_.streams[i].enters_by());
     }
 
     void read_process(Json const& json) {
@@ -61,6 +63,10 @@ class MachineReader {
 
   private:
     void read_port(Json const& json, timing::ProcessTiming& process) {
+        if (json.contains("memory")) {
+            read_stream(json, process);
+            return;
+        }
         std::size_t const number = number_of_fifo(json.at("fifo").get<std::string>());
         MachineFifo const& described = machine_.fifos[number];
         bool const writes = json.at("access") == "write";
@@ -70,6 +76,24 @@ class MachineReader {
         timing::FifoTiming& fifo = run_.blueprint->fifo(number);
         unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
         process.note_site(port, read_site(json.at("source")));
+    }
+
+    void read_stream(Json const& json, timing::ProcessTiming& process) {
+        std::vector<std::size_t> const streams = streams_of(machine_);
+        for (std::size_t i = 0; i < streams.size() && process.stream() == nullptr; ++i)
+            if (machine_.streams[streams[i]].process == process.index() &&
+                machine_.streams[streams[i]].name == json.at("memory"))
+                process.note_site(process.add_stream(run_.blueprint->stream(i)), read_site(json.at("source")));
+        if (process.stream() == nullptr)
+            throw std::invalid_argument("process " + process.name() + " has no such end of the memory");
+    }
+
+    /// Whether iterations of the loop take tokens from memory.
+    bool uses_memory(std::string const& loop, timing::ProcessTiming const& process) const {
+        return process.stream() != nullptr &&
+               std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
+                   return stream.is_present && stream.process == process.index() && stream.loop == loop;
+               });
     }
 
     void read_loop(Json const& json, timing::ProcessTiming& process) {
@@ -92,6 +116,7 @@ class MachineReader {
                 throw std::invalid_argument("loop " + shape.name + " reads no such port");
             shape.reads.push_back({port, 0});
         }
+        shape.uses_memory = uses_memory(shape.name, process);
         unsigned const loop = process.add_loop(shape);
         process.note_loop_site(loop, read_site(json.at("source")));
     }
@@ -129,6 +154,11 @@ void read_machine(Json const& json, Machine const& machine, replay::RecordedRun&
         reader.read_process(process);
     if (run.blueprint->processes().size() != machine.process_places())
         throw std::invalid_argument("missing processes");
+    auto const has_stream = [](timing::ProcessTiming const& process) { return process.stream() != nullptr; };
+    std::deque<timing::ProcessTiming> const& processes = run.blueprint->processes();
+    if (static_cast<std::size_t>(std::count_if(processes.begin(), processes.end(), has_stream)) !=
+        streams_of(machine).size())
+        throw std::invalid_argument("missing ends of the memory");
 }
 
 }  // namespace faster::events

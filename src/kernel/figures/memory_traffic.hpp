@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ inline constexpr Column<MasterStatistics> master_columns[]{
     {"latency_most", "cycles", &MasterStatistics::latency_most, Tells::peak, "likewise"},
 };
 
+/// A stretch of time at the controller.
+struct TrafficStretch {
+    std::uint64_t bytes = 0;          ///< of granules of bursts that arrived in it
+    std::uint64_t largest_queue = 0;  ///< that one of those found, itself included
+};
+
 /// The external memory of a run that has one.
 struct MemoryTraffic {
     std::vector<MasterStatistics> masters;  ///< of the first core, of the second, ...
@@ -41,8 +48,13 @@ struct MemoryTraffic {
     std::uint64_t controller_busy_ps = 0;
     std::uint64_t largest_queue = 0;  ///< bursts that have arrived at the controller and not begun
     std::uint64_t period_ps = 1;      ///< of a cycle
+    std::uint64_t port_bytes = 1;     ///< of a beat
+    Cycles stretch_cycles = 1;
+    std::vector<TrafficStretch> stretches;  ///< from cycle 0 on, so many cycles each
+    std::optional<Cycles> compute_alone;    ///< cycles of the cores with an ideal memory, if that was worked out
 
     std::uint64_t bytes() const;
+    std::uint64_t bytes_read(std::size_t port) const { return port_beats[port] * port_bytes; }
     /// In 1e9 bytes per second, over so many cycles.
     double gb_per_s(std::uint64_t bytes, Cycles cycles) const;
     double controller_utilisation(Cycles cycles) const;

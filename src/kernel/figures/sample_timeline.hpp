@@ -8,10 +8,10 @@ namespace faster {
 
 /// What one module did from one cycle to another.
 struct TimelineSpan {
-    enum class Kind { loop, empty_stall, full_stall };
+    enum class Kind { loop, empty_stall, full_stall, memory_stall };
     std::size_t module = 0;  ///< number of a process of the machine
     Kind kind = Kind::loop;
-    std::size_t item = 0;  ///< number of the loop, or of the FIFO that caused the stall
+    std::size_t item = 0;  ///< number of the loop, or of the FIFO that caused the stall; of no FIFO: memory did
     Cycles begin = 0;
     Cycles end = 0;    ///< one past the last cycle
     Cycles count = 0;  ///< iterations of a loop; stalled cycles: short stalls on one FIFO close together are one span

@@ -28,7 +28,7 @@ void CoreCapture::number_parts(Machine const& machine) {
         std::vector<std::uint32_t>& fifos = fifos_at_.emplace_back();
         for (unsigned port = 0; port < process.port_count(); ++port) {
             fifos.push_back(static_cast<std::uint32_t>(core_.number_of(process.fifo(port))));
-            if (process.writes(port))
+            if (process.writes(port) && !process.fifo(port).is_memory())
                 writers_[fifos.back()] = process.index();
         }
         std::vector<std::uint32_t>& loops = loops_at_.emplace_back();
@@ -57,6 +57,8 @@ void CoreCapture::take_down_tokens(ProcessTiming const& process) {
     std::vector<Access> accesses;
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
+        if (fifo.is_memory())
+            continue;
         std::uint32_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
         Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
@@ -160,6 +162,8 @@ void CoreCapture::put_stall(ProcessTiming const& process, unsigned port, Cycles 
 
 void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
     ports.each([&](unsigned port) {
+        if (process.fifo(port).is_memory())
+            return;
         if (process.writes(port))
             put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
         else

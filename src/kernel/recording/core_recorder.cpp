@@ -45,9 +45,16 @@ void CoreRecorder::tape_to(Tape* tape) {
     for (std::size_t i = 0; i < core_.timing().processes().size(); ++i) {
         timing::ProcessTiming& process = core_.timing().process(i);
         if (taped_to_ != nullptr)
-            process.remove_tape((*taped_to_)[i]);
+            process.remove_tape(taped_to_->logs[i]);
         if (tape != nullptr)
-            process.add_tape((*tape)[i]);
+            process.add_tape(tape->logs[i]);
+    }
+    for (std::size_t i = 0; i < core_.timing().streams().size(); ++i) {
+        timing::MemoryStream& stream = core_.timing().stream(i);
+        if (taped_to_ != nullptr)
+            stream.remove_tape(taped_to_->deliveries[i]);
+        if (tape != nullptr)
+            stream.add_tape(tape->deliveries[i]);
     }
     taped_to_ = tape;
 }
@@ -81,7 +88,8 @@ void CoreRecorder::make_checkpoint() {
     Checkpoint checkpoint;
     checkpoint.timing = core_.timing().copy();
     checkpoint.latest = latest_of(*checkpoint.timing);
-    checkpoint.tape.resize(core_.timing().processes().size());
+    checkpoint.tape.logs.resize(core_.timing().processes().size());
+    checkpoint.tape.deliveries.resize(core_.timing().streams().size());
     checkpoints_.push_back(std::move(checkpoint));
     tape_to(&checkpoints_.back().tape);
 }
@@ -118,6 +126,20 @@ void CoreRecorder::start() {
     feed();
 }
 
+void CoreRecorder::tell_detail(Tape& tape) {
+    for (std::size_t i = 0; i < tape.logs.size(); ++i) {
+        timing::OperationLog& log = tape.logs[i];
+        for (timing::Operation const* operation = log.begin(); operation != log.begin() + log.pending(); ++operation)
+            detail_->process(i).log().append(*operation);
+        log.clear();
+    }
+    for (std::size_t i = 0; i < tape.deliveries.size(); ++i) {
+        for (timing::DeliveryTape::Delivery const& delivery : tape.deliveries[i].deliveries)
+            detail_->stream(i).deliver(delivery.tokens, delivery.cycle);
+        tape.deliveries[i].deliveries.clear();
+    }
+}
+
 /// Works out in detail what has been taped.
 void CoreRecorder::feed() {
     core_.catch_up();
@@ -125,13 +147,7 @@ void CoreRecorder::feed() {
     if (to_)
         capture_->set_end(*to_);
     for (Checkpoint& checkpoint : checkpoints_)
-        for (std::size_t i = 0; i < checkpoint.tape.size(); ++i) {
-            timing::OperationLog& tape = checkpoint.tape[i];
-            for (timing::Operation const* operation = tape.begin(); operation != tape.begin() + tape.pending();
-                 ++operation)
-                detail_->process(i).log().append(*operation);
-            tape.clear();
-        }
+        tell_detail(checkpoint.tape);
     while (checkpoints_.size() > 1)
         checkpoints_.pop_front();
     detail_->resolve();

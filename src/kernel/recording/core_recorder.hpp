@@ -33,7 +33,11 @@ class CoreRecorder {
     Cycles to() const { return to_.value_or(~Cycles{0}); }
 
   private:
-    using Tape = std::vector<timing::OperationLog>;  // by process
+    /// What the processes say, and what their streams are delivered.
+    struct Tape {
+        std::vector<timing::OperationLog> logs;        // by process
+        std::vector<timing::DeliveryTape> deliveries;  // by stream
+    };
     /// The core as it stood at a sample's begin, and what its processes have said since, up to the next.
     struct Checkpoint {
         std::unique_ptr<timing::CoreTiming> timing;
@@ -47,6 +51,7 @@ class CoreRecorder {
     void learn_window();
     void start();
     void feed();
+    void tell_detail(Tape& tape);
     void stop();
     void tape_to(Tape* tape);
     bool needs_checkpoint() const;

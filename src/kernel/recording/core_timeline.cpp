@@ -40,6 +40,7 @@ class TimelineMaker {
     };
 
     void close(Open& open, Cycles end);
+    TimelineSpan::Kind kind_of_stall(std::size_t module, std::size_t item) const;
     void take_stall(std::size_t module, Event const& event);
     void take_stamp(std::size_t module, Event const& event);
     void change_occupancy(std::size_t fifo, Cycles cycle, int change);
@@ -98,6 +99,12 @@ void TimelineMaker::take(CoreEvent const& core_event) {
     }
 }
 
+TimelineSpan::Kind TimelineMaker::kind_of_stall(std::size_t module, std::size_t item) const {
+    if (item >= machine_.fifos.size())
+        return TimelineSpan::Kind::memory_stall;
+    return machine_.fifos[item].writer == module ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
+}
+
 void TimelineMaker::take_stall(std::size_t module, Event const& event) {
     Open& open = stalls_[module];
     auto const until = static_cast<Cycles>(event.value);
@@ -105,9 +112,7 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
         open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
     if (!goes_on) {
         close(open, open.span.end);
-        bool const writes = machine_.fifos[event.item].writer == module;
-        auto const kind = writes ? TimelineSpan::Kind::full_stall : TimelineSpan::Kind::empty_stall;
-        open = {{module, kind, event.item, event.cycle, 0, 0}, true};
+        open = {{module, kind_of_stall(module, event.item), event.item, event.cycle, 0, 0}, true};
     }
     open.span.end = until;
     Cycles const begin = std::max(event.cycle, core_.from);

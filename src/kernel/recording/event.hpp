@@ -12,7 +12,7 @@ struct Event {
         enter,    ///< a loop; item: its number in the machine
         leave,    ///< the loop it is in
         iterate,  ///< `count` iterations begin, numbered from `value`, `stride` cycles apart
-        stall,    ///< for the FIFO `item`, until cycle `value`
+        stall,    ///< for the FIFO `item`, or memory, if there is no such FIFO, until cycle `value`
         resume,   ///< made from a stall: its end
         read,     ///< a token from FIFO `item`
         write,    ///< a token into FIFO `item`; `value` is its first field, further fields follow

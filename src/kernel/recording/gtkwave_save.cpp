@@ -143,6 +143,8 @@ std::string stall_table(Machine const& machine) {
         for (bool const is_full : {false, true})
             text +=
                 translation(stall_on(fifo, is_full), bits, machine.fifos[fifo].name + (is_full ? " full" : " empty"));
+    if (machine.external_memory)
+        text += translation(stall_on(machine, machine.fifos.size(), 0), bits, "memory");
     return text;
 }
 

@@ -7,10 +7,14 @@
 
 namespace faster::recording {
 
-/// The values of a module's `stall`: none, or a FIFO and whether it is empty or full.
+/// The values of a module's `stall`: none, or a FIFO and whether it is empty or full, or memory.
 constexpr std::int64_t no_stall = 0;
 constexpr std::int64_t stall_on(std::size_t fifo, bool is_full) {
     return static_cast<std::int64_t>(1 + 2 * fifo + (is_full ? 1 : 0));
+}
+/// Likewise for the external memory, which stands behind all FIFOs.
+inline std::int64_t stall_on(Machine const& machine, std::size_t item, std::size_t process) {
+    return stall_on(item, item < machine.fifos.size() && machine.fifos[item].writer == process);
 }
 /// The values of a module's `state`: between its loops, or in a loop.
 constexpr std::int64_t between_loops = 0;
@@ -18,6 +22,6 @@ constexpr std::int64_t in_loop(std::size_t loop) { return static_cast<std::int64
 
 /// Bits of these signals: a byte, unless the machine has more loops or FIFOs than that tells apart.
 inline unsigned state_bits(Machine const& machine) { return std::max(8U, bits_for(machine.loops.size())); }
-inline unsigned stall_bits(Machine const& machine) { return std::max(8U, bits_for(2 * machine.fifos.size())); }
+inline unsigned stall_bits(Machine const& machine) { return std::max(8U, bits_for(2 * machine.fifos.size() + 1)); }
 
 }  // namespace faster::recording

@@ -65,6 +65,11 @@ class Writer {
                       {{"begin_cycle", span.begin}, {"end_cycle", span.end}, {"iterations", span.count}});
             return;
         }
+        if (span.kind == TimelineSpan::Kind::memory_stall) {
+            add_slice(core, track, "memory", "stall", span.begin, span.end,
+                      {{"begin_cycle", span.begin}, {"end_cycle", span.end}, {"stalled_cycles", span.count}});
+            return;
+        }
         bool const is_full = span.kind == TimelineSpan::Kind::full_stall;
         std::string const& fifo = timeline.machine->fifos[span.item].name;
         add_slice(

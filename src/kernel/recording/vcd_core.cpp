@@ -112,7 +112,7 @@ void VcdCore::take(CoreEvent const& core_event) {
             set(module.iteration, event.value);
             break;
         case Kind::stall:
-            set(module.stall, stall_on(event.item, machine_.fifos[event.item].writer == core_event.process));
+            set(module.stall, stall_on(machine_, event.item, core_event.process));
             break;
         case Kind::resume:
             set(module.stall, no_stall);

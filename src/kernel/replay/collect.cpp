@@ -180,7 +180,7 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 }  // namespace
 
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
-                      timing::MemorySystem const* memory) {
+                      timing::MemorySystem const* memory, std::vector<timing::LoadedRange> const& loaded) {
     RunStatistics run;
     if (memory != nullptr)
         run.memory = collect_traffic(*memory, machine, cores.size());
@@ -196,6 +196,10 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
         CycleSorter const sorter(cores[k].timing, machine, run.total_cycles);
         for (std::size_t i = 0; i < machine.processes.size(); ++i)
             run.cores[k].processes.push_back(sorter.row_of(i));
+    }
+    if (memory != nullptr) {  // the cycles of the cores begin behind it
+        run.load_cycles = cycles_of_load(memory->shape(), loads_of_ports(memory->shape(), loaded, cores.size()));
+        run.total_cycles += run.load_cycles;
     }
     return run;
 }

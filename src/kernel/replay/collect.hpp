@@ -5,6 +5,7 @@
 #include "kernel/machine/core_share.hpp"
 #include "kernel/machine/machine.hpp"
 #include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
 
 namespace faster::replay {
 
@@ -15,8 +16,10 @@ struct FinishedCore {
     Counters const* counters;  ///< by sample of its share, as far as it got
 };
 
-/// The figures of a finished (or stuck) run of a machine. `memory`: the external one; null if it is ideal.
+/// The figures of a finished (or stuck) run of a machine. `memory`: the external one; null if it is ideal. `loaded`:
+/// what it brought before cycle 0, which adds to the total.
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
-                      timing::MemorySystem const* memory = nullptr);
+                      timing::MemorySystem const* memory = nullptr,
+                      std::vector<timing::LoadedRange> const& loaded = {});
 
 }  // namespace faster::replay

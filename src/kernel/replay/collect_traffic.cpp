@@ -37,8 +37,13 @@ MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const&
     timing::ExternalMemory const& shape = memory.shape();
     MemoryTraffic traffic;
     traffic.period_ps = shape.period_ps;
+    traffic.port_bytes = shape.port_bytes;
     traffic.largest_queue = memory.controller().largest_queue;
     traffic.controller_busy_ps = memory.controller().granules * shape.granule_ps;
+    timing::ControllerHistory const& history = memory.controller().history;
+    traffic.stretch_cycles = history.stretch_cycles();
+    for (timing::ControllerHistory::Stretch const& stretch : history.stretches())
+        traffic.stretches.push_back({stretch.granules * timing::ExternalMemory::granule_bytes, stretch.largest_queue});
     for (timing::PortFigures const& port : memory.ports())
         traffic.port_beats.push_back(port.beats);
     for (std::size_t core = 0; core < cores; ++core)

@@ -9,6 +9,7 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
     timing::LoopShape shape = machine.loops[machine.loop(variant.index(), loop.name)].shape();
     for (timing::LoopWrite const& write : loop.writes)
         shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
+    shape.uses_memory = loop.uses_memory;
     for (timing::LoopRead const& read : loop.reads)
         shape.reads.push_back({read.port, variant.fifo(read.port).shape().read_stage});
     return shape;
@@ -28,9 +29,15 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
     auto core = std::make_unique<timing::CoreTiming>();
     for (MachineFifo const& fifo : machine.fifos)
         core->add_fifo(fifo.shape());
+    for (timing::MemoryStream const& stream : blueprint.streams())
+        core->add_stream(stream.name(), stream.enters_by());
     for (timing::ProcessTiming const& process : blueprint.processes()) {
         timing::ProcessTiming& variant = core->add_process(process.name());
         for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (process.fifo(port).is_memory()) {
+                variant.add_stream(core->stream(blueprint.number_of(*process.stream())));
+                continue;
+            }
             timing::FifoTiming& fifo = core->fifo(blueprint.number_of(process.fifo(port)));
             process.writes(port) ? variant.add_writes(fifo) : variant.add_reads(fifo);
         }

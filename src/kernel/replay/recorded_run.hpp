@@ -1,11 +1,13 @@
 #pragma once
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/replay/operation_tape.hpp"
+#include "kernel/replay/recorded_memory.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster::replay {
@@ -16,7 +18,11 @@ struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
     OperationTape tape;
-    std::vector<Counters> counters;  ///< the samples' results
+    std::vector<Counters> counters;        ///< the samples' results
+    std::optional<RecordedMemory> memory;  ///< of a machine with an external memory
+
+    /// That of the phrases on the tape, for a run on `machine`, or on one like it that is to be retimed.
+    timing::Lead const& lead(Machine const& machine) const { return memory ? memory->lead : machine.lead; }
 };
 
 }  // namespace faster::replay

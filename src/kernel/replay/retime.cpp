@@ -8,6 +8,7 @@
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/plain_reader.hpp"
 #include "kernel/replay/replay.hpp"
+#include "kernel/replay/retime_together.hpp"
 
 namespace faster::replay {
 
@@ -82,10 +83,12 @@ Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<s
 }
 
 RunStatistics retime(RecordedRun const& run, Machine const& machine) {
-    return retime(ScriptedRun(run, machine.lead), machine);
+    return retime(ScriptedRun(run, run.lead(machine)), machine);
 }
 
 RunStatistics retime(ScriptedRun const& run, Machine const& machine) {
+    if (run.run().memory)
+        return retime_together(run, machine);
     RunStatistics statistics = retime(run, Following::scripts, machine);
     // Since when a process has waited is not always known where a script went on with operations of its left over. Only
     // reports of deadlocks tell.

@@ -8,7 +8,7 @@ namespace faster::replay {
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
-        retime_many(ScriptedRun(run, machines.front().lead), machines, done);
+        retime_many(ScriptedRun(run, run.lead(machines.front())), machines, done);
 }
 
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done) {

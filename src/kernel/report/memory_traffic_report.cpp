@@ -44,6 +44,23 @@ Cycles memory_stalls(RunStatistics const& run) {
     return sum;
 }
 
+/// What would be left if either cost nothing, beside what there is.
+std::string roofline_text(MemoryTraffic const& traffic, Cycles cycles) {
+    std::string const compute = traffic.compute_alone
+                                    ? fmt::format("compute alone {} cycles", *traffic.compute_alone)
+                                    : "compute alone is worked out with --report, --events or --sensitivities";
+    return fmt::format("  roofline: {} cycles; memory alone {} cycles, {}\n", cycles, traffic.memory_alone(), compute);
+}
+
+Json stretches_json(MemoryTraffic const& traffic) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < traffic.stretches.size(); ++i)
+        rows.push_back({{"begin_cycle", i * traffic.stretch_cycles},
+                        {"bytes", traffic.stretches[i].bytes},
+                        {"largest_queue", traffic.stretches[i].largest_queue}});
+    return rows;
+}
+
 }  // namespace
 
 std::string memory_traffic_text(RunStatistics const& run) {
@@ -52,12 +69,17 @@ std::string memory_traffic_text(RunStatistics const& run) {
     MemoryTraffic const& traffic = *run.memory;
     Cycles const cycles = run.core_cycles();
     std::string text = fmt::format(
-        "\nExternal memory: {} bytes, {:.2f} GB/s; controller busy {:.1f} %, largest queue {} bursts; alone it would "
-        "take {} cycles; memory stalls {} lane-cycles\n",
+        "\nExternal memory: {} bytes, {:.2f} GB/s; controller busy {:.1f} %, largest queue {} bursts; memory stalls "
+        "{} lane-cycles\n",
         traffic.bytes(), traffic.gb_per_s(traffic.bytes(), cycles), percent(traffic.controller_utilisation(cycles)),
-        traffic.largest_queue, traffic.memory_alone(), memory_stalls(run));
+        traffic.largest_queue, memory_stalls(run));
+    if (run.load_cycles > 0)
+        text += fmt::format("  load: {} cycles before cycle 0, which the total has\n", run.load_cycles);
+    text += roofline_text(traffic, cycles);
     for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
-        text += fmt::format("  port {}: busy {:.1f} %\n", port, percent(share_of(traffic.port_beats[port], cycles)));
+        text += fmt::format("  port {}: {} bytes read, {:.2f} GB/s, busy {:.1f} %\n", port, traffic.bytes_read(port),
+                            traffic.gb_per_s(traffic.bytes_read(port), cycles),
+                            percent(share_of(traffic.port_beats[port], cycles)));
     text += fmt::format("  {:<12} {:>10} {:>14} {:>7} {:>46}\n", "master", "bursts", "bytes", "GB/s",
                         "latency of bursts [cycles]: least median 90 % most");
     for (MasterStatistics const& row : over_cores(traffic))
@@ -75,6 +97,8 @@ Json memory_traffic_json(RunStatistics const& run) {
     for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
         ports.push_back({{"port", port},
                          {"beats", traffic.port_beats[port]},
+                         {"bytes_read", traffic.bytes_read(port)},
+                         {"gb_per_s", traffic.gb_per_s(traffic.bytes_read(port), run.core_cycles())},
                          {"utilisation", share_of(traffic.port_beats[port], run.core_cycles())}});
     Json masters = json_table(master_columns, traffic.masters);
     for (std::size_t i = 0; i < traffic.masters.size(); ++i)
@@ -83,6 +107,8 @@ Json memory_traffic_json(RunStatistics const& run) {
             {"gb_per_s", traffic.gb_per_s(traffic.bytes(), run.core_cycles())},
             {"memory_stall_cycles", memory_stalls(run)},
             {"memory_alone_cycles", traffic.memory_alone()},
+            {"compute_alone_cycles", traffic.compute_alone ? Json(*traffic.compute_alone) : Json()},
+            {"over_time", {{"cycles", traffic.stretch_cycles}, {"stretches", stretches_json(traffic)}}},
             {"controller",
              {{"busy_ps", traffic.controller_busy_ps},
               {"utilisation", traffic.controller_utilisation(run.core_cycles())},

@@ -77,6 +77,8 @@ std::unique_ptr<CoreTiming> CoreTiming::copy() {
     std::unique_ptr<CoreTiming> same = blank_copy();
     for (std::size_t i = 0; i < fifos_.size(); ++i)
         same->fifos_[i] = fifos_[i];
+    for (std::size_t i = 0; i < streams_.size(); ++i)
+        same->streams_[i].take_state(streams_[i]);
     for (std::size_t i = 0; i < processes_.size(); ++i)
         same->processes_[i].take_state(processes_[i]);
     return same;

@@ -149,7 +149,7 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     figures_.has_accessed = true;
     by_steps_ = observer_ != nullptr;
     figures_.first_port = Ports(ports).first();
-    bool const waits_for_memory = stream_ != nullptr && Ports(ports).has(stream_port_);
+    bool const waits_for_memory = stream_ != nullptr && !stream_->is_write() && Ports(ports).has(stream_port_);
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
 

@@ -12,6 +12,7 @@
 #include "kernel/report/html/timeline_view.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/latencies.hpp"
+#include "kernel/report/memory_traffic_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/report/summary.hpp"
 
@@ -91,11 +92,15 @@ char const* kind_name(TimelineSpan::Kind kind) {
             return name_of(CycleClass::empty_stall);
         case TimelineSpan::Kind::full_stall:
             return name_of(CycleClass::full_stall);
+        case TimelineSpan::Kind::memory_stall:
+            return name_of(CycleClass::memory_stall);
     }
     return "";
 }
 
-std::string const& item_name(Machine const& machine, TimelineSpan const& span) {
+std::string item_name(Machine const& machine, TimelineSpan const& span) {
+    if (span.kind == TimelineSpan::Kind::memory_stall)
+        return "memory";
     return span.kind == TimelineSpan::Kind::loop ? machine.loops[span.item].name : machine.fifos[span.item].name;
 }
 
@@ -178,6 +183,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["loops"] = json_table(loop_columns, loop_rows(input.run));
     data["hazards"] = hazard_sums_json(input.run);
     data["latency"] = latency(input.run);
+    data["external_memory"] = memory_traffic_json(input.run);
     data["timelines"] = timelines(input.run.machine, input.timelines);
     data["pictures"] = pictures(input.pictures);
     data["configuration"] = configuration(input.keys);

@@ -46,7 +46,28 @@ class Loader {
     ProcessTiming& process_;
 };
 
+/// Ports with a core whose memory it is, or the first of the cores that share a copy.
+std::vector<bool> ports_that_bring(LoadedRange const& range, std::size_t ports, std::size_t cores) {
+    std::size_t const sharers = range.copies == 0 ? 1 : (cores + range.copies - 1) / range.copies;
+    std::vector<bool> bring(ports);
+    for (std::size_t first = 0; first < cores; first += sharers)
+        bring[first % ports] = true;
+    return bring;
+}
+
 }  // namespace
+
+std::vector<MemoryEntry> loads_of_ports(ExternalMemory const& shape, std::vector<LoadedRange> const& ranges,
+                                        std::size_t cores) {
+    std::vector<MemoryEntry> loads(shape.ports);
+    for (LoadedRange const& range : ranges) {
+        std::vector<bool> const bring = ports_that_bring(range, shape.ports, cores);
+        for (std::size_t port = 0; port < loads.size(); ++port)
+            if (bring[port])
+                loads[port].blocks.push_back(beats_of(shape, range.address, range.bytes));
+    }
+    return loads;
+}
 
 Cycles cycles_of_load(ExternalMemory const& shape, std::vector<MemoryEntry> const& of_ports) {
     std::deque<Loader> loaders;

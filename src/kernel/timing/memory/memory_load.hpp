@@ -1,10 +1,23 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_block.hpp"
 
 namespace faster::timing {
+
+/// What memories on the chip hold from before an iteration on.
+struct LoadedRange {
+    std::uint64_t address = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t copies = 0;  ///< that all cores share; 0: each core has its own
+};
+
+/// What each port brings for the memories of the cores behind it.
+std::vector<MemoryEntry> loads_of_ports(ExternalMemory const& shape, std::vector<LoadedRange> const& ranges,
+                                        std::size_t cores);
 
 /// How long it takes until ports have brought what memories on the chip are to hold, each its own, all from cycle 0 on;
 /// beat by beat, as soon as they come. By port; nothing to bring: no blocks. 0 if no port brings anything.

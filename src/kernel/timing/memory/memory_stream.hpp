@@ -1,11 +1,22 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "kernel/timing/fifo_timing.hpp"
 
 namespace faster::timing {
+
+/// What a stream was delivered, from some moment on.
+struct DeliveryTape {
+    struct Delivery {
+        std::uint64_t tokens = 0;
+        Cycles cycle = 0;
+    };
+    std::vector<Delivery> deliveries;
+};
 
 /// A process's end of the external memory. To the process it is a FIFO with the memory at the other end: tokens that it
 /// reads in its steps, or results that it writes and never waits for. The memory learns from it when the process comes
@@ -47,10 +58,18 @@ class MemoryStream {
 
     /// The next tokens can be read from a cycle on.
     void deliver(std::uint64_t tokens, Cycles cycle) {
+        for (DeliveryTape* const tape : tapes_)
+            tape->deliveries.push_back({tokens, cycle});
         for (; tokens > 0; --tokens)
             fifo_.deliver(cycle);
         readable_ = cycle;
     }
+    void add_tape(DeliveryTape& tape) { tapes_.push_back(&tape); }
+    void remove_tape(DeliveryTape& tape) {
+        tapes_.erase(std::remove(tapes_.begin(), tapes_.end(), &tape), tapes_.end());
+    }
+    /// Stands where another stream does, and is at no memory: it has to be told what that one is delivered.
+    void take_state(MemoryStream const& other) { fifo_ = other.fifo_; }
     /// The next tokens need nothing.
     void deliver_free(std::uint64_t tokens) { deliver(tokens, readable_); }
     /// Tokens taken and not forgotten, and the cycle after the i-th of them was taken.
@@ -63,6 +82,7 @@ class MemoryStream {
     EntersBy enters_by_;
     std::deque<Cycles> entered_;
     std::uint64_t told_ = 0;
+    std::vector<DeliveryTape*> tapes_;
     Cycles readable_ = 0;  // from when on the last token delivered can be read
 };
 

@@ -60,6 +60,7 @@ MemorySystem::Served MemorySystem::serve() {
     controller_free_ps_ = begin + burst.granules * shape_.granule_ps;
     controller_.granules += burst.granules;
     note_queue(arrival, begin);
+    controller_.history.arrived(ask + shape_.request_cycles, burst.granules, begins_ps_.size());
     Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
     if (!master.stream().is_write()) {
         std::size_t const port = number / shapes_.size() % shape_.ports;

@@ -300,6 +300,57 @@ function histogram_bars() {
   };
 }
 
+/// Bytes per cycle and the queue, stretch by stretch.
+function traffic_lines() {
+  const { cycles, stretches } = data.external_memory.over_time;
+  const line = (label, value, name, axis) => ({
+    label, data: stretches.map((s) => ({ x: s.begin_cycle, y: value(s) })), stepped: true, pointRadius: 0, borderWidth: 1.5,
+    borderColor: colour(name), backgroundColor: colour(name), yAxisID: axis,
+  });
+  return {
+    type: "line",
+    data: { datasets: [
+      line("bytes per cycle", (s) => s.bytes / cycles, "busy", "y"),
+      line("longest queue [bursts]", (s) => s.largest_queue, "memory_stall", "queue"),
+    ] },
+    options: { scales: {
+      x: { type: "linear", title: axis_title("cycle"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
+      y: { beginAtZero: true, title: axis_title("bytes per cycle") },
+      queue: { beginAtZero: true, position: "right", grid: { display: false }, title: axis_title("bursts") },
+    } },
+  };
+}
+
+function show_external_memory() {
+  const memory = data.external_memory;
+  if (!memory) return leave_out("external-memory");
+  const alone = memory.compute_alone_cycles === null ? "" : `, compute alone ${count_of(memory.compute_alone_cycles, "cycle")}`;
+  by_id("external-memory-note").textContent =
+    `${whole(memory.bytes)} bytes, ${decimal(memory.gb_per_s, 2)} GB/s; the controller is busy for ` +
+    `${decimal(100 * memory.controller.utilisation, 1)} % of the time, its longest queue is ` +
+    `${count_of(memory.controller.largest_queue, "burst")}. Memory alone would take ` +
+    `${count_of(memory.memory_alone_cycles, "cycle")}${alone}.`;
+  add_chart(by_id("external-memory-chart"), "What arrives at the controller, and its queue", traffic_lines);
+  new SortableTable(by_id("port-table"), "Ports", [
+    figure("port", (row) => row.port),
+    figure("bytes read", (row) => row.bytes_read),
+    figure("GB/s", (row) => row.gb_per_s, (row) => decimal(row.gb_per_s, 2)),
+    figure("busy %", (row) => 100 * row.utilisation, (row) => decimal(100 * row.utilisation, 1)),
+  ], memory.ports);
+  new SortableTable(by_id("master-table"), "Masters; latencies of bursts in cycles", [
+    figure("core", (row) => row.core),
+    { title: "master", value: (row) => row.master },
+    figure("port", (row) => row.port),
+    figure("bursts", (row) => row.bursts),
+    figure("bytes", (row) => row.bytes),
+    figure("GB/s", (row) => row.gb_per_s, (row) => decimal(row.gb_per_s, 3)),
+    figure("least", (row) => row.latency_least),
+    figure("median", (row) => row.latency_median),
+    figure("90 %", (row) => row.latency_90),
+    figure("most", (row) => row.latency_most),
+  ], memory.masters, { box: "high" });
+}
+
 function show_latency() {
   if (!data.latency) return leave_out("latency");
   const names = [["min", "min"], ["tenth", "10 %"], ["median", "median"], ["ninetieth", "90 %"], ["max", "max"]];
@@ -346,6 +397,7 @@ show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
 show_hazards();
+show_external_memory();
 show_latency();
 show_pictures();
 show_configuration();

@@ -1,6 +1,6 @@
 // The timeline of one sample: a row per module, loops as wide bars, stalls as narrow ones on top.
 
-const span_kinds = ["loop", "empty_stall", "full_stall"];
+const span_kinds = ["loop", "empty_stall", "full_stall", "memory_stall"];
 
 /// A row of the data, with names.
 function named_span([module, kind, item, begin, end, cycles, iterations, spans]) {
@@ -27,7 +27,8 @@ function timeline_legend() {
   const names = [new Set(), new Set(), new Set()];
   for (const row of data.modules) loops_of(row.module).forEach((loop, i) => names[i].add(loop));
   const loops = names.map((set, i) => ["loop-" + i, "loop " + [...set].join(", ")]);
-  return legend([...loops, ["empty_stall", "empty stall"], ["full_stall", "full stall"]]);
+  const memory = data.external_memory ? [["memory_stall", "memory stall"]] : [];
+  return legend([...loops, ["empty_stall", "empty stall"], ["full_stall", "full stall"], ...memory]);
 }
 
 function span_text(span) {

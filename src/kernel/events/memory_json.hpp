@@ -1,0 +1,15 @@
+#pragma once
+#include "kernel/base/json.hpp"
+#include "kernel/machine/machine.hpp"
+#include "kernel/replay/recorded_run.hpp"
+
+namespace faster::events {
+
+/// What a run had to do with its external memory: numbers in the order of the structures' fields.
+Json memory_json(replay::RecordedMemory const& memory);
+
+/// And back, for a run of so many samples on `machine`; nothing if its memory is ideal. Throws Json::exception or
+/// std::invalid_argument for what cannot be of such a run.
+void read_memory(Json const& index, Machine const& machine, std::size_t samples, replay::RecordedRun& run);
+
+}  // namespace faster::events

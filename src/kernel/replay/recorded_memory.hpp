@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "kernel/timing/lead.hpp"
+#include "kernel/timing/memory/memory_block.hpp"
+#include "kernel/timing/memory/memory_load.hpp"
+
+namespace faster::replay {
+
+/// What a run had to do with an external memory: what the masters of its cores were told to fetch or to store. Says
+/// nothing about bursts or time.
+struct RecordedMemory {
+    using Entries = std::vector<timing::MemoryEntry>;
+
+    std::vector<std::vector<Entries>> entries;  ///< by sample of the run, and by master
+    std::vector<timing::LoadedRange> loaded;    ///< before cycle 0
+    timing::Lead lead;                          ///< of the machine that ran, which its phrases belong to
+};
+
+}  // namespace faster::replay

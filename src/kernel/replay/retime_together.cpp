@@ -1,0 +1,127 @@
+#include "kernel/replay/retime_together.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "kernel/machine/core_share.hpp"
+#include "kernel/replay/collect.hpp"
+#include "kernel/replay/core_variant.hpp"
+#include "kernel/replay/plain_reader.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/sample_cutter.hpp"
+#include "kernel/timing/memory/memory_system.hpp"
+
+namespace faster::replay {
+
+namespace {
+
+/// Samples as operations, from a script as long as there is one.
+class PlainSamples {
+  public:
+    explicit PlainSamples(ScriptedRun const& run) : run_(run), lead_(*run.run().blueprint, run.lead()) {}
+
+    SampleOperations read(std::size_t sample) {
+        if (sample < run_.size())
+            return joined(run_[sample], run_.book(), lead_.group);
+        if (reader_ == nullptr)
+            reader_ = std::make_unique<PlainReader>(run_.run(), run_.lead());
+        return reader_->read(sample);
+    }
+
+  private:
+    ScriptedRun const& run_;
+    LeadCore lead_;
+    std::unique_ptr<PlainReader> reader_;
+};
+
+std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
+    std::uint64_t tokens = 0;
+    for (timing::MemoryBlock const& block : entry.blocks)
+        tokens += block.all_tokens();
+    return tokens;
+}
+
+class Together {
+  public:
+    Together(ScriptedRun const& run, Machine const& machine) : run_(run), machine_(machine), samples_(run) {
+        if (machine.external_memory)
+            memory_.emplace(*machine.external_memory, masters_of(machine));
+        auto const automaton = std::make_shared<timing::Automaton>();
+        for (std::size_t core = 0; core < machine.cores; ++core) {
+            shares_.push_back(share_of(core, machine.cores, run.run().tape.samples()));
+            cores_.push_back(core_variant(*run.run().blueprint, machine));
+            cores_.back()->let_follow(run.lead(), automaton);
+            if (memory_)
+                memory_->add_core(*cores_.back(), shares_.back().count > 0);
+        }
+        for (std::size_t core = 0; memory_ && core < cores_.size(); ++core)
+            tell_entries(core);
+    }
+
+    RunStatistics go_on() {
+        for (std::size_t i = 0; i < shares_.front().count; ++i)  // the first has the most
+            for (std::size_t core = 0; core < cores_.size(); ++core)
+                if (i < shares_[core].count)
+                    feed(core, i);
+        if (memory_)
+            memory_->go_on(true);
+        std::vector<FinishedCore> finished;
+        for (std::size_t core = 0; core < cores_.size(); ++core) {
+            cores_[core]->resolve();
+            finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
+        }
+        return collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
+    }
+
+  private:
+    RecordedMemory const& recorded() const { return *run_.run().memory; }
+
+    /// All at once: who prefetches asks for them before their process comes there.
+    void tell_entries(std::size_t core) {
+        for (std::size_t i = 0; i < shares_[core].count; ++i) {
+            auto const& masters = recorded().entries[shares_[core].first + i];
+            for (std::size_t master = 0; master < masters.size(); ++master)
+                for (timing::MemoryEntry entry : masters[master]) {
+                    entry.sample = i;
+                    memory_->add(core, master, std::move(entry));
+                }
+        }
+    }
+
+    void feed(std::size_t core, std::size_t i) {
+        std::size_t const sample = shares_[core].first + i;
+        if (!memory_)
+            deliver_all(core, sample);
+        SampleOperations const operations = samples_.read(sample);
+        for (std::size_t process = 0; process < operations.size(); ++process)
+            append_sample(operations[process], cores_[core]->process(process).log());
+        if (memory_)
+            memory_->note_sample();
+        else
+            cores_[core]->resolve(false);
+    }
+
+    void deliver_all(std::size_t core, std::size_t sample) {
+        auto const& masters = recorded().entries[sample];
+        for (std::size_t master = 0; master < masters.size(); ++master) {
+            timing::MemoryStream& stream = cores_[core]->stream(master);
+            stream.forget_taken(stream.is_write() ? 0 : stream.taken());
+            for (timing::MemoryEntry const& entry : masters[master])
+                stream.deliver(stream.is_write() ? 0 : tokens_of(entry), 0);
+        }
+    }
+
+    ScriptedRun const& run_;
+    Machine const& machine_;
+    PlainSamples samples_;
+    std::vector<CoreShare> shares_;
+    Cores cores_;
+    std::optional<timing::MemorySystem> memory_;
+};
+
+}  // namespace
+
+RunStatistics retime_together(ScriptedRun const& run, Machine const& machine) { return Together(run, machine).go_on(); }
+
+}  // namespace faster::replay

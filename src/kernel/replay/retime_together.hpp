@@ -1,0 +1,11 @@
+#pragma once
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/replay/scripted_run.hpp"
+
+namespace faster::replay {
+
+/// retime() of a run whose cores shared an external memory: all of them go on together, as they did. On a machine whose
+/// memory is ideal, everything is there from cycle 0 on.
+RunStatistics retime_together(ScriptedRun const& run, Machine const& machine);
+
+}  // namespace faster::replay

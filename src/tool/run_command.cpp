@@ -102,6 +102,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         ProgressLine progress("samples");
         SimulationOptions options;
         options.critical_path = request.critical_path || outputs.report;
+        options.hazards = request.hazards;
         bool const shows_roofline = machine.external_memory && outputs.report;
         options.recorded = request.sensitivities || outputs.events || shows_roofline ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, machine, samples);
@@ -154,6 +155,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
+            command.add_flag("--hazards", request->hazards,
+                             "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

@@ -53,8 +53,8 @@ TEST_CASE("A run behind external memory says what moved, and what compute and me
 TEST_CASE("Both engines record the same behind external memory") {
     Workspace const workspace;
     for (std::string const engine : {"lockstep", "decoupled"})
-        require_done(workspace.run({"--vcd", engine + ".vcd", "--timeline", engine + ".json", "--events", engine, "--set",
-                                    "simulation.engine=" + engine}));
+        require_done(workspace.run({"--vcd", engine + ".vcd", "--timeline", engine + ".json", "--events", engine,
+                                    "--set", "simulation.engine=" + engine}));
     for (std::string const kind : {"", ".vcd", ".json"}) {
         std::string const recorded = workspace.small.text("lockstep" + kind);
         CHECK(recorded == workspace.small.text("decoupled" + kind));

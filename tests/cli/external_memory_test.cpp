@@ -1,0 +1,105 @@
+#include <catch2/catch.hpp>
+#include <regex>
+
+#include "support/command.hpp"
+#include "support/small_workspace.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// Two cores behind a memory that is slow enough to be felt.
+class Workspace {
+  public:
+    CommandResult run(Words words) const {
+        for (char const* const setting : {"model=axi", "dram_gb_per_s=0.5", "ports=1"})
+            words.insert(words.end(), {"--set", std::string("accelerator.memory.") + setting});
+        return small.run(words);
+    }
+    CommandResult tool(Words const& words) const {
+        return run_command(FASTER_SIM_BINARY, words, small.folder().path());
+    }
+    SmallWorkspace small;
+};
+
+}  // namespace
+
+TEST_CASE("A run behind external memory says what moved, and what compute and memory would take alone") {
+    Workspace const workspace;
+    require_done(workspace.run({"--out", "out", "--report", "page.html"}));
+    Json const summary = workspace.small.summary("out");
+    Json const& memory = summary["external_memory"];
+    CHECK(memory["ports"].size() == 1);
+    CHECK(memory["masters"].size() == 8);
+    std::uint64_t bytes = 0, over_time = 0;
+    for (Json const& master : memory["masters"])
+        bytes += master["bytes"].get<std::uint64_t>();
+    for (Json const& stretch : memory["over_time"]["stretches"])
+        over_time += stretch["bytes"].get<std::uint64_t>();
+    CHECK(memory["bytes"] == bytes);
+    CHECK(over_time >= bytes);  // whole granules
+    auto const total = summary["total_cycles"].get<std::uint64_t>();
+    CHECK(memory["memory_alone_cycles"].get<std::uint64_t>() <= total);
+    require_done(workspace.small.run({"--out", "ideal"}));
+    CHECK(memory["compute_alone_cycles"] == workspace.small.summary("ideal")["total_cycles"]);
+    CHECK(workspace.small.summary("ideal").count("external_memory") == 0);
+    CHECK_THAT(workspace.small.text("page.html"), Contains("external-memory-chart"));
+}
+
+TEST_CASE("Both engines record the same behind external memory") {
+    Workspace const workspace;
+    for (std::string const engine : {"lockstep", "decoupled"})
+        require_done(workspace.run({"--vcd", engine + ".vcd", "--timeline", engine + ".json", "--events", engine,
+                                    "--set", "simulation.engine=" + engine}));
+    for (std::string const kind : {"", ".vcd", ".json"}) {
+        std::string const recorded = workspace.small.text("lockstep" + kind);
+        CHECK(recorded == workspace.small.text("decoupled" + kind));
+        CHECK(!recorded.empty());
+    }
+    CHECK_THAT(workspace.small.text("lockstep.json"), Contains("\"memory\""));
+    CHECK_THAT(workspace.small.text("lockstep.stalls.txt"), Contains("memory"));
+}
+
+TEST_CASE("whatif knows other memories, and says why it does not know what was not fetched") {
+    Workspace const workspace;
+    require_done(workspace.run({"--events", "events"}));
+    require_done(workspace.tool({"whatif", "events", "--set", "accelerator.memory.ports=2", "--set",
+                                 "accelerator.memory.prefetch=true", "--out", "retimed"}));
+    require_done(workspace.small.run({"--out", "run", "--set", "accelerator.memory.model=axi", "--set",
+                                      "accelerator.memory.dram_gb_per_s=0.5", "--set", "accelerator.memory.ports=2",
+                                      "--set", "accelerator.memory.prefetch=true"}));
+    for (std::string const table : {"samples.csv", "fifos.csv", "loops.csv"})
+        CHECK(workspace.small.text("retimed/" + table) == workspace.small.text("run/" + table));
+    CHECK(workspace.small.summary("retimed")["external_memory"] == workspace.small.summary("run")["external_memory"]);
+    check_bad_input(workspace.tool({"whatif", "events", "--set", "accelerator.memory.mesh=on_chip"}),
+                    {"accelerator.memory.mesh decides what is fetched, which was recorded"});
+    require_done(workspace.small.run({"--events", "ideal"}));
+    check_bad_input(workspace.tool({"whatif", "ideal", "--set", "accelerator.memory.model=axi"}),
+                    {"accelerator.memory.model was ideal in the recorded run"});
+    CommandResult const sensitivities = workspace.tool({"sensitivities", "events"});
+    require_done(sensitivities);
+    CHECK_THAT(sensitivities.out, Contains("accelerator.memory.request_cycles"));
+    CHECK_THAT(workspace.tool({"sensitivities", "ideal"}).out, !Contains("accelerator.memory."));
+}
+
+TEST_CASE("size-fifos says why it does not size FIFOs behind external memory") {
+    Workspace const workspace;
+    require_done(workspace.run({"--events", "events"}));
+    check_bad_input(workspace.tool({"size-fifos", "events", "--within", "5", "--out", "sizes"}),
+                    {"events: accelerator.memory.model = \"axi\", expected a run with \"ideal\""});
+    CHECK_FALSE(std::filesystem::exists(workspace.small.folder() / "sizes"));
+}
+
+TEST_CASE("A deadlock behind external memory names who waits, and the path names memory") {
+    Workspace const workspace;
+    CommandResult const stuck = workspace.run({"--set", "accelerator.fifos.fragment_depth.depth=1"});
+    CHECK(stuck.exit_code == 3);
+    CHECK_THAT(stuck.err, Contains("inlier_unit"));
+    CommandResult const path = workspace.run({"--critical-path"});
+    require_done(path);
+    CHECK_THAT(path.out, Contains("  memory  "));
+}

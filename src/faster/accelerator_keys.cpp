@@ -211,6 +211,7 @@ Keys faster_keys(CoreDescription const& core) {
     add_unit_latency_keys(keys);
     append(keys, machine_keys(core));
     append(keys, workload_keys());
+    append(keys, estimator_keys());
     return keys;
 }
 

@@ -10,4 +10,7 @@ Keys faster_keys(CoreDescription const& core);
 /// Part of faster_keys(): what the machine works on.
 Keys workload_keys();
 
+/// Part of faster_keys(): the loop around the machine. A run does not look at them.
+Keys estimator_keys();
+
 }  // namespace faster

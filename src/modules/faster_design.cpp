@@ -59,6 +59,8 @@ bool FasterDesign::decides_function(std::string const& key, RunConfig const& con
 }
 
 std::string FasterDesign::why_not_retimable(std::string const& key) const {
+    if (starts_with(key, "estimator.") || starts_with(key, "host."))
+        return "is a key of estimate";
     if (starts_with(key, "workload."))
         return "is part of the workload, which was recorded";
     if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")

@@ -1,0 +1,62 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/edge_map_config.hpp"
+#include "common/stimulus.hpp"
+#include "datapath/depth.hpp"
+#include "datapath/edge_map/edge_map_policy.hpp"
+#include "datapath/valid_depth_table.hpp"
+#include "datapath/vertex_transform.hpp"
+#include "datapath/window_sweep.hpp"
+#include "datapath/zigzag_scan.hpp"
+
+namespace faster::datapath {
+
+/// Where the window of a sample lies, and how many pixels it has a side.
+struct Window {
+    std::int64_t row = 0;  ///< of its first pixel in the image
+    std::int64_t col = 0;
+    int side = 0;
+};
+
+/// The counters of a pose, without time: what the modules of a core compute, a pixel run at a time. For flow `faster`,
+/// whatever the edge map's algorithm but `threshold`, whose tokens lie elsewhere.
+class UntimedScorer {
+  public:
+    static bool scores(EdgeMapAlgorithm algorithm) { return algorithm != EdgeMapAlgorithm::threshold; }
+
+    /// `stimulus`: a posed one, held by reference; its mesh, camera and observation must not change, its samples may.
+    UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map);
+
+    SampleCounters score(Pose const& pose, SampleInput const& input);
+
+    /// Of the last sample.
+    EdgeMapPolicy const& edge_maps() const { return *maps_; }
+    std::vector<std::uint16_t> const& depth_buffer() const { return depth_buffer_; }
+
+  private:
+    void draw(TriangleCode const& triangle, SampleCounters& counters);
+    void draw_run(ScanLine const& line, std::uint64_t reciprocal, SampleCounters& counters);
+    void add_tokens(ScanLine const& line);
+    void add_token(int row, int col, EdgeTokenKind kind);
+    void build_edge_map();
+    void sweep(SampleCounters& counters) const;
+
+    Stimulus const& stimulus_;
+    EdgeMapConfig edge_map_;
+    DepthUnit depth_unit_;
+    WindowSweep sweep_;
+    std::unique_ptr<EdgeMapPolicy> maps_;
+    std::vector<ProjectedVertex> vertices_;
+    std::vector<EdgeToken> tokens_;
+    std::vector<std::uint16_t> depth_buffer_;
+    Window window_;
+    // Of the scan, as it enters a line: the pixel before, and whether it was inside.
+    bool previous_inside_ = false;
+    int previous_row_ = 0;
+    int previous_col_ = 0;
+};
+
+}  // namespace faster::datapath

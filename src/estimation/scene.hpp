@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "estimation/particle.hpp"
+#include "faster/estimator_config.hpp"
+
+namespace faster::estimation {
+
+/// What an estimate is made from.
+struct Scene {
+    Stimulus observed;  ///< mesh, camera, depth and edges; its samples change from iteration to iteration
+    ObjectSize size;
+    /// Where the first stage found the object; empty: nowhere, so it is looked for in the whole image.
+    std::vector<DetectionConfig> boxes;
+    std::optional<Pose> truth;  ///< if known
+};
+
+/// The box around an object's vertices in the image, as far as it lies in it; of no width if none of it does, or if
+/// some of the object is nearer than 0.1 m.
+DetectionConfig box_around(Mesh const& mesh, Pose const& pose, Camera const& camera);
+
+/// Whether some pixel of the image lies in the box.
+bool overlaps(DetectionConfig const& box, int width, int height);
+
+/// How many pixels of the box have a reading.
+std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth);
+
+}  // namespace faster::estimation

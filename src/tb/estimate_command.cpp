@@ -1,0 +1,235 @@
+#include "tb/estimate_command.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <set>
+
+#include "estimation/estimator.hpp"
+#include "faster/enum_names.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/base/portable_math.hpp"
+#include "kernel/config/load_config.hpp"
+#include "tb/estimate_pictures.hpp"
+#include "tb/estimate_report.hpp"
+#include "tb/estimate_scene.hpp"
+#include "tb/estimate_scorers.hpp"
+#include "tb/timed_iterations.hpp"
+#include "tb/workload_source.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "workload/build_stimulus.hpp"
+#include "workload/files/trace.hpp"
+
+namespace faster {
+
+namespace {
+
+constexpr double degrees_per_radian = 180 / portable::pi;
+
+io::FolderKind const estimate_folder{
+    "results of an estimate", "estimate.json", {"iterations.csv", "images", "traces", "bop.csv"}};
+
+/// Which iterations are wanted: those asked for, or else a few of all.
+std::set<std::uint64_t> chosen_iterations(std::vector<std::uint64_t> const& asked, std::uint64_t count) {
+    std::set<std::uint64_t> chosen;
+    if (asked.empty()) {
+        for (std::uint64_t k = 0; k < count; k = k < 2 ? k + 1 : 2 * k + 1)
+            chosen.insert(k);
+        chosen.insert(count - 1);
+    }
+    for (std::uint64_t const k : asked)
+        if (k < count)
+            chosen.insert(k);
+    return chosen;
+}
+
+IterationRow row_of(estimation::Iteration const& iteration, estimation::Scene const& scene) {
+    IterationRow row;
+    row.number = iteration.number;
+    row.best_sample = iteration.best;
+    row.best_weight = iteration.best_weight();
+    row.mean_weight = iteration.mean_weight;
+    row.effective_samples = iteration.effective_samples;
+    row.spread_mm = 1000 * iteration.spread_m;
+    row.spread_deg = degrees_per_radian * iteration.spread_rad;
+    row.translation_sigma_mm = 1000 * iteration.noise.translation_m;
+    row.rotation_sigma_deg = degrees_per_radian * iteration.noise.rotation_rad;
+    row.best = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size));
+    return row;
+}
+
+/// The loop, and all that is kept of it.
+class EstimateRun {
+  public:
+    EstimateRun(EstimateRequest const& request, LoadedConfig const& loaded)
+        : request_(request),
+          loaded_(loaded),
+          jobs_(jobs_or_host_cores(request.jobs)),
+          scene_(configured_scene(loaded)) {}
+
+    void find_pose() {
+        EstimatorConfig const& config = estimator_of(loaded_.config);
+        std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded_.config, scene_, jobs_);
+        ProgressLine progress("iterations");
+        estimate_ = estimation::estimate(
+            scene_, config, workload_of(loaded_.config).samples.count,
+            [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
+            [&](estimation::Iteration const& iteration) {
+                rows_.push_back(row_of(iteration, scene_));
+                scored_.push_back(scorer->last());
+                progress.show(iteration.number + 1, config.iterations);
+            });
+    }
+
+    /// False: the accelerator got stuck.
+    bool find_times() {
+        if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
+            return true;
+        IterationCycles const times = simulate_iterations(loaded_.config, scene_.observed, scored_, jobs_);
+        if (!times.deadlock.empty()) {
+            fmt::print(stderr, "{}", times.deadlock);
+            return false;
+        }
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            set_time(rows_[i], times.cycles[i]);
+        return true;
+    }
+
+    EstimateReport report() const {
+        EstimatorConfig const& config = estimator_of(loaded_.config);
+        EstimateReport report;
+        report.object = workload_of(loaded_.config).target.object;
+        report.scorer = scorer_name(loaded_.config);
+        report.samples = workload_of(loaded_.config).samples.count;
+        report.seed = config.seed;
+        report.boxes = scene_.boxes;
+        report.pose = pose_of(estimate_.particle, scene_.size);
+        report.weight = estimate_.weight;
+        report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
+        report.verdict = verdict();
+        report.truth = scene_.truth;
+        report.distances = distances_from_truth(scene_, report.pose);
+        report.iterations = rows_;
+        report.host = host_of(loaded_.config);
+        report.keys = resolved_keys(loaded_.config, KeyScope::all);
+        return report;
+    }
+
+    void write(std::filesystem::path const& folder, EstimateReport const& report) const {
+        io::write_file(folder / "estimate.json", estimate_json(report));
+        io::write_file(folder / "iterations.csv", estimate_csv(report));
+        write_pictures(folder / "images", report);
+        for (std::uint64_t const k : request_.traces)
+            if (k < scored_.size()) {
+                Stimulus stimulus = scene_.observed;
+                workload::set_poses(scored_[k].poses, stimulus);
+                io::write_trace(with_explicit_triangles(std::move(stimulus)),
+                                folder / "traces" / fmt::format("iteration_{:04}", k));
+            }
+    }
+
+  private:
+    void set_time(IterationRow& row, std::uint64_t cycles) const {
+        HostConfig const& host = host_of(loaded_.config);
+        row.cycles = cycles;
+        row.accelerator_ms = static_cast<double>(cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
+        row.iteration_ms = *row.accelerator_ms + (host.start_us + host.collect_us + host.resample_us) / 1000;
+    }
+
+    Verdict verdict() const {
+        bool const is_blind = std::all_of(scene_.boxes.begin(), scene_.boxes.end(), [this](DetectionConfig const& box) {
+            return estimation::readings_in(box, scene_.observed.observed_depth) == 0;
+        });
+        if (!scene_.boxes.empty() && is_blind)
+            return Verdict::no_readings;
+        return estimate_.weight < estimator_of(loaded_.config).least_weight ? Verdict::weak : Verdict::found;
+    }
+
+    void write_pictures(std::filesystem::path const& folder, EstimateReport const& report) const {
+        constexpr std::size_t contours = 12;
+        std::vector<DrawnIteration> drawn;
+        for (std::uint64_t const k : chosen_iterations(request_.pictures, rows_.size())) {
+            std::vector<Pose> const& poses = scored_[k].poses;
+            DrawnIteration iteration{k, fmt::format("iteration {}: best weight {:.3f}", k, rows_[k].best_weight), {}, {}};
+            iteration.poses.assign(poses.begin(),
+                                   poses.begin() + static_cast<std::ptrdiff_t>(std::min(contours, poses.size())));
+            iteration.best = poses[rows_[k].best_sample];
+            drawn.push_back(std::move(iteration));
+        }
+        EstimatePictures(scene_.observed, accelerator_of(loaded_.config), report.pose).write(folder, drawn);
+    }
+
+    EstimateRequest const& request_;
+    LoadedConfig const& loaded_;
+    std::size_t jobs_;
+    estimation::Scene scene_;
+    estimation::Estimate estimate_;
+    std::vector<IterationRow> rows_;
+    std::vector<ScoredPoses> scored_;
+};
+
+std::vector<std::string> overrides_of(EstimateRequest const& request) {
+    std::vector<std::string> overrides = request.overrides;
+    if (!request.backend.empty())
+        overrides.push_back("estimator.backend=" + request.backend);
+    return overrides;
+}
+
+}  // namespace
+
+int estimate_pose(EstimateRequest const& request) {
+    LoadedConfig const loaded = load_config(request.config, overrides_of(request));
+    if (!request.traces.empty() && request.out.empty())
+        throw InputError("--traces: expected --out DIR as well");
+    std::unique_ptr<io::AtomicFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
+    EstimateRun run(request, loaded);
+    run.find_pose();
+    if (!run.find_times())
+        return exit_deadlock;
+    EstimateReport const report = run.report();
+    if (folder != nullptr) {
+        run.write(folder->path(), report);
+        folder->commit();
+    }
+    fmt::print("{}", estimate_text(report));
+    if (folder != nullptr)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+Subcommand estimate_command() {
+    return {"estimate", "Find the object's pose: score samples, resample, diffuse, until they agree (thesis 2.1, 4.2.1)",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<EstimateRequest>();
+                command.add_option("config", request->config, "Configuration file (YAML)")
+                    ->required()
+                    ->type_name("CONFIG");
+                command.add_option("--out", request->out, "Write estimate.json, iterations.csv and images to this folder")
+                    ->type_name("DIR");
+                add_overrides(command, request->overrides);
+                add_jobs(command, request->jobs, "Threads, and simulations at once");
+                command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
+                    ->type_name("NAME");
+                command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
+                command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")
+                    ->delimiter(',')
+                    ->allow_extra_args(false)
+                    ->type_name("LIST");
+                command
+                    .add_option("--traces", request->traces,
+                                "Write these iterations as stimulus traces, for run --trace with --vcd or --events")
+                    ->delimiter(',')
+                    ->allow_extra_args(false)
+                    ->type_name("LIST");
+                return [request] { return estimate_pose(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "kernel/config/run_config.hpp"
+
+namespace faster {
+
+/// What an iteration scored, and what its scores were.
+struct ScoredPoses {
+    std::vector<Pose> poses;
+    std::vector<SampleCounters> counters;
+};
+
+/// Cycles of all iterations, or what went wrong.
+struct IterationCycles {
+    std::vector<std::uint64_t> cycles;
+    std::string deadlock;  ///< the report of the first that got stuck; empty if none
+};
+
+/// Simulates every iteration on the configured accelerator, each in a process of its own, as the SystemC kernel
+/// elaborates once; `jobs` at once. A model whose counters are not those that the loop went by is a
+/// std::runtime_error, and so is a simulation that crashes.
+IterationCycles simulate_iterations(RunConfig const& config, Stimulus const& observed,
+                                    std::vector<ScoredPoses> const& iterations, std::size_t jobs);
+
+}  // namespace faster

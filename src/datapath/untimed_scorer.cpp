@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "common/fixed_point.hpp"
+#include "datapath/edge_map/dual_map.hpp"
+#include "datapath/edge_map/inner_border.hpp"
 
 namespace faster::datapath {
 
@@ -16,15 +18,6 @@ ContourDepth contour_depth(EdgeMapAlgorithm algorithm) {
 /// way.
 std::int64_t clamped_offset(std::int64_t offset) { return std::clamp<std::int64_t>(offset, -8192, 8192); }
 
-/// Rows or columns [first, end) of a window that lie in the image.
-struct Overlap {
-    Overlap(std::int64_t offset, int side, int image_size)
-        : first(static_cast<int>(std::clamp<std::int64_t>(-offset, 0, side))),
-          end(static_cast<int>(std::clamp<std::int64_t>(image_size - offset, first, side))) {}
-    int first;
-    int end;
-};
-
 }  // namespace
 
 UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map)
@@ -32,8 +25,11 @@ UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge
       edge_map_(edge_map),
       depth_unit_(stimulus.fraction),
       sweep_(stimulus.window, stimulus.fraction.depth_buffer, contour_depth(edge_map.algorithm)),
+      valid_depths_(stimulus.observed_depth, stimulus.fraction.depth_buffer),
       maps_(make_edge_map_policy(edge_map.algorithm, stimulus.window)),
-      depth_buffer_(static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window)) {
+      depth_buffer_(static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window)),
+      depth_row_(static_cast<std::size_t>(stimulus.window)),
+      edge_row_(static_cast<std::size_t>(stimulus.window)) {
     window_.side = stimulus.window;
 }
 
@@ -42,122 +38,163 @@ SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) 
     window_.col = clamped_offset(std::int64_t{input.centre_col} - window_.side / 2);
     maps_->clear();
     std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
-    tokens_.clear();
+    has_token_ = false;
+    first_drawn_row_ = window_.side;
+    end_drawn_row_ = 0;
     vertices_.clear();
     for (Eigen::Vector3d const& point : stimulus_.posed.mesh.vertices)
         vertices_.push_back(project(point, pose, stimulus_.posed.camera, stimulus_.fraction));
     SampleCounters counters;
+    if (edge_map_.algorithm == EdgeMapAlgorithm::dual_map)
+        draw_mesh(static_cast<DualMap&>(*maps_), counters);  // final: nothing is called by a pointer
+    else if (edge_map_.algorithm == EdgeMapAlgorithm::inner_border)
+        draw_mesh(static_cast<InnerBorder&>(*maps_), counters);
+    else
+        draw_mesh(*maps_, counters);
+    sweep(counters);
+    return counters;
+}
+
+template <class Maps> void UntimedScorer::draw_mesh(Maps& maps, SampleCounters& counters) {
     for (auto const& face : stimulus_.posed.mesh.faces) {
         ProjectedVertex const& a = vertices_[face[0]];
         ProjectedVertex const& b = vertices_[face[1]];
         ProjectedVertex const& c = vertices_[face[2]];
         if (a.usable && b.usable && c.usable)
-            draw({{a.code, b.code, c.code}}, counters);
+            draw({{a.code, b.code, c.code}}, maps, counters);
     }
-    build_edge_map();
-    sweep(counters);
-    return counters;
+    if (has_token_)
+        maps.take_last(token_, edge_map_.flush_last);
+    maps.finish();
 }
 
-void UntimedScorer::draw(TriangleCode const& triangle, SampleCounters& counters) {
-    TriangleSetup const setup =
-        set_up(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy);
+template <class Maps> void UntimedScorer::draw(TriangleCode const& triangle, Maps& maps, SampleCounters& counters) {
+    TriangleSetup const setup = set_up(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy);
     if (!setup.drawn())
         return;
     std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
+    int const top = setup.start_row - static_cast<int>(window_.row);
+    first_drawn_row_ = std::min(first_drawn_row_, top - 1);  // the contour lies one row beside
+    end_drawn_row_ = std::max(end_drawn_row_, setup.bottom - static_cast<int>(window_.row) + 2);
     previous_inside_ = setup.starts_inside();
-    previous_row_ = setup.start_row;
-    previous_col_ = setup.start_col;
+    previous_row_ = top;
+    previous_col_ = setup.start_col - static_cast<int>(window_.col);
     ZigzagScan lines(setup);
     while (!lines.done()) {
         ScanLine const line = lines.next_line();
         if (line.inside > 0)
-            draw_run(line, reciprocal, counters);
-        add_tokens(line);
+            counters.valid_raster += draw_run(line, reciprocal);
+        add_tokens(line, maps);
     }
 }
 
-/// The fragments of a line that lie in the window.
-void UntimedScorer::draw_run(ScanLine const& line, std::uint64_t reciprocal, SampleCounters& counters) {
+/// The fragments of a line that lie in the window; how many of them were drawn. From pixel to pixel the product of z
+/// sum and reciprocal changes by the same amount, modulo 2^64 if need be.
+std::uint64_t UntimedScorer::draw_run(ScanLine const& line, std::uint64_t reciprocal) {
     std::int64_t const row = line.row - window_.row;
     if (row < 0 || row >= window_.side)
-        return;
-    std::int64_t col = line.col(line.before) - window_.col;
-    std::int64_t z_sum = line.z_sum;
-    std::uint16_t* const words = depth_buffer_.data() + row * window_.side;
+        return 0;
+    int const ends[2]{line.col(line.before), line.col(line.before + line.inside - 1)};
+    int const left = std::min(ends[0], ends[1]), right = std::max(ends[0], ends[1]);
+    int const first = std::max(left, static_cast<int>(window_.col));
+    int const end = std::min(right + 1, static_cast<int>(window_.col) + window_.side);
+    std::int64_t const per_column = line.step * line.z_sum_per_step;
+    std::uint16_t* word = depth_buffer_.data() + row * window_.side - window_.col + first;
+    std::int64_t z_sum = line.z_sum + (first - ends[0]) * per_column;
     std::uint64_t drawn = 0;
-    for (int i = 0; i < line.inside; ++i) {
-        if (col >= 0 && col < window_.side) {
-            std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal);
-            drawn += depth_unit_.draw(depth, words[col]) ? 1U : 0U;
-        }
-        col += line.step;
-        z_sum += line.z_sum_per_step;
+    if (!depth_unit_.adds_up()) {
+        for (int col = first; col < end; ++col, z_sum += per_column)
+            drawn +=
+                depth_unit_.draw(depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal), *word++);
+        return drawn;
     }
-    counters.valid_raster += drawn;
+    DepthUnit const unit = depth_unit_;  // the compiler cannot know that drawing leaves it alone
+    std::uint64_t product = static_cast<std::uint64_t>(z_sum) * reciprocal;
+    std::uint64_t const step = static_cast<std::uint64_t>(per_column) * reciprocal;
+    for (int col = first; col < end; ++col, product += step)
+        drawn += unit.draw(product >> unit.shift(), *word++) ? 1U : 0U;
+    return drawn;
 }
 
 /// Covered pixels are objects; the pixel behind a run is an edge, and so is the one before it, which is sent after the
 /// run's first pixel unless the triangle ends there (A.1 loses it then).
-void UntimedScorer::add_tokens(ScanLine const& line) {
+template <class Maps> void UntimedScorer::add_tokens(ScanLine const& line, Maps& maps) {
+    int const row = line.row - static_cast<int>(window_.row), first = line.first_col - static_cast<int>(window_.col);
+    auto const col = [&](int pixel) { return first + pixel * line.step; };
     if (previous_inside_ && line.before > 0) {
-        add_token(line.row, line.first_col, EdgeTokenKind::Edge);
+        add_token(row, first, EdgeTokenKind::Edge, maps);
         previous_inside_ = false;
     }
     if (line.before > 0) {
-        previous_row_ = line.row;
-        previous_col_ = line.col(line.before - 1);
+        previous_row_ = row;
+        previous_col_ = col(line.before - 1);
     }
     if (line.inside > 0) {
         bool const ends_here = line.last && line.inside == 1 && line.after == 0;
-        add_token(line.row, line.col(line.before), EdgeTokenKind::Object);
+        add_token(row, col(line.before), EdgeTokenKind::Object, maps);
         if (!previous_inside_ && !ends_here)
-            add_token(previous_row_, previous_col_, EdgeTokenKind::Edge);
-        for (int i = 1; i < line.inside; ++i)
-            add_token(line.row, line.col(line.before + i), EdgeTokenKind::Object);
+            add_token(previous_row_, previous_col_, EdgeTokenKind::Edge, maps);
+        if (line.inside > 1)
+            add_run(row, col(line.before + 1), col(line.before + line.inside - 1), line.step, maps);
         if (line.after > 0)
-            add_token(line.row, line.col(line.before + line.inside), EdgeTokenKind::Edge);
+            add_token(row, col(line.before + line.inside), EdgeTokenKind::Edge, maps);
         previous_inside_ = line.after == 0;
     }
-    previous_row_ = line.row;
-    previous_col_ = line.col(line.pixels() - 1);
+    previous_row_ = row;
+    previous_col_ = col(line.pixels() - 1);
 }
 
-void UntimedScorer::add_token(int row, int col, EdgeTokenKind kind) {
-    tokens_.push_back(
-        {static_cast<std::int16_t>(row - window_.row), static_cast<std::int16_t>(col - window_.col), kind});
+/// The last token of a sample is another's business: each is kept back until there is a next one.
+template <class Maps> void UntimedScorer::add_token(int row, int col, EdgeTokenKind kind, Maps& maps) {
+    if (has_token_)
+        maps.take(token_, nullptr, 1);
+    token_ = {static_cast<std::int16_t>(row), static_cast<std::int16_t>(col), kind};
+    has_token_ = true;
 }
 
-void UntimedScorer::build_edge_map() {
-    constexpr std::size_t most_at_once = 32;
-    if (!tokens_.empty()) {
-        EdgeToken const* next = tokens_.data();
-        EdgeToken const* const last = next + tokens_.size() - 1;
-        while (next != last) {
-            auto const count = std::min<std::size_t>(most_at_once, static_cast<std::size_t>(last - next));
-            maps_->take(*next, next + 1, static_cast<unsigned>(count));
-            next += count;
-        }
-        maps_->take_last(*last, edge_map_.flush_last);
-    }
-    maps_->finish();
+/// There is a token before: that of the run's first pixel.
+template <class Maps> void UntimedScorer::add_run(int row, int first_col, int last_col, int step, Maps& maps) {
+    maps.take(token_, nullptr, 1);
+    if (step > 0)
+        maps.take_run(row, first_col, last_col, true);
+    else
+        maps.take_run(row, last_col + 1, first_col + 1, false);
+    token_ = {static_cast<std::int16_t>(row), static_cast<std::int16_t>(last_col), EdgeTokenKind::Object};
 }
 
-/// Row by row: those of the image as they lie there, the others as no readings.
-void UntimedScorer::sweep(SampleCounters& counters) const {
-    static thread_local std::vector<std::uint16_t> depth;
-    static thread_local std::vector<std::uint8_t> edges;
+/// Rows in which nothing is drawn only count valid depths, which a table knows, as long as "far" lies beyond what is
+/// compared.
+void UntimedScorer::sweep(SampleCounters& counters) {
+    constexpr int most_bits_with_far = 9;
+    bool const everywhere = stimulus_.fraction.depth_buffer > most_bits_with_far;
+    int const first = everywhere ? 0 : std::max(0, first_drawn_row_);
+    int const end = everywhere ? window_.side : std::min(window_.side, end_drawn_row_);
+    for (int row = first; row < end; ++row)
+        sweep_row(row, counters);
+    counters.valid_depth = valid_depths_.count(window_.row, window_.col, window_.side);
+}
+
+/// What lies outside the image has no readings.
+void UntimedScorer::sweep_row(int row, SampleCounters& counters) {
     auto const side = static_cast<std::size_t>(window_.side);
-    depth.assign(side * side, 0);
-    edges.assign(side * side, 0);
-    Overlap const rows(window_.row, window_.side, stimulus_.height), cols(window_.col, window_.side, stimulus_.width);
-    for (int row = rows.first; row < rows.end && cols.first < cols.end; ++row) {
-        auto const image_row = static_cast<int>(window_.row + row), image_col = static_cast<int>(window_.col + cols.first);
-        std::size_t const to = static_cast<std::size_t>(row) * side + static_cast<std::size_t>(cols.first);
-        std::copy_n(stimulus_.observed_depth.row(image_row) + image_col, cols.end - cols.first, depth.data() + to);
-        std::copy_n(stimulus_.observed_edges.row(image_row) + image_col, cols.end - cols.first, edges.data() + to);
+    std::int64_t const image_row = window_.row + row;
+    std::uint16_t const* depth = depth_row_.data();
+    std::uint8_t const* edges = edge_row_.data();
+    if (image_row >= 0 && image_row < stimulus_.height && window_.col >= 0 &&
+        window_.col + window_.side <= stimulus_.width) {
+        depth = stimulus_.observed_depth.row(static_cast<int>(image_row)) + window_.col;
+        edges = stimulus_.observed_edges.row(static_cast<int>(image_row)) + window_.col;
+    } else {
+        for (std::size_t i = 0; i < side; ++i) {
+            std::int64_t const col = window_.col + static_cast<std::int64_t>(i);
+            bool const inside = image_row >= 0 && image_row < stimulus_.height && col >= 0 && col < stimulus_.width;
+            auto const at = std::pair(static_cast<int>(image_row), static_cast<int>(col));
+            depth_row_[i] = inside ? stimulus_.observed_depth.at(at.first, at.second) : std::uint16_t{0};
+            edge_row_[i] = inside ? stimulus_.observed_edges.at(at.first, at.second) : std::uint8_t{0};
+        }
     }
-    sweep_.sweep(0, side * side, depth_buffer_.data(), maps_->edge(), depth.data(), edges.data(), counters);
+    std::size_t const from = static_cast<std::size_t>(row) * side;
+    sweep_.sweep(from, side, depth_buffer_.data(), maps_->edge() + from, depth, edges, counters);
 }
 
 }  // namespace faster::datapath

@@ -37,23 +37,31 @@ class UntimedScorer {
     std::vector<std::uint16_t> const& depth_buffer() const { return depth_buffer_; }
 
   private:
-    void draw(TriangleCode const& triangle, SampleCounters& counters);
-    void draw_run(ScanLine const& line, std::uint64_t reciprocal, SampleCounters& counters);
-    void add_tokens(ScanLine const& line);
-    void add_token(int row, int col, EdgeTokenKind kind);
-    void build_edge_map();
-    void sweep(SampleCounters& counters) const;
+    template <class Maps> void draw_mesh(Maps& maps, SampleCounters& counters);
+    template <class Maps> void draw(TriangleCode const& triangle, Maps& maps, SampleCounters& counters);
+    std::uint64_t draw_run(ScanLine const& line, std::uint64_t reciprocal);
+    template <class Maps> void add_tokens(ScanLine const& line, Maps& maps);
+    template <class Maps> void add_token(int row, int col, EdgeTokenKind kind, Maps& maps);
+    template <class Maps> void add_run(int row, int first_col, int last_col, int step, Maps& maps);
+    void sweep(SampleCounters& counters);
+    void sweep_row(int row, SampleCounters& counters);
 
     Stimulus const& stimulus_;
     EdgeMapConfig edge_map_;
     DepthUnit depth_unit_;
     WindowSweep sweep_;
+    ValidDepthTable valid_depths_;
     std::unique_ptr<EdgeMapPolicy> maps_;
     std::vector<ProjectedVertex> vertices_;
-    std::vector<EdgeToken> tokens_;
     std::vector<std::uint16_t> depth_buffer_;
+    std::vector<std::uint16_t> depth_row_;  ///< of the observation, where the window leaves the image
+    std::vector<std::uint8_t> edge_row_;
     Window window_;
-    // Of the scan, as it enters a line: the pixel before, and whether it was inside.
+    int first_drawn_row_ = 0;  ///< of the window; what is drawn and its contour lie in [first, end)
+    int end_drawn_row_ = 0;
+    EdgeToken token_;  ///< the last one so far
+    bool has_token_ = false;
+    // Of the scan, as it enters a line: the pixel before, in the window, and whether it was inside.
     bool previous_inside_ = false;
     int previous_row_ = 0;
     int previous_col_ = 0;

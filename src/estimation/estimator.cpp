@@ -50,8 +50,8 @@ Iteration scored(std::uint64_t number, std::vector<Particle> particles, Estimato
         iteration.weights.push_back(terms.weight(coefficients));
         sum += iteration.weights.back();
     }
-    iteration.best = static_cast<std::size_t>(
-        std::max_element(iteration.weights.begin(), iteration.weights.end()) - iteration.weights.begin());
+    iteration.best = static_cast<std::size_t>(std::max_element(iteration.weights.begin(), iteration.weights.end()) -
+                                              iteration.weights.begin());
     iteration.mean_weight = sum / static_cast<double>(iteration.weights.size());
     iteration.effective_samples = effective_sample_size(shares_of(iteration.weights, config.sharpness));
     add_spread(iteration);

@@ -77,8 +77,8 @@ class FirstSamples {
         double const farthest = scene_.boxes.empty() ? 4 : box_slack * filling;
         for (int attempt = 0; has_readings_[number] && attempt < most_attempts; ++attempt) {
             double const reading = reading_at(point_in(box, random));
-            double const extent = scene_.size.least_extent +
-                                  (scene_.size.diameter - scene_.size.least_extent) * random.uniform();
+            double const extent =
+                scene_.size.least_extent + (scene_.size.diameter - scene_.size.least_extent) * random.uniform();
             double const depth = reading + extent / 2;
             if (reading > 0 && depth <= farthest)
                 return depth;

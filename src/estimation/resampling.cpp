@@ -54,9 +54,8 @@ std::vector<std::size_t> resampled(std::vector<double> const& shares, std::size_
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < count; ++i) {
         double const own = method == Resampling::systematic ? common : random.uniform();
-        double const place = method == Resampling::multinomial
-                                 ? own
-                                 : (static_cast<double>(i) + own) / static_cast<double>(count);
+        double const place =
+            method == Resampling::multinomial ? own : (static_cast<double>(i) + own) / static_cast<double>(count);
         indices.push_back(index_at(sums, place));
     }
     return indices;

@@ -19,7 +19,8 @@ constexpr char const* searched = "SYSTEM 7; value: docs/poses.md";
 void add_loop_keys(Keys& keys) {
     keys.push_back(Make::choice_key(
         {"estimator.backend", "",
-         "Who scores the samples: the configured accelerator, or the thesis's baseline GRIP in software.", "thesis 6.1"},
+         "Who scores the samples: the configured accelerator, or the thesis's baseline GRIP in software.",
+         "thesis 6.1"},
         [](auto& config) -> auto& { return config.estimator.backend; }));
     keys.push_back(Make::integer_key(
         {"estimator.iterations", "iterations", "Iterations at most.", "thesis 4.2.1"}, {1, 100'000},
@@ -76,8 +77,7 @@ void add_weight_keys(Keys& keys) {
         "grip.raw", "I_r, that of all points",
         [](auto& config) -> auto& { return config.estimator.grip_weights.raw; }));
     keys.push_back(coefficient_key(
-        "grip.edge", "I_e, that of edges",
-        [](auto& config) -> auto& { return config.estimator.grip_weights.edge; }));
+        "grip.edge", "I_e, that of edges", [](auto& config) -> auto& { return config.estimator.grip_weights.edge; }));
     keys.push_back(coefficient_key(
         "grip.planar", "I_p, that of planar points",
         [](auto& config) -> auto& { return config.estimator.grip_weights.planar; }));

@@ -156,7 +156,8 @@ class EstimateRun {
         std::vector<DrawnIteration> drawn;
         for (std::uint64_t const k : chosen_iterations(request_.pictures, rows_.size())) {
             std::vector<Pose> const& poses = scored_[k].poses;
-            DrawnIteration iteration{k, fmt::format("iteration {}: best weight {:.3f}", k, rows_[k].best_weight), {}, {}};
+            DrawnIteration iteration{
+                k, fmt::format("iteration {}: best weight {:.3f}", k, rows_[k].best_weight), {}, {}};
             iteration.poses.assign(poses.begin(),
                                    poses.begin() + static_cast<std::ptrdiff_t>(std::min(contours, poses.size())));
             iteration.best = poses[rows_[k].best_sample];
@@ -205,31 +206,30 @@ int estimate_pose(EstimateRequest const& request) {
 }
 
 Subcommand estimate_command() {
-    return {"estimate", "Find the object's pose: score samples, resample, diffuse, until they agree (thesis 2.1, 4.2.1)",
-            [](CLI::App& command) {
-                auto const request = std::make_shared<EstimateRequest>();
-                command.add_option("config", request->config, "Configuration file (YAML)")
-                    ->required()
-                    ->type_name("CONFIG");
-                command.add_option("--out", request->out, "Write estimate.json, iterations.csv and images to this folder")
-                    ->type_name("DIR");
-                add_overrides(command, request->overrides);
-                add_jobs(command, request->jobs, "Threads, and simulations at once");
-                command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
-                    ->type_name("NAME");
-                command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
-                command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")
-                    ->delimiter(',')
-                    ->allow_extra_args(false)
-                    ->type_name("LIST");
-                command
-                    .add_option("--traces", request->traces,
-                                "Write these iterations as stimulus traces, for run --trace with --vcd or --events")
-                    ->delimiter(',')
-                    ->allow_extra_args(false)
-                    ->type_name("LIST");
-                return [request] { return estimate_pose(*request); };
-            }};
+    return {
+        "estimate", "Find the object's pose: score samples, resample, diffuse, until they agree (thesis 2.1, 4.2.1)",
+        [](CLI::App& command) {
+            auto const request = std::make_shared<EstimateRequest>();
+            command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+            command.add_option("--out", request->out, "Write estimate.json, iterations.csv and images to this folder")
+                ->type_name("DIR");
+            add_overrides(command, request->overrides);
+            add_jobs(command, request->jobs, "Threads, and simulations at once");
+            command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
+                ->type_name("NAME");
+            command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
+            command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->type_name("LIST");
+            command
+                .add_option("--traces", request->traces,
+                            "Write these iterations as stimulus traces, for run --trace with --vcd or --events")
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->type_name("LIST");
+            return [request] { return estimate_pose(*request); };
+        }};
 }
 
 }  // namespace faster

@@ -11,8 +11,8 @@ namespace faster {
 struct EstimateRequest {
     std::string config;
     std::vector<std::string> overrides;
-    std::string out;      ///< folder; empty: print only
-    std::string backend;  ///< stands for estimator.backend; empty: as configured
+    std::string out;                      ///< folder; empty: print only
+    std::string backend;                  ///< stands for estimator.backend; empty: as configured
     std::vector<std::uint64_t> pictures;  ///< iterations to draw; empty: a choice of them
     std::vector<std::uint64_t> traces;    ///< iterations to write as stimulus traces
     std::int64_t jobs = 0;                ///< threads and processes; 0: the host's cores

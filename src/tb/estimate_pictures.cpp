@@ -29,9 +29,8 @@ EstimatePictures::EstimatePictures(Stimulus observed, AcceleratorConfig const& c
 void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Image<std::uint8_t>* object) {
     workload::set_poses({pose}, stimulus_);
     SampleInput const& sample = stimulus_.samples.front();
-    reference::Scorer scorer = config_.flow == Flow::fpga_grip
-                                   ? reference::Scorer(stimulus_, config_.edge_extraction)
-                                   : reference::Scorer(stimulus_, config_.edge_map);
+    reference::Scorer scorer = config_.flow == Flow::fpga_grip ? reference::Scorer(stimulus_, config_.edge_extraction)
+                                                               : reference::Scorer(stimulus_, config_.edge_map);
     scorer.run(0);
     SampleMaps const& maps = scorer.maps();
     std::int64_t const down = window_begin(sample.centre_row, stimulus_.window) - top_;

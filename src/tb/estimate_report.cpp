@@ -152,11 +152,12 @@ std::string estimate_csv(EstimateReport const& report) {
         "iteration,best_sample,best_weight,mean_weight,effective_samples,spread_mm,spread_deg,translation_sigma_mm,"
         "rotation_sigma_deg,best_add_mm,best_adds_mm,cycles,accelerator_ms,iteration_ms\n";
     for (IterationRow const& row : report.iterations)
-        fmt::format_to(std::back_inserter(text), "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{}\n",
-                       row.number, row.best_sample, row.best_weight, row.mean_weight, row.effective_samples,
-                       row.spread_mm, row.spread_deg, row.translation_sigma_mm, row.rotation_sigma_deg,
-                       cell(add_mm(row), "{:.4f}"), cell(adds_mm(row), "{:.4f}"), cell(row.cycles, "{}"),
-                       cell(row.accelerator_ms, "{:.6f}"), cell(row.iteration_ms, "{:.6f}"));
+        fmt::format_to(std::back_inserter(text),
+                       "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{}\n", row.number,
+                       row.best_sample, row.best_weight, row.mean_weight, row.effective_samples, row.spread_mm,
+                       row.spread_deg, row.translation_sigma_mm, row.rotation_sigma_deg, cell(add_mm(row), "{:.4f}"),
+                       cell(adds_mm(row), "{:.4f}"), cell(row.cycles, "{}"), cell(row.accelerator_ms, "{:.6f}"),
+                       cell(row.iteration_ms, "{:.6f}"));
     return text;
 }
 

@@ -33,11 +33,11 @@ std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Sc
     if (box.height == 0)
         box.height = box.width;
     if (!estimation::overlaps(box, scene.observed.width, scene.observed.height))
-        throw InputError(complaint(loaded, box.left + box.width <= 0 || box.left >= scene.observed.width
-                                               ? "estimator.box.left"
-                                               : "estimator.box.top",
-                                   fmt::format("a box that overlaps the image of {} x {} pixels",
-                                               scene.observed.width, scene.observed.height)));
+        throw InputError(complaint(
+            loaded,
+            box.left + box.width <= 0 || box.left >= scene.observed.width ? "estimator.box.left" : "estimator.box.top",
+            fmt::format("a box that overlaps the image of {} x {} pixels", scene.observed.width,
+                        scene.observed.height)));
     return {box};
 }
 

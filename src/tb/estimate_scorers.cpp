@@ -39,8 +39,7 @@ class AcceleratorScorer final : public IterationScorer {
         last_.counters = scorer_.score();
         std::vector<estimation::WeightTerms> terms;
         for (std::size_t i = 0; i < particles.size(); ++i)
-            terms.push_back(
-                estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]), least_drawn_));
+            terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]), least_drawn_));
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }

@@ -60,8 +60,8 @@ IterationCycles simulate_iterations(RunConfig const& config, Stimulus const& obs
                 fmt::format("iteration {}: the simulation crashed, failed or took more than an hour", i));
         std::string const& output = outcomes[i].output;
         if (output.front() == difference_mark)
-            throw std::runtime_error(fmt::format("iteration {}: the model's counters of {} are not the untimed ones", i,
-                                                 output.substr(1)));
+            throw std::runtime_error(
+                fmt::format("iteration {}: the model's counters of {} are not the untimed ones", i, output.substr(1)));
         if (output.front() == deadlock_mark) {
             result.deadlock = output.substr(1);
             return result;

@@ -16,6 +16,10 @@ class DualMap final : public EdgeMapPolicy {
         return take_each(first, rest, count, [this](EdgeToken const& token) { return maps_.mark(token); });
     }
 
+    void take_run(int row, int first_col, int end_col, bool /*rightwards*/) override {
+        set_run(row, first_col, end_col, maps_.marked_objects());
+    }
+
     bool take_last(EdgeToken const& token, bool flush_last) override {
         maps_.settle();
         maps_.take(token);

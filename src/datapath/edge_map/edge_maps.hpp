@@ -37,6 +37,9 @@ class EdgeMaps {
         return is_object;
     }
 
+    /// Where mark() marks object tokens, W x W: for many at once.
+    std::uint8_t* marked_objects() { return map_[1] + side_; }
+
     /// Makes the edge map what it is after all tokens marked since clear(), before anything else looks at the maps.
     void settle();
 

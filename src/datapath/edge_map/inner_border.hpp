@@ -24,6 +24,10 @@ class InnerBorder final : public EdgeMapPolicy {
         });
     }
 
+    void take_run(int row, int first_col, int end_col, bool /*rightwards*/) override {
+        set_run(row, first_col, end_col, object_.data());
+    }
+
     bool take_last(EdgeToken const& token, bool /*flush_last*/) override {
         take(token, nullptr, 1);
         return false;

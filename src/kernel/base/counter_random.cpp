@@ -49,8 +49,6 @@ double CounterRandom::normal() {
     }
 }
 
-std::uint32_t CounterRandom::below(std::uint32_t count) {
-    return high(std::uint64_t{high(bits())} * count);
-}
+std::uint32_t CounterRandom::below(std::uint32_t count) { return high(std::uint64_t{high(bits())} * count); }
 
 }  // namespace faster

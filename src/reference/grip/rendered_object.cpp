@@ -213,12 +213,12 @@ Image<Feature> features(RenderedObject const& object, Camera const& camera, int 
             int const image_row = row + object.first_row, image_col = col + object.first_col;
             PointSum const& p = around.points().at(image_row - around.top(), image_col - around.left());
             PointSum sum = sums.at(image_row - around.top(), image_col - around.left());
-            double const pixels = pixels_around(image_row, radius, camera.height) *
-                                  pixels_around(image_col, radius, camera.width);
+            double const pixels =
+                pixels_around(image_row, radius, camera.height) * pixels_around(image_col, radius, camera.width);
             sum.add(p, -pixels);
             double const limit = threshold * (pixels - 1);
-            bool const is_edge = sum.x * sum.x + sum.y * sum.y + sum.z * sum.z >
-                                 limit * limit * (p.x * p.x + p.y * p.y + p.z * p.z);
+            bool const is_edge =
+                sum.x * sum.x + sum.y * sum.y + sum.z * sum.z > limit * limit * (p.x * p.x + p.y * p.y + p.z * p.z);
             features.at(row, col) = is_edge ? Feature::edge : Feature::planar;
         }
     return features;

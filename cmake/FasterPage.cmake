@@ -5,7 +5,11 @@ if(NOT FASTER_CHART_JS)
   message(FATAL_ERROR "Chart.js not found: install libjs-chart.js, or set FASTER_CHART_JS to chart.min.js 3.9")
 endif()
 set(FASTER_PAGE_JOINER ${CMAKE_CURRENT_LIST_DIR}/JoinReportPage.cmake)
-set(FASTER_PAGE_FRAME ${PROJECT_SOURCE_DIR}/src/kernel/report/html/page/frame.html)
+set(FASTER_PAGE_PARTS ${PROJECT_SOURCE_DIR}/src/kernel/report/html/page)
+set(FASTER_PAGE_FRAME ${FASTER_PAGE_PARTS}/frame.html)
+set(FASTER_PAGE_STYLE ${FASTER_PAGE_PARTS}/report.css)
+# What every page's scripts use: elements, charts and tables.
+set(FASTER_PAGE_ELEMENTS ${FASTER_PAGE_PARTS}/elements.js ${FASTER_PAGE_PARTS}/charts.js ${FASTER_PAGE_PARTS}/tables.js)
 
 # faster_join_page(OUTPUT TEMPLATE file STYLES files... SCRIPTS files... NAME namespace::variable HEADER header)
 # OUTPUT is set to the C++ source; HEADER declares the variable, of type char const* const.

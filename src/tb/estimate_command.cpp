@@ -23,6 +23,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "workload/bop/pose_results.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/files/trace.hpp"
 
@@ -71,7 +72,7 @@ class EstimateRun {
         : request_(request),
           loaded_(loaded),
           jobs_(jobs_or_host_cores(request.jobs)),
-          scene_(configured_scene(loaded)) {}
+          scene_(request.bop.folder.empty() ? configured_scene(loaded) : bop_scene(loaded, request.bop)) {}
 
     void find_pose() {
         EstimatorConfig const& config = estimator_of(loaded_.config);
@@ -104,7 +105,8 @@ class EstimateRun {
     EstimateReport report() const {
         EstimatorConfig const& config = estimator_of(loaded_.config);
         EstimateReport report;
-        report.object = workload_of(loaded_.config).target.object;
+        report.object = request_.bop.folder.empty() ? workload_of(loaded_.config).target.object
+                                                    : fmt::format("object {}", request_.bop.obj_id);
         report.scorer = scorer_name(loaded_.config);
         report.samples = workload_of(loaded_.config).samples.count;
         report.seed = config.seed;
@@ -125,6 +127,8 @@ class EstimateRun {
         io::write_file(folder / "estimate.json", estimate_json(report));
         io::write_file(folder / "iterations.csv", estimate_csv(report));
         write_pictures(folder / "images", report);
+        if (!request_.bop.folder.empty())
+            io::write_file(folder / "bop.csv", bop::pose_results_csv({bop_estimate(report)}));
         for (std::uint64_t const k : request_.traces)
             if (k < scored_.size()) {
                 Stimulus stimulus = scene_.observed;
@@ -140,6 +144,16 @@ class EstimateRun {
         row.cycles = cycles;
         row.accelerator_ms = static_cast<double>(cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
         row.iteration_ms = *row.accelerator_ms + (host.start_us + host.collect_us + host.resample_us) / 1000;
+    }
+
+    bop::PoseEstimate bop_estimate(EstimateReport const& report) const {
+        bop::PoseEstimate estimate;
+        estimate.image = {request_.bop.scene_id, request_.bop.im_id};
+        estimate.obj_id = request_.bop.obj_id;
+        estimate.score = report.weight;
+        estimate.pose = report.pose;
+        estimate.time_s = report.total_ms() ? *report.total_ms() / 1000 : -1;
+        return estimate;
     }
 
     Verdict verdict() const {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/estimate_scene.hpp"
 #include "tool/subcommand.hpp"
 
 namespace faster {
@@ -16,6 +17,7 @@ struct EstimateRequest {
     std::vector<std::uint64_t> pictures;  ///< iterations to draw; empty: a choice of them
     std::vector<std::uint64_t> traces;    ///< iterations to write as stimulus traces
     std::int64_t jobs = 0;                ///< threads and processes; 0: the host's cores
+    BopRequest bop;                       ///< instead of the configured workload
     bool untimed = false;                 ///< without the accelerator's cycles
 };
 

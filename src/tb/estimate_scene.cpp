@@ -5,6 +5,8 @@
 #include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/config_sources.hpp"
+#include "workload/bop/detections.hpp"
+#include "workload/bop/read_dataset.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/object_pose.hpp"
 
@@ -52,6 +54,67 @@ estimation::Scene configured_scene(LoadedConfig const& loaded) {
     scene.size = estimation::size_of(scene.observed.posed.mesh);
     scene.truth = workload::configured_pose(workload.target);
     scene.boxes = boxes_of(loaded, scene);
+    return scene;
+}
+
+namespace {
+
+bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const& request) {
+    bop::DatasetImage const* const image = dataset.find({request.scene_id, request.im_id});
+    if (image == nullptr)
+        throw InputError(fmt::format("--scene {} --image {}: no such image in {}, expected one of its {} images",
+                                     request.scene_id, request.im_id, request.folder, dataset.images.size()));
+    return *image;
+}
+
+DetectionConfig with_confidence(bop::ImageBox const& box, double confidence) {
+    return {box.left, box.top, box.width, box.height, confidence};
+}
+
+/// The annotation of what is visible, or of all of it, or else what the pose says.
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
+    if (object.visible_box)
+        return *object.visible_box;
+    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
+}
+
+std::vector<DetectionConfig> detected_boxes(BopRequest const& request) {
+    std::vector<DetectionConfig> boxes;
+    for (bop::Detection const& detection : bop::read_detections(request.detections))
+        if (detection.obj_id == request.obj_id && detection.image == bop::ImageId{request.scene_id, request.im_id})
+            boxes.push_back(with_confidence(detection.box, detection.score));
+    return boxes;
+}
+
+}  // namespace
+
+estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
+    require_mesh_and_samples(loaded);
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    bop::Dataset const dataset = bop::read_dataset(request.folder);
+    bop::DatasetImage const& image = image_of(dataset, request);
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
+    bop::Observation const seen = bop::load_observation(image);
+    estimation::Scene scene;
+    scene.observed = workload::observed_stimulus(mesh, seen.depth, seen.camera, workload_of(loaded.config),
+                                                 accelerator.window, accelerator.fraction_bits);
+    scene.size = estimation::size_of(scene.observed.posed.mesh);
+    for (bop::GroundTruth const& object : image.objects) {
+        if (object.obj_id != request.obj_id)
+            continue;
+        if (!scene.truth)
+            scene.truth = object.pose;
+        if (request.detections.empty())
+            scene.boxes.push_back(with_confidence(annotated_box(object, mesh, seen.camera),
+                                                  estimator_of(loaded.config).box.confidence));
+    }
+    if (!request.detections.empty())
+        scene.boxes = detected_boxes(request);
+    for (DetectionConfig const& box : scene.boxes)
+        if (!estimation::overlaps(box, scene.observed.width, scene.observed.height))
+            throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
+                                         request.detections.empty() ? request.folder : request.detections, box.left,
+                                         box.top, box.width, box.height, scene.observed.width, scene.observed.height));
     return scene;
 }
 

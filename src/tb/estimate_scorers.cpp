@@ -1,12 +1,10 @@
 #include "tb/estimate_scorers.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "estimation/counter_scorer.hpp"
 #include "faster/enum_names.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/base/on_threads.hpp"
+#include "poses/pose_error.hpp"
 #include "reference/grip/score_poses.hpp"
 #include "workload/build_stimulus.hpp"
 
@@ -92,13 +90,6 @@ class GripScorer final : public IterationScorer {
     ScoredPoses last_;
 };
 
-std::vector<Eigen::Vector3d> placed(Mesh const& mesh, Pose const& pose) {
-    std::vector<Eigen::Vector3d> points;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        points.push_back(estimation::rotated(pose.rotation, vertex) + pose.translation);
-    return points;
-}
-
 }  // namespace
 
 std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs) {
@@ -117,19 +108,8 @@ std::string scorer_name(RunConfig const& config) {
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose) {
     if (!scene.truth)
         return std::nullopt;
-    std::vector<Eigen::Vector3d> const found = placed(scene.observed.posed.mesh, pose);
-    std::vector<Eigen::Vector3d> const truth = placed(scene.observed.posed.mesh, *scene.truth);
-    PoseDistances distances;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (Eigen::Vector3d const& point : found)
-            nearest = std::min(nearest, (point - truth[i]).squaredNorm());
-        distances.add_m += (found[i] - truth[i]).norm();
-        distances.adds_m += std::sqrt(nearest);
-    }
-    distances.add_m /= static_cast<double>(truth.size());
-    distances.adds_m /= static_cast<double>(truth.size());
-    return distances;
+    poses::Points const& points = scene.observed.posed.mesh.vertices;
+    return PoseDistances{poses::add(points, pose, *scene.truth), poses::add_s(points, pose, *scene.truth)};
 }
 
 }  // namespace faster

@@ -3,31 +3,17 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/program_name.hpp"
 
 namespace faster::runs {
 
-namespace {
-
-/// A value for a message: on one line, and not the whole of a large table.
-std::string shortened(Json const& value) {
-    if (value.is_array())
-        return fmt::format("an array of {}", value.size());
-    if (value.is_object())
-        return "an object";
-    constexpr std::size_t most = 60;
-    std::string const text = value.dump();
-    return text.size() <= most ? text : text.substr(0, most) + "...";
-}
-
-}  // namespace
-
 JsonSection::JsonSection(std::string file, std::string name, Json const& object)
     : file_(std::move(file)), name_(std::move(name)), object_(object) {
     if (!object_.is_object())
         throw InputError(fmt::format("{}: {} is {}, expected an object", file_, name_.empty() ? "the file" : name_,
-                                     shortened(object_)));
+                                     io::shown(object_)));
 }
 
 Json const& JsonSection::at(std::string const& key) const {
@@ -71,7 +57,7 @@ std::string JsonSection::text(std::string const& key) const {
 }
 
 void JsonSection::fail(std::string const& key, std::string const& expected) const {
-    throw InputError(fmt::format("{}: {} = {}, expected {}", file_, path_of(key), shortened(at(key)), expected));
+    throw InputError(fmt::format("{}: {} = {}, expected {}", file_, path_of(key), io::shown(at(key)), expected));
 }
 
 }  // namespace faster::runs

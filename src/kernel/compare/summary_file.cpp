@@ -1,14 +1,12 @@
 #include "kernel/compare/summary_file.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/figures/column_values.hpp"
@@ -89,17 +87,7 @@ std::vector<Record> read_table(JsonSection const& summary, std::string const& ta
 }  // namespace
 
 Json parse_summary(std::filesystem::path const& path) {
-    std::string const text = io::read_file(path);
-    try {
-        return Json::parse(text);
-    } catch (Json::parse_error const& error) {
-        auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected a summary of {} run",
-                                     path.string(), std::count(text.begin(), end, '\n') + 1, program_name()));
-    } catch (Json::exception const&) {  // no other is documented, and it is what a number like 1e999 gives
-        throw InputError(fmt::format("{}: holds a number beyond all limits, expected a summary of {} run",
-                                     path.string(), program_name()));
-    }
+    return io::read_json_file(path, fmt::format("a summary of {} run", program_name()));
 }
 
 RunRecord read_summary(JsonSection const& summary) {

@@ -9,7 +9,7 @@ namespace faster::pictures {
 
 namespace {
 
-constexpr int cell_side = 300;
+constexpr int cell_side = 402;
 constexpr int cell_gap = 10;
 constexpr int label_height = 24;
 constexpr int most_columns = 4;

@@ -47,6 +47,15 @@ Image<Colour> fitted_square(Image<Colour> const& picture, int side) {
     return picture.width() > side ? shrunk(picture, side) : enlarged(picture, side / picture.width());
 }
 
+void draw_lines(Image<Colour>& canvas, std::vector<std::array<int, 2>> const& points, Colour colour, int thickness) {
+    std::vector<cv::Point> corners;
+    corners.reserve(points.size());
+    for (auto const& [left, top] : points)
+        corners.emplace_back(left, top);
+    cv::Mat pixels = view(canvas);
+    cv::polylines(pixels, corners, false, cv::Scalar(colour[0], colour[1], colour[2]), thickness, cv::LINE_AA);
+}
+
 void write_text(Image<Colour>& canvas, std::string const& text, int baseline, int left, double scale) {
     cv::Scalar const ink(palette::ink[0], palette::ink[1], palette::ink[2]);
     cv::Mat pixels = view(canvas);

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <vector>
 
 #include "common/image.hpp"
 #include "workload/pictures/colour.hpp"
@@ -25,6 +27,9 @@ Image<Colour> enlarged(Image<Colour> const& picture, int zoom);
 /// A square picture with sides of at most `side`, and not much less: a whole zoom if it is smaller, else the mean of
 /// the pixels that fall together.
 Image<Colour> fitted_square(Image<Colour> const& picture, int side);
+
+/// Straight lines from each point (left, top) to the next, smoothed at their edges.
+void draw_lines(Image<Colour>& canvas, std::vector<std::array<int, 2>> const& points, Colour colour, int thickness);
 
 /// Height of a capital letter is about 22 px times `scale`. Letters that leave the canvas are cut off.
 void write_text(Image<Colour>& canvas, std::string const& text, int baseline, int left, double scale);

@@ -12,4 +12,10 @@ constexpr Colour paper{255, 255, 255};
 constexpr Colour ink{30, 30, 30};
 constexpr Colour nothing_drawn{190, 190, 190};  ///< in a depth map; no colour of its scale is grey
 
+constexpr Colour grid{222, 222, 222};
+
+/// Lines of a plot, one after the other: told apart also by those who see no red or no green (Okabe and Ito, 2008).
+constexpr std::array<Colour, 7> lines{
+    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}, {90, 90, 90}}};
+
 }  // namespace faster::pictures::palette

@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "kernel/base/json.hpp"
+
+namespace faster::io {
+
+/// The JSON of a file. Throws InputError (file:line) if it is none, for example cut off; `expected` ends the message.
+Json read_json_file(std::filesystem::path const& path, std::string const& expected);
+
+/// A value for a message: on one line, and not the whole of a large table.
+std::string shown(Json const& value);
+
+}  // namespace faster::io

@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "poses/bootstrap.hpp"
+#include "poses/judge.hpp"
+#include "workload/bop/dataset.hpp"
+
+namespace faster::poses {
+
+/// A method's estimates, judged.
+struct JudgedMethod {
+    std::string name;
+    Judgement judgement;
+    double mean_time_s = -1;  ///< per image, of those with a time; -1 unknown
+};
+
+/// A line of the table: a method on an object, on all instances together, or the mean of its objects' scores.
+struct ScoreRow {
+    enum class Of { object, all, mean };
+
+    std::string method;
+    Of of = Of::object;
+    int obj_id = 0;      ///< 0 but for an object
+    std::string object;  ///< its name; "all", "mean"
+    std::size_t images = 0;
+    std::size_t instances = 0;
+    std::size_t estimated = 0;  ///< instances that have an estimate, however bad
+    std::array<Interval, score_count> scores;
+    std::array<Interval, score_count> more_than_first;  ///< score less that of the first method, on the same images
+};
+
+/// Errors by which a curve of accuracy rises, ascending, up to 0.1 m.
+struct AccuracyCurve {
+    std::string method;
+    int obj_id = 0;  ///< 0: all
+    std::string object;
+    std::size_t instances = 0;
+    std::vector<double> add_s_m, add_m;
+};
+
+/// Methods side by side on one dataset.
+struct Evaluation {
+    std::string dataset;
+    std::size_t images = 0;  ///< that hold a target
+    std::uint64_t seed = 0;
+    std::size_t replicates = 0;
+    std::vector<JudgedMethod> methods;
+    std::vector<ScoreRow> rows;  ///< by method; objects by id, then all, then mean
+    std::vector<AccuracyCurve> curves;
+};
+
+/// Scores with their intervals: 95 % of `replicates` bootstraps over images. All methods see the same draws, so that
+/// differences between them have intervals of their own. There must be a target.
+Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> methods, std::uint64_t seed,
+                    std::size_t replicates);
+
+}  // namespace faster::poses

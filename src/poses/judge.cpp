@@ -1,0 +1,191 @@
+#include "poses/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "poses/matching.hpp"
+#include "poses/pose_error.hpp"
+#include "poses/symmetries.hpp"
+#include "workload/bop/read_dataset.hpp"
+
+namespace faster::poses {
+namespace {
+
+/// Up to 0.1 m, inclusive.
+double const add_limit_m = std::nextafter(largest_add_m, 1.0);
+
+/// What a model's errors are worked out with.
+struct JudgedModel {
+    Points points;
+    std::vector<Pose> symmetries;
+    double diameter_m = 0;
+};
+
+using Models = std::map<int, JudgedModel>;
+using Estimates = std::vector<bop::PoseEstimate const*>;
+using Truths = std::vector<bop::GroundTruth const*>;
+using TargetName = std::pair<bop::ImageId, int>;
+
+JudgedModel load(bop::ObjectModel const& model) {
+    JudgedModel judged;
+    judged.points = bop::load_model(model).vertices;
+    judged.symmetries = symmetries_of(model);
+    judged.diameter_m = model.diameter_m ? *model.diameter_m : diameter_of(judged.points);
+    return judged;
+}
+
+/// The models that targets are of.
+Models load_models(bop::Dataset const& dataset, std::size_t jobs) {
+    Models models;
+    for (bop::Target const& target : dataset.targets) {
+        bop::model_of(dataset, target.obj_id, dataset.folder.string());
+        models[target.obj_id];
+    }
+    std::vector<Models::value_type*> entries;
+    for (auto& entry : models)
+        entries.push_back(&entry);
+    on_threads(entries.size(), jobs,
+               [&](std::size_t i) { entries[i]->second = load(dataset.models.at(entries[i]->first)); });
+    return models;
+}
+
+void check(bop::Dataset const& dataset, bop::PoseEstimate const& estimate, std::string const& place) {
+    bop::model_of(dataset, estimate.obj_id, place);
+    if (dataset.find(estimate.image) == nullptr)
+        throw InputError(fmt::format("{}: scene_id, im_id = {}, {}, expected an image of {}", place,
+                                     estimate.image.scene_id, estimate.image.im_id, dataset.folder.string()));
+}
+
+/// Estimates by target, the best score first; of equal scores the one that stands first.
+std::map<TargetName, Estimates> by_target(bop::Dataset const& dataset,
+                                          std::vector<bop::PoseEstimate> const& estimates,
+                                          std::filesystem::path const& file) {
+    std::map<TargetName, Estimates> groups;
+    for (bop::PoseEstimate const& estimate : estimates) {
+        check(dataset, estimate, fmt::format("{}:{}", file.string(), estimate.line));
+        groups[{estimate.image, estimate.obj_id}].push_back(&estimate);
+    }
+    for (auto& [name, group] : groups)
+        std::stable_sort(group.begin(), group.end(), [](auto const* a, auto const* b) { return a->score > b->score; });
+    return groups;
+}
+
+Estimates best(std::map<TargetName, Estimates> const& groups, bop::Target const& target) {
+    auto const found = groups.find({target.image, target.obj_id});
+    if (found == groups.end())
+        return {};
+    auto const count = std::min(found->second.size(), static_cast<std::size_t>(target.inst_count));
+    return {found->second.begin(), found->second.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// The most visible ones, in the order of the file.
+Truths most_visible(bop::Dataset const& dataset, bop::Target const& target) {
+    Truths truths;
+    for (bop::GroundTruth const& object : dataset.find(target.image)->objects) {
+        if (object.obj_id == target.obj_id)
+            truths.push_back(&object);
+    }
+    auto const count = static_cast<std::size_t>(target.inst_count);
+    if (truths.size() < count)
+        throw InputError(fmt::format("{}: scene {}, image {} has object {} {} times, expected {} as the targets say",
+                                     dataset.folder.string(), target.image.scene_id, target.image.im_id, target.obj_id,
+                                     truths.size(), count));
+    std::stable_sort(truths.begin(), truths.end(), [](auto const* a, auto const* b) {
+        return a->visible_share.value_or(0) > b->visible_share.value_or(0);
+    });
+    truths.resize(count);
+    return truths;
+}
+
+template <class Error> PairErrors pairs(Estimates const& estimates, Truths const& truths, Error const& error) {
+    PairErrors errors;
+    for (auto const* estimate : estimates) {
+        errors.emplace_back();
+        for (auto const* truth : truths)
+            errors.back().push_back(error(estimate->pose, truth->pose));
+    }
+    return errors;
+}
+
+std::vector<int> hits(PairErrors const& errors, std::size_t truths, double diameter_m) {
+    std::vector<int> hits(truths, 0);
+    for (int threshold = 1; threshold <= mssd_thresholds; ++threshold) {
+        auto const found = matched_below(errors, truths, 0.05 * threshold * diameter_m);
+        for (std::size_t g = 0; g < truths; ++g)
+            hits[g] += std::isfinite(found[g]) ? 1 : 0;
+    }
+    return hits;
+}
+
+std::vector<InstanceErrors> judge_target(bop::Target const& target, Estimates const& estimates, Truths const& truths,
+                                         JudgedModel const& model) {
+    std::size_t const n = truths.size();
+    auto const adds = matched(
+        pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add(model.points, e, t); }), n,
+        add_limit_m);
+    auto const adds_s = matched(
+        pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add_s(model.points, e, t); }), n,
+        add_limit_m);
+    PairErrors const mssds = pairs(estimates, truths, [&](Pose const& e, Pose const& t) {
+        return mssd(model.points, model.symmetries, e, t);
+    });
+    auto const largest = matched(mssds, n, 0.05 * mssd_thresholds * model.diameter_m);
+    auto const found = hits(mssds, n, model.diameter_m);
+    std::vector<InstanceErrors> errors;
+    for (std::size_t g = 0; g < n; ++g)
+        errors.push_back({target.image, target.obj_id, truths[g]->visible_share, adds[g], adds_s[g], largest[g],
+                          found[g]});
+    return errors;
+}
+
+/// Counts what is done; may be told from any thread.
+class Progress {
+  public:
+    Progress(std::size_t all, std::function<void(std::size_t, std::size_t)> const& tell) : all_(all), tell_(tell) {}
+    void one_more() {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        ++done_;
+        if (tell_)
+            tell_(done_, all_);
+    }
+
+  private:
+    std::size_t all_;
+    std::size_t done_ = 0;
+    std::function<void(std::size_t, std::size_t)> const& tell_;
+    std::mutex mutex_;
+};
+
+}  // namespace
+
+Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
+                std::filesystem::path const& file, std::size_t jobs,
+                std::function<void(std::size_t done, std::size_t all)> const& progress) {
+    auto const groups = by_target(dataset, estimates, file);
+    Models const models = load_models(dataset, jobs);
+    std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
+    std::vector<std::size_t> used(dataset.targets.size(), 0);
+    Progress done(dataset.targets.size(), progress);
+    on_threads(dataset.targets.size(), jobs, [&](std::size_t i) {
+        bop::Target const& target = dataset.targets[i];
+        Estimates const counted = best(groups, target);
+        used[i] = counted.size();
+        errors[i] = judge_target(target, counted, most_visible(dataset, target), models.at(target.obj_id));
+        done.one_more();
+    });
+    Judgement judgement;
+    judgement.left_out = estimates.size() - std::accumulate(used.begin(), used.end(), std::size_t{0});
+    for (auto const& of_target : errors)
+        judgement.instances.insert(judgement.instances.end(), of_target.begin(), of_target.end());
+    return judgement;
+}
+
+}  // namespace faster::poses

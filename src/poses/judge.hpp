@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "workload/bop/dataset.hpp"
+#include "workload/bop/pose_results.hpp"
+
+namespace faster::poses {
+
+constexpr double largest_add_m = 0.1;   ///< ADD and ADD-S beyond are failures
+constexpr int mssd_thresholds = 10;     ///< 0.05, 0.10, ... 0.50 of the diameter
+
+/// An instance of an object that was to be found, and how far the estimate is off; infinity where there is none.
+struct InstanceErrors {
+    bop::ImageId image;
+    int obj_id = 0;
+    std::optional<double> visible_share;
+    double add_m = 0;
+    double add_s_m = 0;
+    double mssd_m = 0;
+    int mssd_hits = 0;  ///< at how many of the thresholds it counts as found
+};
+
+struct Judgement {
+    std::vector<InstanceErrors> instances;  ///< in the order of the targets
+    std::size_t left_out = 0;               ///< estimates of an object that is no target in their image, or too many
+};
+
+/// Compares estimates with the dataset's targets, as BOP does: of each target's estimates, only the inst_count best by
+/// score count, and of its true poses the inst_count most visible ones. `jobs` threads; the result does not depend on
+/// them. `progress` is told how many targets are done. Throws InputError naming `file` and line: an object or an image
+/// that the dataset does not have; and the dataset, if it has fewer true poses than a target says.
+Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
+                std::filesystem::path const& file, std::size_t jobs,
+                std::function<void(std::size_t done, std::size_t all)> const& progress = {});
+
+}  // namespace faster::poses

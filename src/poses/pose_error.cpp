@@ -1,0 +1,62 @@
+#include "poses/pose_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace faster::poses {
+namespace {
+
+Points moved(Points const& points, Pose const& pose) {
+    Points result;
+    result.reserve(points.size());
+    for (Eigen::Vector3d const& point : points)
+        result.emplace_back(pose.rotation * point + pose.translation);
+    return result;
+}
+
+/// First `inner`, then `outer`.
+Pose chained(Pose const& outer, Pose const& inner) {
+    return {outer.rotation * inner.rotation, outer.rotation * inner.translation + outer.translation};
+}
+
+/// The square of the largest distance between `places` and the points moved to `pose`; only that it is no less than
+/// `enough` once it has come to that.
+double largest_squared_distance(Points const& places, Points const& points, Pose const& pose, double enough) {
+    double largest = 0;
+    for (std::size_t i = 0; i < points.size() && largest < enough; ++i)
+        largest = std::max(largest, (places[i] - (pose.rotation * points[i] + pose.translation)).squaredNorm());
+    return largest;
+}
+
+}  // namespace
+
+double add(Points const& points, Pose const& estimate, Pose const& truth) {
+    double sum = 0;
+    for (Eigen::Vector3d const& point : points)
+        sum += (estimate.rotation * point + estimate.translation - (truth.rotation * point + truth.translation)).norm();
+    return sum / static_cast<double>(points.size());
+}
+
+double add_s(Points const& points, Pose const& estimate, Pose const& truth) {
+    return mean_nearest_distance(moved(points, truth), moved(points, estimate));
+}
+
+double mssd(Points const& points, std::vector<Pose> const& symmetries, Pose const& estimate, Pose const& truth) {
+    Points const estimated = moved(points, estimate);
+    double least = std::numeric_limits<double>::infinity();
+    for (Pose const& symmetry : symmetries)
+        least = std::min(least, largest_squared_distance(estimated, points, chained(truth, symmetry), least));
+    return std::sqrt(least);
+}
+
+double diameter_of(Points const& points) {
+    double largest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            largest = std::max(largest, (points[i] - points[j]).squaredNorm());
+    }
+    return std::sqrt(largest);
+}
+
+}  // namespace faster::poses

@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "common/mesh.hpp"
+#include "poses/nearest_points.hpp"
+
+namespace faster::poses {
+
+// How far an estimated pose is from the true one, by what it does to the points of the model [m]. Points must not be
+// empty. ADD and ADD-S: Hinterstoisser et al., ACCV 2012, as in the toolbox of YCB-Video; MSSD: Hodan et al., ECCV 2020.
+
+/// ADD: the mean distance between a point where it is estimated and where it is.
+double add(Points const& points, Pose const& estimate, Pose const& truth);
+
+/// ADD-S: the mean distance from a point where it is to the nearest estimated one, whichever that is.
+double add_s(Points const& points, Pose const& estimate, Pose const& truth);
+
+/// MSSD: the largest distance between a point where it is estimated and where it is; the smallest such of all
+/// `symmetries`, which map the model to itself and include the identity.
+double mssd(Points const& points, std::vector<Pose> const& symmetries, Pose const& estimate, Pose const& truth);
+
+/// The largest distance between two of the points.
+double diameter_of(Points const& points);
+
+}  // namespace faster::poses

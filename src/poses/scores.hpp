@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "poses/accuracy.hpp"
+#include "poses/judge.hpp"
+
+namespace faster::poses {
+
+/// A score and what it is; all are percentages, and more is better.
+struct ScoreFacts {
+    char const* name;   ///< in files
+    char const* title;  ///< in tables for people
+};
+constexpr std::size_t score_count = 7;
+constexpr std::array<ScoreFacts, score_count> score_facts{{{"add_s_auc", "ADD-S AUC"},
+                                                           {"add_auc", "ADD AUC"},
+                                                           {"add_s_2cm", "ADD-S < 2 cm"},
+                                                           {"add_s_4cm", "ADD-S < 4 cm"},
+                                                           {"add_2cm", "ADD < 2 cm"},
+                                                           {"add_4cm", "ADD < 4 cm"},
+                                                           {"mssd_recall", "MSSD recall"}}};
+using Scores = std::array<double, score_count>;
+
+/// How often each image counts, by its number.
+using ImageWeights = std::vector<double>;
+
+/// Instances that are scored together: all of an object, or all.
+class ScoredInstances {
+  public:
+    /// `image_numbers[i]` is the number of the image of instance i.
+    ScoredInstances(std::vector<InstanceErrors> const& instances, std::vector<std::size_t> const& image_numbers);
+
+    /// Their scores if each image counts as often as it says; NaN if no image with one of them counts.
+    Scores scores(ImageWeights const& weights) const;
+
+  private:
+    struct Numbered {
+        double error_m;
+        std::size_t image;
+    };
+    struct Hits {
+        int hits;
+        std::size_t image;
+    };
+    static std::vector<WeightedError> weighted(std::vector<Numbered> const& errors, ImageWeights const& weights);
+
+    std::vector<Numbered> add_, add_s_;  // up to 0.1 m, ascending
+    std::vector<Hits> mssd_;
+};
+
+}  // namespace faster::poses

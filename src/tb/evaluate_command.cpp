@@ -1,0 +1,149 @@
+#include "tb/evaluate_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "poses/accuracy_plot.hpp"
+#include "poses/evaluation.hpp"
+#include "poses/evaluation_json.hpp"
+#include "poses/evaluation_text.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "workload/bop/read_dataset.hpp"
+#include "workload/files/colour_png.hpp"
+
+namespace faster {
+namespace {
+
+namespace fs = std::filesystem;
+
+io::FolderKind const evaluation_folder{
+    "evaluation",
+    "evaluation.json",
+    {"scores.csv", "errors.csv", "curves.csv", "accuracy_add_s.png", "accuracy_add.png", "evaluation.html"}};
+
+std::string method_name(std::string const& file) { return fs::path(file).stem().string(); }
+
+/// Names stand in CSV files, and tell the methods apart.
+void check_methods(std::vector<std::string> const& files) {
+    std::set<std::string> names;
+    for (std::string const& file : files) {
+        std::string const name = method_name(file);
+        if (name.find(',') != std::string::npos)
+            throw InputError(file + ": has a comma in its name, expected none: the name is that of the method");
+        if (!names.insert(name).second)
+            throw InputError(fmt::format("{}: another file is called {} as well, expected each method once", file,
+                                         name));
+    }
+}
+
+bop::Dataset load_dataset(EvaluateRequest const& request) {
+    bop::DatasetOptions options;
+    options.split = request.split;
+    options.models.assign(request.models.begin(), request.models.end());
+    options.to_judge = true;
+    bop::Dataset dataset = bop::read_dataset(request.files.back(), options);
+    if (dataset.targets.empty())
+        throw InputError(dataset.folder.string() + ": holds no true poses, expected some to compare with");
+    return dataset;
+}
+
+/// Of the images that have a time; it is the whole image's, so any of its rows has it.
+double mean_time_s(std::vector<bop::PoseEstimate> const& estimates) {
+    std::map<bop::ImageId, double> times;
+    for (bop::PoseEstimate const& estimate : estimates) {
+        if (estimate.time_s >= 0)
+            times[estimate.image] = estimate.time_s;
+    }
+    double sum = 0;
+    for (auto const& [image, time_s] : times)
+        sum += time_s;
+    return times.empty() ? -1 : sum / static_cast<double>(times.size());
+}
+
+poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, std::size_t jobs) {
+    auto const estimates = bop::read_pose_results(file);
+    std::string const name = method_name(file);
+    ProgressLine progress(name.c_str());
+    auto judgement = poses::judge(dataset, estimates, file, jobs,
+                                  [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+    return {name, std::move(judgement), mean_time_s(estimates)};
+}
+
+void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
+    fs::path const& path = folder.path();
+    io::write_file(path / "evaluation.json", poses::evaluation_json(evaluation).dump(1) + "\n");
+    io::write_file(path / "scores.csv", poses::scores_csv(evaluation));
+    io::write_file(path / "errors.csv", poses::errors_csv(evaluation));
+    io::write_file(path / "curves.csv", poses::curves_csv(evaluation));
+    io::write_file(path / "evaluation.html", poses::evaluation_html(evaluation));
+    io::write_colour_png(path / "accuracy_add_s.png", poses::accuracy_plot(evaluation, poses::CurveOf::add_s));
+    io::write_colour_png(path / "accuracy_add.png", poses::accuracy_plot(evaluation, poses::CurveOf::add));
+    folder.commit();
+}
+
+}  // namespace
+
+int evaluate(EvaluateRequest const& request) {
+    std::vector<std::string> const results(request.files.begin(), request.files.end() - 1);
+    check_methods(results);
+    auto const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, evaluation_folder);
+    bop::Dataset const dataset = load_dataset(request);
+    std::vector<poses::JudgedMethod> methods;
+    methods.reserve(results.size());
+    for (std::string const& file : results)
+        methods.push_back(judged(dataset, file, jobs_or_host_cores(request.jobs)));
+    poses::Evaluation const evaluation =
+        poses::evaluate(dataset, std::move(methods), static_cast<std::uint64_t>(request.seed),
+                        static_cast<std::size_t>(request.replicates));
+    if (folder)
+        write(evaluation, *folder);
+    fmt::print("{}", poses::evaluation_markdown(evaluation));
+    if (folder)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+Subcommand evaluate_command() {
+    return {"evaluate", "Judge estimated poses against a dataset in the format of BOP", [](CLI::App& command) {
+                auto const request = std::make_shared<EvaluateRequest>();
+                command
+                    .add_option("files", request->files,
+                                "Files of results (CSV as BOP has it), one per method, and then the dataset's folder; "
+                                "the first method is what others are compared with")
+                    ->required()
+                    ->expected(2, CLI::detail::expected_max_vector_size)
+                    ->type_name("RESULTS... DATASET");
+                command.add_option("--out", request->out, "Write tables, plots and a page to this folder")
+                    ->type_name("DIR");
+                command
+                    .add_option("--models", request->models,
+                                "Look for meshes and models_info.json in this folder first; may be repeated")
+                    ->allow_extra_args(false)
+                    ->type_name("DIR");
+                command.add_option("--split", request->split, "Folder of the dataset's scenes; by default test")
+                    ->type_name("NAME");
+                command.add_option("--seed", request->seed, "Of the bootstrap")
+                    ->type_name("N")
+                    ->check(CLI::NonNegativeNumber)
+                    ->capture_default_str();
+                command.add_option("--bootstraps", request->replicates, "How often to draw the images anew")
+                    ->type_name("N")
+                    ->check(CLI::Range(0, 1000000))
+                    ->capture_default_str();
+                add_jobs(command, request->jobs, "Threads");
+                return [request] { return evaluate(*request); };
+            }};
+}
+
+}  // namespace faster

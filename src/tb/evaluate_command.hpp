@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tool/subcommand.hpp"
+
+namespace faster {
+
+/// `faster-sim evaluate`.
+struct EvaluateRequest {
+    std::vector<std::string> files;   ///< of results, one per method; the last is the dataset
+    std::vector<std::string> models;  ///< folders to look for meshes in first
+    std::string split;                ///< of the dataset; empty: `test`, or the only one
+    std::string out;                  ///< folder; empty: none
+    std::int64_t seed = 1;            ///< of the bootstrap
+    std::int64_t replicates = 1000;   ///< of the bootstrap
+    std::int64_t jobs = 0;            ///< threads; 0: the host's cores
+};
+
+/// Judges estimated poses, prints a table, and writes tables, plots and a page. Throws InputError on bad input.
+int evaluate(EvaluateRequest const& request);
+
+/// `evaluate`.
+Subcommand evaluate_command();
+
+}  // namespace faster

@@ -1,0 +1,26 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workload/bop/dataset.hpp"
+
+namespace faster::bop {
+
+/// A box in which a detector saw an object.
+struct Detection {
+    ImageId image;
+    int obj_id = 0;
+    ImageBox box;
+    double score = 0;    ///< the detector's confidence
+    double time_s = -1;  ///< that it took for the whole image; -1 unknown
+};
+
+/// Reads detections as BOP has them, a JSON array of COCO-style objects: scene_id, image_id, category_id, bbox
+/// [x, y, width, height], score and, if known, time. Masks are skipped. Throws InputError.
+std::vector<Detection> read_detections(std::filesystem::path const& path);
+
+/// The same as the text of a file.
+std::string detections_json(std::vector<Detection> const& detections);
+
+}  // namespace faster::bop

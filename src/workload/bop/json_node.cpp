@@ -1,0 +1,117 @@
+#include "workload/bop/json_node.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <limits>
+
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/nearest_name.hpp"
+
+namespace faster::bop {
+namespace {
+
+std::vector<std::string> keys_of(Json const& object) {
+    std::vector<std::string> keys;
+    for (auto const& member : object.items())
+        keys.push_back(member.key());
+    return keys;
+}
+
+std::optional<int> integer_of(std::string const& text) {
+    int value = 0;
+    char const* const end = text.data() + text.size();
+    auto const result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc{} && result.ptr == end && value >= 0 ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+JsonNode::JsonNode(std::string file, std::string name, Json const& value)
+    : file_(std::move(file)), name_(std::move(name)), value_(&value) {}
+
+JsonNode JsonNode::member(std::string const& key, Json const& value) const {
+    return {file_, name_.empty() ? key : name_ + "." + key, value};
+}
+
+void JsonNode::require_object() const {
+    if (!value_->is_object())
+        fail("an object");
+}
+
+std::optional<JsonNode> JsonNode::find(std::string const& key) const {
+    require_object();
+    auto const found = value_->find(key);
+    return found == value_->end() ? std::nullopt : std::optional(member(key, *found));
+}
+
+JsonNode JsonNode::at(std::string const& key) const {
+    if (auto const found = find(key))
+        return *found;
+    complain(fmt::format("no key {}, expected one{}", key, did_you_mean(key, keys_of(*value_))), ": ");
+}
+
+std::vector<JsonNode> JsonNode::items() const {
+    if (!value_->is_array())
+        fail("an array");
+    std::vector<JsonNode> items;
+    for (std::size_t i = 0; i < value_->size(); ++i)
+        items.push_back({file_, fmt::format("{}[{}]", name_, i), (*value_)[i]});
+    return items;
+}
+
+std::vector<std::pair<int, JsonNode>> JsonNode::numbered() const {
+    require_object();
+    std::vector<std::pair<int, JsonNode>> members;
+    for (auto const& [key, value] : value_->items()) {
+        auto const number = integer_of(key);
+        if (!number)
+            complain(fmt::format("key {}, expected an integer from 0", key), ": ");
+        members.emplace_back(*number, member(key, value));
+    }
+    return members;
+}
+
+int JsonNode::integer(int min) const {
+    constexpr int max = std::numeric_limits<int>::max();
+    if (!value_->is_number_integer() || value_->get<double>() < min || value_->get<double>() > max)
+        fail(fmt::format("an integer from {}", min));
+    return value_->get<int>();
+}
+
+double JsonNode::number() const {
+    if (!value_->is_number())
+        fail("a number");
+    return value_->get<double>();
+}
+
+double JsonNode::number_above_zero() const {
+    if (!(number() > 0))
+        fail("a number above 0");
+    return number();
+}
+
+std::vector<double> JsonNode::numbers(std::size_t count) const {
+    if (!value_->is_array() || value_->size() != count)
+        fail(fmt::format("an array of {} numbers", count));
+    std::vector<double> numbers;
+    for (JsonNode const& item : items())
+        numbers.push_back(item.number());
+    return numbers;
+}
+
+std::string JsonNode::text() const {
+    if (!value_->is_string())
+        fail("text");
+    return value_->get<std::string>();
+}
+
+void JsonNode::fail(std::string const& expected) const {
+    complain(fmt::format("{}, expected {}", io::shown(*value_), expected), " = ");
+}
+
+void JsonNode::complain(std::string const& what, char const* after_name) const {
+    throw InputError(fmt::format("{}: {}{}{}", file_, name_, name_.empty() ? "" : after_name, what));
+}
+
+}  // namespace faster::bop

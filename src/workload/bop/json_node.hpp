@@ -1,0 +1,44 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/json.hpp"
+
+namespace faster::bop {
+
+/// A value of a JSON file that knows its place in it, for messages: "FILE: 12[3].cam_R_m2c = FOUND, expected EXPECTED".
+/// Every function throws InputError if the value is not what is asked for. Keeps a reference to the value.
+class JsonNode {
+  public:
+    JsonNode(std::filesystem::path const& file, Json const& value) : JsonNode(file.string(), "", value) {}
+
+    JsonNode at(std::string const& key) const;
+    std::optional<JsonNode> find(std::string const& key) const;
+    std::vector<JsonNode> items() const;
+    std::vector<std::pair<int, JsonNode>> numbered() const;  ///< members of an object whose keys are integers
+
+    int integer(int min) const;
+    double number() const;
+    double number_above_zero() const;
+    std::vector<double> numbers(std::size_t count) const;
+    std::string text() const;
+
+    [[noreturn]] void fail(std::string const& expected) const;
+
+  private:
+    JsonNode(std::string file, std::string name, Json const& value);
+    void require_object() const;
+    JsonNode member(std::string const& key, Json const& value) const;
+    [[noreturn]] void complain(std::string const& what, char const* after_name) const;
+
+    std::string file_;
+    std::string name_;
+    Json const* value_;
+};
+
+}  // namespace faster::bop

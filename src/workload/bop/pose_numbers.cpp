@@ -1,0 +1,20 @@
+#include "workload/bop/pose_numbers.hpp"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace faster::bop {
+
+std::string rotation_problem(Eigen::Matrix3d const& rotation) {
+    double const error = (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (!(error <= rotation_tolerance))
+        return fmt::format("a rotation (R^T R differs from the identity by {:.3g}, at most {})", error,
+                           rotation_tolerance);
+    return rotation.determinant() > 0 ? "" : "a rotation (this one mirrors: its determinant is -1)";
+}
+
+Eigen::Matrix3d matrix_of(std::vector<double> const& row_major) {
+    return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> const>(row_major.data());
+}
+
+}  // namespace faster::bop

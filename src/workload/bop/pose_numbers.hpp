@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "common/mesh.hpp"
+
+namespace faster::bop {
+
+constexpr double m_per_mm = 1e-3;
+
+/// How far R^T R may be from the identity, in any entry: files keep six to eight digits.
+constexpr double rotation_tolerance = 1e-3;
+
+/// What a matrix would have to be to be a rotation, for a message; empty if it is one.
+std::string rotation_problem(Eigen::Matrix3d const& rotation);
+
+/// A matrix of nine numbers, row by row.
+Eigen::Matrix3d matrix_of(std::vector<double> const& row_major);
+
+}  // namespace faster::bop

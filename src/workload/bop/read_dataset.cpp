@@ -1,0 +1,227 @@
+#include "workload/bop/read_dataset.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+#include <set>
+
+#include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "workload/bop/json_node.hpp"
+#include "workload/bop/models_folder.hpp"
+#include "workload/bop/scene_folder.hpp"
+#include "workload/files/mesh_file.hpp"
+#include "workload/files/png_image.hpp"
+
+namespace faster::bop {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<fs::path> folders_in(fs::path const& folder) {
+    std::set<fs::path> folders;
+    for (auto const& entry : fs::directory_iterator(folder)) {
+        if (entry.is_directory())
+            folders.insert(entry.path());
+    }
+    return folders;
+}
+
+/// The scenes of a split: its folders NNNNNN with a camera file.
+std::map<int, fs::path> scenes_in(fs::path const& split) {
+    std::map<int, fs::path> scenes;
+    for (fs::path const& folder : folders_in(split)) {
+        std::string const name = folder.filename().string();
+        bool const is_number = name.find_first_not_of("0123456789") == std::string::npos && name.size() <= 9;
+        if (is_number && fs::exists(folder / "scene_camera.json"))
+            scenes[std::stoi(name)] = folder;
+    }
+    return scenes;
+}
+
+std::vector<std::string> splits_in(fs::path const& folder) {
+    std::vector<std::string> splits;
+    for (fs::path const& candidate : folders_in(folder)) {
+        if (!scenes_in(candidate).empty())
+            splits.push_back(candidate.filename().string());
+    }
+    return splits;
+}
+
+/// The folder of the scenes: the one asked for, the dataset itself if it is a split, `test`, or the only one.
+fs::path split_of(fs::path const& folder, std::string const& wanted) {
+    if (wanted.empty() && !scenes_in(folder).empty())
+        return folder;
+    std::vector<std::string> const splits = splits_in(folder);
+    if (splits.empty())
+        io::fail(folder, "holds no scenes, expected a dataset of BOP (SPLIT/NNNNNN/scene_camera.json), or frames.json");
+    std::string const name = wanted.empty() && splits.size() == 1 ? splits.front() : wanted.empty() ? "test" : wanted;
+    if (std::find(splits.begin(), splits.end(), name) == splits.end())
+        io::fail(folder,
+                 fmt::format("has no split {}, expected --split with one of {}", name, fmt::join(splits, ", ")));
+    return folder / name;
+}
+
+/// Sizes of images where a dataset tells them once for all: camera.json.
+Camera common_size(fs::path const& root) {
+    Camera size{0, 0, 1, 1, 0, 0};
+    fs::path const file = root / "camera.json";
+    if (fs::exists(file)) {
+        Json const json = io::read_json_file(file, "camera.json as BOP has it");
+        size.width = JsonNode(file, json).at("width").integer(1);
+        size.height = JsonNode(file, json).at("height").integer(1);
+    }
+    return size;
+}
+
+/// Objects of the folders asked for, then of the dataset's own; the first folder that has an object wins.
+std::map<int, ObjectModel> models_of(std::vector<fs::path> const& asked_for, fs::path const& own) {
+    std::map<int, ObjectModel> models;
+    for (fs::path const& folder : asked_for)
+        models.merge(read_models_folder(folder));
+    if (asked_for.empty() || fs::is_directory(own))
+        models.merge(read_models_folder(own));
+    return models;
+}
+
+fs::path bop_models(fs::path const& root, bool to_judge) {
+    return to_judge && fs::is_directory(root / "models_eval") ? root / "models_eval" : root / "models";
+}
+
+std::vector<Target> read_targets(fs::path const& file, Dataset const& dataset) {
+    Json const json = io::read_json_file(file, "targets as BOP has them");
+    std::vector<Target> targets;
+    for (JsonNode const& node : JsonNode(file, json).items()) {
+        Target const target{{node.at("scene_id").integer(0), node.at("im_id").integer(0)},
+                            node.at("obj_id").integer(0),
+                            node.at("inst_count").integer(1)};
+        if (dataset.find(target.image) == nullptr)
+            node.at("im_id").fail(fmt::format("an image of scene {}", target.image.scene_id));
+        targets.push_back(target);
+    }
+    std::sort(targets.begin(), targets.end(), [](Target const& a, Target const& b) {
+        return std::pair(a.image, a.obj_id) < std::pair(b.image, b.obj_id);
+    });
+    return targets;
+}
+
+/// Everything that has been annotated.
+std::vector<Target> all_targets(std::vector<DatasetImage> const& images) {
+    std::vector<Target> targets;
+    for (DatasetImage const& image : images) {
+        std::map<int, int> instances;
+        for (GroundTruth const& object : image.objects)
+            ++instances[object.obj_id];
+        for (auto const& [obj_id, count] : instances)
+            targets.push_back({image.id, obj_id, count});
+    }
+    return targets;
+}
+
+void append(std::vector<DatasetImage>& images, std::vector<DatasetImage> const& more) {
+    images.insert(images.end(), more.begin(), more.end());
+}
+
+Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
+    fs::path const split = split_of(folder, options.split);
+    fs::path const root = split == folder ? fs::absolute(folder / "").parent_path().parent_path() : folder;
+    Dataset dataset;
+    dataset.folder = folder;
+    dataset.models = models_of(options.models, bop_models(root, options.to_judge));
+    for (auto const& [scene_id, scene] : scenes_in(split))
+        append(dataset.images, read_scene_folder(scene, scene_id, common_size(root)));
+    fs::path const targets = root / "test_targets_bop19.json";
+    bool const has_targets = fs::exists(targets) && split.filename().string().rfind("test", 0) == 0;
+    dataset.targets = has_targets ? read_targets(targets, dataset) : all_targets(dataset.images);
+    return dataset;
+}
+
+/// `scenes` are folders with a frames.json.
+Dataset read_frames(fs::path const& folder, std::vector<fs::path> const& scenes, fs::path const& meshes,
+                    DatasetOptions const& options) {
+    Dataset dataset;
+    dataset.folder = folder;
+    dataset.models = models_of(options.models, meshes);
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        append(dataset.images, read_frames_folder(scenes[i], static_cast<int>(i) + 1, dataset.models));
+    dataset.targets = all_targets(dataset.images);
+    return dataset;
+}
+
+std::vector<fs::path> frames_below(fs::path const& folder) {
+    std::vector<fs::path> found;
+    if (fs::is_directory(folder)) {
+        for (fs::path const& candidate : folders_in(folder)) {
+            if (fs::exists(candidate / "frames.json"))
+                found.push_back(candidate);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+DatasetImage const* Dataset::find(ImageId id) const {
+    auto const found = std::lower_bound(images.begin(), images.end(), id,
+                                        [](DatasetImage const& image, ImageId wanted) { return image.id < wanted; });
+    return found != images.end() && found->id == id ? &*found : nullptr;
+}
+
+Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
+    if (!fs::is_directory(folder))
+        io::fail(folder, "no such folder, expected a dataset");
+    if (fs::exists(folder / "frames.json"))
+        return read_frames(folder, {folder}, folder / ".." / ".." / "meshes", options);
+    if (auto const scenes = frames_below(folder / "depth"); !scenes.empty())
+        return read_frames(folder, scenes, folder / "meshes", options);
+    return read_bop(folder, options);
+}
+
+Observation load_observation(DatasetImage const& image) {
+    Image<std::uint16_t> const raw = io::read_png16(image.depth);
+    Observation observation{image.camera, workload::DepthImage(raw.height(), raw.width())};
+    if (image.camera.width > 0)
+        io::require_size(image.depth, raw.width(), raw.height(), image.camera.width, image.camera.height,
+                         "the dataset's camera");
+    observation.camera.width = raw.width();
+    observation.camera.height = raw.height();
+    std::transform(raw.pixels().begin(), raw.pixels().end(), observation.depth.pixels().begin(),
+                   [&](std::uint16_t counts) { return image.depth_unit_m * counts; });
+    return observation;
+}
+
+Mesh load_model(ObjectModel const& model) {
+    Mesh mesh = io::load_mesh(model.mesh);
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex *= model.unit_m;
+    return mesh;
+}
+
+ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {
+    auto const found = dataset.models.find(obj_id);
+    if (found != dataset.models.end())
+        return found->second;
+    std::vector<int> known;
+    for (auto const& [id, model] : dataset.models)
+        known.push_back(id);
+    throw InputError(
+        fmt::format("{}: obj_id = {}, expected one of the dataset's: {}", place, obj_id, fmt::join(known, ", ")));
+}
+
+ImageBox projected_box(Mesh const& mesh, Pose const& pose, Camera const& camera) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Eigen::Array2d low(infinite, infinite), high(-infinite, -infinite);
+    for (Eigen::Vector3d const& vertex : mesh.vertices) {
+        Eigen::Vector3d const p = pose.rotation * vertex + pose.translation;
+        if (p.z() <= 0)
+            continue;
+        Eigen::Array2d const pixel(camera.fx * p.x() / p.z() + camera.cx, camera.fy * p.y() / p.z() + camera.cy);
+        low = low.min(pixel);
+        high = high.max(pixel);
+    }
+    return low.x() > high.x() ? ImageBox{} : ImageBox{low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
+}  // namespace faster::bop

@@ -1,0 +1,161 @@
+#include "workload/bop/scene_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/json_file.hpp"
+#include "workload/bop/image_box.hpp"
+#include "workload/bop/json_node.hpp"
+#include "workload/bop/pose_numbers.hpp"
+
+namespace faster::bop {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Images = std::map<int, DatasetImage>;  // by im_id
+
+DatasetImage read_camera(JsonNode const& node, Camera const& size) {
+    std::vector<double> const k = node.at("cam_K").numbers(9);
+    if (!(k[0] > 0 && k[4] > 0))
+        node.at("cam_K").fail("focal lengths above 0");
+    DatasetImage image;
+    image.camera = {size.width, size.height, k[0], k[4], k[2], k[5]};
+    auto const scale = node.find("depth_scale");
+    image.depth_unit_m = m_per_mm * (scale ? scale->number_above_zero() : 1);
+    return image;
+}
+
+Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
+    fs::path const file = folder / "scene_camera.json";
+    Json const json = io::read_json_file(file, "scene_camera.json as BOP has it");
+    Images images;
+    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+        DatasetImage image = read_camera(node, size);
+        image.id = {scene_id, im_id};
+        image.depth = folder / "depth" / fmt::format("{:06}.png", im_id);
+        images[im_id] = image;
+    }
+    return images;
+}
+
+GroundTruth read_object(JsonNode const& node) {
+    GroundTruth object;
+    object.obj_id = node.at("obj_id").integer(0);
+    object.pose.rotation = matrix_of(node.at("cam_R_m2c").numbers(9));
+    if (std::string const problem = rotation_problem(object.pose.rotation); !problem.empty())
+        node.at("cam_R_m2c").fail(problem);
+    std::vector<double> const t = node.at("cam_t_m2c").numbers(3);
+    object.pose.translation = m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+    return object;
+}
+
+void read_objects(fs::path const& file, Images& images) {
+    Json const json = io::read_json_file(file, "scene_gt.json as BOP has it");
+    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+        auto const image = images.find(im_id);
+        if (image == images.end())
+            node.fail("an image that scene_camera.json has, too");
+        for (JsonNode const& object : node.items())
+            image->second.objects.push_back(read_object(object));
+    }
+}
+
+void read_object_info(JsonNode const& node, GroundTruth& object) {
+    object.box = read_box(node.at("bbox_obj"));
+    object.visible_box = read_box(node.at("bbox_visib"));
+    object.visible_share = node.at("visib_fract").number();
+}
+
+void read_object_infos(fs::path const& file, Images& images) {
+    Json const json = io::read_json_file(file, "scene_gt_info.json as BOP has it");
+    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+        auto const image = images.find(im_id);
+        std::vector<JsonNode> const infos = node.items();
+        if (image == images.end() || image->second.objects.size() != infos.size())
+            node.fail("an object for each that scene_gt.json has in this image");
+        for (std::size_t i = 0; i < infos.size(); ++i)
+            read_object_info(infos[i], image->second.objects[i]);
+    }
+}
+
+std::vector<DatasetImage> values_of(Images const& images) {
+    std::vector<DatasetImage> values;
+    for (auto const& [id, image] : images)
+        values.push_back(image);
+    return values;
+}
+
+/// The one of `models` that is called `name`.
+int object_called(JsonNode const& name, std::map<int, ObjectModel> const& models) {
+    std::string const wanted = name.text();
+    for (auto const& [id, model] : models) {
+        if (model.name == wanted)
+            return id;
+    }
+    name.fail("the name of one of the meshes");
+}
+
+GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> const& models) {
+    GroundTruth object;
+    object.obj_id = object_called(node.at("class"), models);
+    std::vector<JsonNode> const rows = node.at("R").items();
+    if (rows.size() != 3)
+        node.at("R").fail("three rows");
+    for (int row = 0; row < 3; ++row) {
+        std::vector<double> const numbers = rows[static_cast<std::size_t>(row)].numbers(3);
+        object.pose.rotation.row(row) << numbers[0], numbers[1], numbers[2];
+    }
+    if (std::string const problem = rotation_problem(object.pose.rotation); !problem.empty())
+        node.at("R").fail(problem);
+    std::vector<double> const t = node.at("t_scan").numbers(3);
+    object.pose.translation = Eigen::Vector3d(t[0], t[1], t[2]);
+    return object;
+}
+
+int number_of(JsonNode const& id) {
+    std::string const text = id.text();
+    if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
+        id.fail("a number of up to nine digits, as text");
+    return std::stoi(text);
+}
+
+DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<int, ObjectModel> const& models) {
+    DatasetImage image;
+    image.id.im_id = number_of(node.at("id"));
+    JsonNode const k = node.at("intrinsics");
+    image.camera = {node.at("width").integer(1),    node.at("height").integer(1), k.at("fx").number_above_zero(),
+                    k.at("fy").number_above_zero(), k.at("cx").number(),          k.at("cy").number()};
+    image.depth_unit_m = node.at("depth_unit_m").number_above_zero();
+    image.depth = folder / node.at("depth").text();
+    for (JsonNode const& object : node.at("objects").items())
+        image.objects.push_back(read_frame_object(object, models));
+    return image;
+}
+
+}  // namespace
+
+std::vector<DatasetImage> read_scene_folder(fs::path const& folder, int scene_id, Camera const& size) {
+    Images images = read_cameras(folder, scene_id, size);
+    if (fs::path const file = folder / "scene_gt.json"; fs::exists(file))
+        read_objects(file, images);
+    if (fs::path const file = folder / "scene_gt_info.json"; fs::exists(file))
+        read_object_infos(file, images);
+    return values_of(images);
+}
+
+std::vector<DatasetImage> read_frames_folder(fs::path const& folder, int scene_id,
+                                             std::map<int, ObjectModel> const& models) {
+    fs::path const file = folder / "frames.json";
+    Json const json = io::read_json_file(file, "frames with intrinsics and poses");
+    Images images;
+    for (JsonNode const& node : JsonNode(file, json).at("frames").items()) {
+        DatasetImage image = read_frame(node, folder, models);
+        image.id.scene_id = scene_id;
+        if (!images.emplace(image.id.im_id, image).second)
+            node.at("id").fail("each id once");
+    }
+    return values_of(images);
+}
+
+}  // namespace faster::bop

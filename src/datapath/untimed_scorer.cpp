@@ -46,39 +46,73 @@ SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) 
         vertices_.push_back(project(point, pose, stimulus_.posed.camera, stimulus_.fraction));
     SampleCounters counters;
     if (edge_map_.algorithm == EdgeMapAlgorithm::dual_map)
-        draw_mesh(static_cast<DualMap&>(*maps_), counters);  // final: nothing is called by a pointer
+        draw_mesh_in_any_order(static_cast<DualMap&>(*maps_), counters);
     else if (edge_map_.algorithm == EdgeMapAlgorithm::inner_border)
-        draw_mesh(static_cast<InnerBorder&>(*maps_), counters);
+        draw_mesh_in_any_order(static_cast<InnerBorder&>(*maps_), counters);
     else
         draw_mesh(*maps_, counters);
     sweep(counters);
     return counters;
 }
 
+TriangleSetup UntimedScorer::set_up_face(std::size_t face) const {
+    auto const& corners = stimulus_.posed.mesh.faces[face];
+    ProjectedVertex const& a = vertices_[corners[0]];
+    ProjectedVertex const& b = vertices_[corners[1]];
+    ProjectedVertex const& c = vertices_[corners[2]];
+    if (!(a.usable && b.usable && c.usable))
+        return {};
+    return set_up({{a.code, b.code, c.code}}, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy);
+}
+
 template <class Maps> void UntimedScorer::draw_mesh(Maps& maps, SampleCounters& counters) {
-    for (auto const& face : stimulus_.posed.mesh.faces) {
-        ProjectedVertex const& a = vertices_[face[0]];
-        ProjectedVertex const& b = vertices_[face[1]];
-        ProjectedVertex const& c = vertices_[face[2]];
-        if (a.usable && b.usable && c.usable)
-            draw({{a.code, b.code, c.code}}, maps, counters);
-    }
+    for (std::size_t face = 0; face < stimulus_.posed.mesh.faces.size(); ++face)
+        if (TriangleSetup const setup = set_up_face(face); setup.drawn())
+            draw(setup, maps, counters);
     if (has_token_)
         maps.take_last(token_, edge_map_.flush_last);
     maps.finish();
 }
 
-template <class Maps> void UntimedScorer::draw(TriangleCode const& triangle, Maps& maps, SampleCounters& counters) {
-    TriangleSetup const setup = set_up(triangle, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy);
-    if (!setup.drawn())
-        return;
-    std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
+template <class Maps> void UntimedScorer::draw_mesh_in_any_order(Maps& maps, SampleCounters& counters) {
+    std::size_t const last = last_face_with_tokens();
+    for (std::size_t face = 0; face < stimulus_.posed.mesh.faces.size(); ++face)
+        if (TriangleSetup const setup = set_up_face(face); face != last && setup.drawn())
+            draw_in_any_order(setup, maps, counters);
+    if (last < stimulus_.posed.mesh.faces.size()) {
+        draw(set_up_face(last), maps, counters);
+        maps.take_last(token_, edge_map_.flush_last);
+    }
+    maps.finish();
+}
+
+/// The last triangle that covers a pixel; the number of all if none does.
+std::size_t UntimedScorer::last_face_with_tokens() const {
+    for (std::size_t face = stimulus_.posed.mesh.faces.size(); face-- > 0;) {
+        TriangleSetup const setup = set_up_face(face);
+        if (!setup.drawn())
+            continue;
+        ZigzagScan lines(setup);
+        while (!lines.done())
+            if (lines.next_line().inside > 0)
+                return face;
+    }
+    return stimulus_.posed.mesh.faces.size();
+}
+
+void UntimedScorer::begin(TriangleSetup const& setup) {
     int const top = setup.start_row - static_cast<int>(window_.row);
     first_drawn_row_ = std::min(first_drawn_row_, top - 1);  // the contour lies one row beside
     end_drawn_row_ = std::max(end_drawn_row_, setup.bottom - static_cast<int>(window_.row) + 2);
     previous_inside_ = setup.starts_inside();
     previous_row_ = top;
     previous_col_ = setup.start_col - static_cast<int>(window_.col);
+}
+
+template <class Maps>
+void UntimedScorer::draw(TriangleSetup const& setup, Maps& maps, SampleCounters& counters) {
+    std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
+    begin(setup);
     ZigzagScan lines(setup);
     while (!lines.done()) {
         ScanLine const line = lines.next_line();
@@ -86,6 +120,40 @@ template <class Maps> void UntimedScorer::draw(TriangleCode const& triangle, Map
             counters.valid_raster += draw_run(line, reciprocal);
         add_tokens(line, maps);
     }
+}
+
+/// Triangles are small, and where their lines begin and end is hard to foretell: what add_tokens() asks step by step
+/// is asked without branches here.
+template <class Maps>
+void UntimedScorer::draw_in_any_order(TriangleSetup const& setup, Maps& maps, SampleCounters& counters) {
+    std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
+    begin(setup);
+    bool was_inside = previous_inside_;
+    int row = previous_row_, col_before = previous_col_, row_before = previous_row_;
+    ZigzagScan lines(setup);
+    std::uint64_t drawn = 0;
+    while (!lines.done()) {
+        ScanLine const line = lines.next_line();
+        int const first = line.first_col - static_cast<int>(window_.col);
+        int const run = first + (line.before * line.step);  // of its first pixel, if there is one
+        int const behind = run + (line.inside * line.step);
+        bool const covers = line.inside > 0;
+        if (covers) {
+            drawn += draw_run(line, reciprocal);
+            int const last = behind - line.step;
+            maps.take_run(row, std::min(run, last), std::max(run, last) + 1, true);
+        }
+        bool const comes_in = line.before > 0;
+        bool const ends_here = line.last & (line.inside == 1) & (line.after == 0);
+        maps.take_edge_if(was_inside & comes_in, row, first);
+        maps.take_edge_if(covers & !(was_inside & !comes_in) & !ends_here, comes_in ? row : row_before,
+                          comes_in ? run - line.step : col_before);
+        maps.take_edge_if(covers & (line.after > 0), row, behind);
+        was_inside = covers & (line.after == 0);
+        row_before = row++;
+        col_before = first + (line.pixels() - 1) * line.step;
+    }
+    counters.valid_raster += drawn;
 }
 
 /// The fragments of a line that lie in the window; how many of them were drawn. From pixel to pixel the product of z

@@ -37,8 +37,15 @@ class UntimedScorer {
     std::vector<std::uint16_t> const& depth_buffer() const { return depth_buffer_; }
 
   private:
+    /// All triangles, their tokens in the order in which they are sent.
     template <class Maps> void draw_mesh(Maps& maps, SampleCounters& counters);
-    template <class Maps> void draw(TriangleCode const& triangle, Maps& maps, SampleCounters& counters);
+    /// The same for maps that do not depend on the order of tokens, but for the last one.
+    template <class Maps> void draw_mesh_in_any_order(Maps& maps, SampleCounters& counters);
+    TriangleSetup set_up_face(std::size_t face) const;
+    std::size_t last_face_with_tokens() const;
+    void begin(TriangleSetup const& setup);
+    template <class Maps> void draw(TriangleSetup const& setup, Maps& maps, SampleCounters& counters);
+    template <class Maps> void draw_in_any_order(TriangleSetup const& setup, Maps& maps, SampleCounters& counters);
     std::uint64_t draw_run(ScanLine const& line, std::uint64_t reciprocal);
     template <class Maps> void add_tokens(ScanLine const& line, Maps& maps);
     template <class Maps> void add_token(int row, int col, EdgeTokenKind kind, Maps& maps);

@@ -214,8 +214,8 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
 
 TEST_CASE("A deadlock of the accelerator ends an estimate with its report", "[estimate]") {
     Workspace const workspace;
-    CommandResult const result = workspace.estimate({"--out", "out", "--set", "accelerator.fifos.command.depth=1"});
+    CommandResult const result = workspace.estimate({"--out", "out", "--set", "accelerator.fifos.fragment_depth.depth=1"});
     CHECK(result.exit_code == 3);
-    CHECK_THAT(result.err, Contains("command"));
+    CHECK_THAT(result.err, Contains("fragment_depth"));
     CHECK_FALSE(workspace.has("out"));
 }

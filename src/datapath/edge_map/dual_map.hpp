@@ -20,6 +20,9 @@ class DualMap final : public EdgeMapPolicy {
         set_run(row, first_col, end_col, maps_.marked_objects());
     }
 
+    /// take() of an edge token if `is_sent`.
+    void take_edge_if(bool is_sent, int row, int col) { maps_.mark_edge_if(is_sent, row, col); }
+
     bool take_last(EdgeToken const& token, bool flush_last) override {
         maps_.settle();
         maps_.take(token);

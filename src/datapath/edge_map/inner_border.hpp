@@ -28,6 +28,8 @@ class InnerBorder final : public EdgeMapPolicy {
         set_run(row, first_col, end_col, object_.data());
     }
 
+    void take_edge_if(bool /*is_sent*/, int /*row*/, int /*col*/) {}
+
     bool take_last(EdgeToken const& token, bool /*flush_last*/) override {
         take(token, nullptr, 1);
         return false;

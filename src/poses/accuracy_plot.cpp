@@ -62,8 +62,12 @@ class PanelPainter {
         write_text(canvas_, panel.curves.front()->object, top_ - 12, left_, 0.5);
         draw_grid();
         draw_axis_name(error);
-        for (std::size_t i = 0; i < panel.curves.size(); ++i)
-            draw_curve(*panel.curves[i], errors_of(*panel.curves[i], error), panel.areas[i], i);
+        for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+            auto const thickness = static_cast<int>(std::min<std::size_t>(panel.curves.size() - i, 3) + 1);
+            draw_curve(*panel.curves[i], errors_of(*panel.curves[i], error), palette::lines[i % palette::lines.size()],
+                       thickness);  // what lies below shows at its sides
+            draw_key(*panel.curves[i], panel.areas[i], i);
+        }
     }
 
   private:
@@ -86,17 +90,20 @@ class PanelPainter {
         write_text(canvas_, name, y(0) + 36, left_ + (plot_width - text_width(name, letters)) / 2, letters);
     }
 
-    void draw_curve(AccuracyCurve const& curve, std::vector<double> const& errors_m, double area, std::size_t number) {
-        Colour const colour = palette::lines[number % palette::lines.size()];
+    void draw_curve(AccuracyCurve const& curve, std::vector<double> const& errors_m, Colour colour, int thickness) {
         std::vector<std::array<int, 2>> points{{x(0), y(0)}};
         for (std::size_t i = 0; i < errors_m.size(); ++i) {
             points.push_back({x(errors_m[i]), points.back()[1]});
             points.push_back({x(errors_m[i]), y(static_cast<double>(i + 1) / static_cast<double>(curve.instances))});
         }
         points.push_back({x(largest_add_m), points.back()[1]});
-        draw_lines(canvas_, points, colour, 2);
+        draw_lines(canvas_, points, colour, thickness);
+    }
+
+    void draw_key(AccuracyCurve const& curve, double area, std::size_t number) {
         int const baseline = y(0) + axis_height + line_height * static_cast<int>(number + 1);
-        draw_lines(canvas_, {{panel_left_ + 16, baseline - 4}, {left_ - 12, baseline - 4}}, colour, 2);
+        draw_lines(canvas_, {{panel_left_ + 16, baseline - 4}, {left_ - 12, baseline - 4}},
+                   palette::lines[number % palette::lines.size()], 2);
         write_text(canvas_, fmt::format("{}: {:.1f}", curve.method, area), baseline, left_ - 6, letters);
     }
 
@@ -116,7 +123,8 @@ Image<Colour> accuracy_plot(Evaluation const& evaluation, CurveOf error) {
     int const height = title_height + plot_height + axis_height + line_height * (methods + 1);
     Image<Colour> canvas(height * ((count + columns - 1) / columns), width * columns, palette::paper);
     for (int i = 0; i < count; ++i)
-        PanelPainter(canvas, height * (i / columns), width * (i % columns)).draw(panels[static_cast<std::size_t>(i)], error);
+        PanelPainter(canvas, height * (i / columns), width * (i % columns))
+            .draw(panels[static_cast<std::size_t>(i)], error);
     return canvas;
 }
 

@@ -5,33 +5,44 @@
 #include <map>
 #include <set>
 
+#include "kernel/base/input_error.hpp"
+
 namespace faster::poses {
 namespace {
 
 /// Scores of one row: as they are, then of each draw.
 using Replicates = std::vector<Scores>;
 
-/// Numbers of the images that hold a target, in their order.
-std::map<bop::ImageId, std::size_t> numbered_images(bop::Dataset const& dataset) {
+using Instances = std::vector<InstanceErrors>;
+
+void leave_out_hidden(Instances& instances, double visible_from) {
+    auto const is_hidden = [&](InstanceErrors const& instance) {
+        return instance.visible_share.value_or(1) < visible_from;
+    };
+    instances.erase(std::remove_if(instances.begin(), instances.end(), is_hidden), instances.end());
+}
+
+/// Numbers of the images that hold an instance, in their order.
+std::map<bop::ImageId, std::size_t> numbered_images(Instances const& instances) {
     std::map<bop::ImageId, std::size_t> numbers;
-    for (bop::Target const& target : dataset.targets)
-        numbers[target.image] = 0;
+    for (InstanceErrors const& instance : instances)
+        numbers[instance.image] = 0;
     std::size_t number = 0;
     for (auto& [image, its_number] : numbers)
         its_number = number++;
     return numbers;
 }
 
-std::vector<int> objects_of(bop::Dataset const& dataset) {
+std::set<int> objects_of(Instances const& instances) {
     std::set<int> objects;
-    for (bop::Target const& target : dataset.targets)
-        objects.insert(target.obj_id);
-    return {objects.begin(), objects.end()};
+    for (InstanceErrors const& instance : instances)
+        objects.insert(instance.obj_id);
+    return objects;
 }
 
 /// Those of an object; of all, if it is 0.
-std::vector<InstanceErrors> instances_of(Judgement const& judgement, int obj_id) {
-    std::vector<InstanceErrors> found;
+Instances instances_of(Judgement const& judgement, int obj_id) {
+    Instances found;
     for (InstanceErrors const& instance : judgement.instances) {
         if (obj_id == 0 || instance.obj_id == obj_id)
             found.push_back(instance);
@@ -39,8 +50,7 @@ std::vector<InstanceErrors> instances_of(Judgement const& judgement, int obj_id)
     return found;
 }
 
-std::vector<double> ascending_up_to_limit(std::vector<InstanceErrors> const& instances,
-                                          double InstanceErrors::*error) {
+std::vector<double> ascending_up_to_limit(Instances const& instances, double InstanceErrors::*error) {
     std::vector<double> errors;
     for (InstanceErrors const& instance : instances) {
         if (instance.*error <= largest_add_m)
@@ -80,9 +90,10 @@ Replicates mean_of(std::vector<Replicates> const& rows) {
 
 class Evaluator {
   public:
-    Evaluator(bop::Dataset const& dataset, std::uint64_t seed, std::size_t replicates)
-        : dataset_(dataset), image_numbers_(numbered_images(dataset)), objects_(objects_of(dataset)) {
-        draws_ = drawn_images(image_numbers_.size(), replicates, seed);
+    /// All methods have the same instances.
+    Evaluator(bop::Dataset const& dataset, Instances const& instances, EvaluationOptions const& options)
+        : dataset_(dataset), image_numbers_(numbered_images(instances)), objects_(objects_of(instances)) {
+        draws_ = drawn_images(image_numbers_.size(), options.replicates, options.seed);
         draws_.insert(draws_.begin(), ImageWeights(image_numbers_.size(), 1));  // the images as they are
     }
 
@@ -90,9 +101,8 @@ class Evaluator {
 
     void add(JudgedMethod const& method, Evaluation& evaluation) {
         std::vector<Replicates> of_objects;
-        for (int const obj_id : objects_) {
+        for (int const obj_id : objects_)
             of_objects.push_back(add_row(method, obj_id, evaluation));
-        }
         add_row(method, 0, evaluation);
         add_mean(method, mean_of(of_objects), evaluation);
     }
@@ -100,7 +110,7 @@ class Evaluator {
   private:
     std::string name_of(int obj_id) const { return obj_id == 0 ? "all" : dataset_.models.at(obj_id).name; }
 
-    Replicates replicates_of(std::vector<InstanceErrors> const& instances) const {
+    Replicates replicates_of(Instances const& instances) const {
         std::vector<std::size_t> numbers;
         for (InstanceErrors const& instance : instances)
             numbers.push_back(image_numbers_.at(instance.image));
@@ -119,7 +129,7 @@ class Evaluator {
     }
 
     Replicates add_row(JudgedMethod const& method, int obj_id, Evaluation& evaluation) {
-        std::vector<InstanceErrors> const instances = instances_of(method.judgement, obj_id);
+        Instances const instances = instances_of(method.judgement, obj_id);
         ScoreRow row;
         row.method = method.name;
         row.of = obj_id == 0 ? ScoreRow::Of::all : ScoreRow::Of::object;
@@ -152,21 +162,26 @@ class Evaluator {
 
     bop::Dataset const& dataset_;
     std::map<bop::ImageId, std::size_t> image_numbers_;
-    std::vector<int> objects_;
+    std::set<int> objects_;
     std::vector<ImageWeights> draws_;
     std::map<std::pair<ScoreRow::Of, int>, Replicates> first_;  // rows of the first method
 };
 
 }  // namespace
 
-Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> methods, std::uint64_t seed,
-                    std::size_t replicates) {
-    Evaluator evaluator(dataset, seed, replicates);
+Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> methods, EvaluationOptions const& options) {
+    for (JudgedMethod& method : methods)
+        leave_out_hidden(method.judgement.instances, options.visible_from);
+    Instances const& instances = methods.front().judgement.instances;
+    if (instances.empty())
+        throw InputError(dataset.folder.string() + ": holds no true poses to compare with, expected some");
+    Evaluator evaluator(dataset, instances, options);
     Evaluation evaluation;
     evaluation.dataset = dataset.folder.string();
     evaluation.images = evaluator.images();
-    evaluation.seed = seed;
-    evaluation.replicates = replicates;
+    evaluation.visible_from = options.visible_from;
+    evaluation.seed = options.seed;
+    evaluation.replicates = options.replicates;
     evaluation.methods = std::move(methods);
     for (JudgedMethod const& method : evaluation.methods)
         evaluator.add(method, evaluation);

@@ -45,7 +45,8 @@ struct AccuracyCurve {
 /// Methods side by side on one dataset.
 struct Evaluation {
     std::string dataset;
-    std::size_t images = 0;  ///< that hold a target
+    std::size_t images = 0;   ///< that hold an instance
+    double visible_from = 0;  ///< only instances of which at least this share is visible
     std::uint64_t seed = 0;
     std::size_t replicates = 0;
     std::vector<JudgedMethod> methods;
@@ -53,9 +54,14 @@ struct Evaluation {
     std::vector<AccuracyCurve> curves;
 };
 
+struct EvaluationOptions {
+    double visible_from = 0;  ///< leaves out instances of which less is visible; those of which it is not known stay
+    std::uint64_t seed = 1;   ///< of the bootstrap
+    std::size_t replicates = 1000;
+};
+
 /// Scores with their intervals: 95 % of `replicates` bootstraps over images. All methods see the same draws, so that
-/// differences between them have intervals of their own. There must be a target.
-Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> methods, std::uint64_t seed,
-                    std::size_t replicates);
+/// differences between them have intervals of their own. Throws InputError if there are no instances.
+Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> methods, EvaluationOptions const& options);
 
 }  // namespace faster::poses

@@ -24,9 +24,9 @@ Json json_of(std::array<Interval, score_count> const& scores) {
 }
 
 Json json_of(ScoreRow const& row) {
-    return {{"method", row.method},       {"object", row.object},
-            {"obj_id", row.obj_id},       {"images", row.images},
-            {"instances", row.instances}, {"estimated", row.estimated},
+    return {{"method", row.method},          {"object", row.object},
+            {"obj_id", row.obj_id},          {"images", row.images},
+            {"instances", row.instances},    {"estimated", row.estimated},
             {"scores", json_of(row.scores)}, {"more_than_first", json_of(row.more_than_first)}};
 }
 
@@ -38,7 +38,7 @@ Json metres(std::vector<double> const& errors_m) {
 }
 
 Json json_of(AccuracyCurve const& curve) {
-    return {{"method", curve.method},       {"object", curve.object},         {"obj_id", curve.obj_id},
+    return {{"method", curve.method},       {"object", curve.object},           {"obj_id", curve.obj_id},
             {"instances", curve.instances}, {"add_s_m", metres(curve.add_s_m)}, {"add_m", metres(curve.add_m)}};
 }
 
@@ -65,15 +65,11 @@ Json titles() {
 }  // namespace
 
 Json evaluation_json(Evaluation const& evaluation) {
-    return {{"format", "faster-evaluation"},
-            {"version", 1},
-            {"dataset", evaluation.dataset},
-            {"images", evaluation.images},
-            {"seed", evaluation.seed},
-            {"replicates", evaluation.replicates},
-            {"scores", titles()},
-            {"methods", array_of(evaluation.methods)},
-            {"rows", array_of(evaluation.rows)},
+    return {{"format", "faster-evaluation"},           {"version", 1},
+            {"dataset", evaluation.dataset},           {"images", evaluation.images},
+            {"visible_from", evaluation.visible_from}, {"seed", evaluation.seed},
+            {"replicates", evaluation.replicates},     {"scores", titles()},
+            {"methods", array_of(evaluation.methods)}, {"rows", array_of(evaluation.rows)},
             {"curves", array_of(evaluation.curves)}};
 }
 

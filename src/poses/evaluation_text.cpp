@@ -7,34 +7,41 @@ namespace faster::poses {
 namespace {
 
 std::string range(Interval const& interval) {
-    return fmt::format("{:.1f} ({:.1f} .. {:.1f})", interval.value, interval.low, interval.high);
+    return fmt::format(" {:.1f} ({:.1f} .. {:.1f}) |", interval.value, interval.low, interval.high);
 }
 
 std::string signed_range(Interval const& interval) {
-    return fmt::format("{:+.1f} ({:+.1f} .. {:+.1f})", interval.value, interval.low, interval.high);
+    return fmt::format(" {:+.1f} ({:+.1f} .. {:+.1f}) |", interval.value, interval.low, interval.high);
 }
 
-std::string header(std::string const& before, std::size_t columns_before) {
-    std::string names = before, rule = "|";
-    for (std::size_t i = 0; i < columns_before + score_count; ++i)
+/// What `cell` makes of each score that has a place on the terminal.
+template <class Cell> std::string brief(Cell const& cell) {
+    std::string cells;
+    for (std::size_t score = 0; score < score_count; ++score)
+        cells += score_facts[score].is_brief ? cell(score) : "";
+    return cells;
+}
+
+std::string header(std::vector<std::string> const& columns_before) {
+    std::string names = "|", rule = "|";
+    for (std::string const& column : columns_before) {
+        names += " " + column + " |";
         rule += " --- |";
-    for (ScoreFacts const& score : score_facts)
-        names += fmt::format(" {} |", score.title);
-    return names + "\n" + rule + "\n";
+    }
+    names += brief([](std::size_t score) { return fmt::format(" {} |", score_facts[score].title); });
+    return names + "\n" + rule + brief([](std::size_t) { return " --- |"; }) + "\n";
 }
 
 std::string score_line(ScoreRow const& row) {
-    std::string line = fmt::format("| {} | {} | {} | {} |", row.object, row.method, row.instances, row.estimated);
-    for (Interval const& score : row.scores)
-        line += fmt::format(" {} |", range(score));
-    return line + "\n";
+    return fmt::format("| {} | {} | {} | {} |{}\n", row.object, row.method, row.instances, row.estimated,
+                       brief([&](std::size_t score) { return range(row.scores[score]); }));
 }
 
 std::string difference_line(ScoreRow const& row) {
-    std::string line = fmt::format("| {} | {} |", row.object, row.method);
-    for (Interval const& score : row.more_than_first)
-        line += fmt::format(" {} |", signed_range(score));
-    return line + "\n";
+    if (row.of == ScoreRow::Of::object)
+        return "";
+    return fmt::format("| {} | {} |{}\n", row.object, row.method,
+                       brief([&](std::size_t score) { return signed_range(row.more_than_first[score]); }));
 }
 
 /// Lines of the methods' rows from method `first` on, an object's below each other.
@@ -46,6 +53,11 @@ template <class Line> std::string by_object(Evaluation const& evaluation, std::s
             lines += line(evaluation.rows[method * per_method + object]);
     }
     return lines;
+}
+
+std::string filter_words(Evaluation const& evaluation) {
+    return evaluation.visible_from > 0 ? fmt::format(", each at least {:g} % visible", 100 * evaluation.visible_from)
+                                       : "";
 }
 
 std::string notes(Evaluation const& evaluation) {
@@ -73,14 +85,14 @@ std::string steps(AccuracyCurve const& curve, char const* error, std::vector<dou
 }  // namespace
 
 std::string evaluation_markdown(Evaluation const& evaluation) {
-    std::string text = fmt::format(
-        "{}: {} instances in {} images\nPer cent, and 95 % of {} bootstraps over the images, seed {}\n\n",
-        evaluation.dataset, evaluation.rows.back().instances, evaluation.images, evaluation.replicates,
-        evaluation.seed);
-    text += header("| object | method | instances | estimated |", 4) + by_object(evaluation, 0, score_line);
+    std::string text =
+        fmt::format("{}: {} instances in {} images{}\nPer cent, and 95 % of {} bootstraps over the images, seed {}\n\n",
+                    evaluation.dataset, evaluation.rows.back().instances, evaluation.images, filter_words(evaluation),
+                    evaluation.replicates, evaluation.seed);
+    text += header({"object", "method", "instances", "estimated"}) + by_object(evaluation, 0, score_line);
     if (evaluation.methods.size() > 1) {
         text += fmt::format("\nPoints more than {}, on the same draws\n\n", evaluation.methods.front().name);
-        text += header("| object | method |", 2) + by_object(evaluation, 1, difference_line);
+        text += header({"object", "method"}) + by_object(evaluation, 1, difference_line);
     }
     return text + notes(evaluation);
 }
@@ -106,11 +118,10 @@ std::string errors_csv(Evaluation const& evaluation) {
     std::string text = "method,scene_id,im_id,obj_id,visible_share,add_m,add_s_m,mssd_m,mssd_hits\n";
     for (JudgedMethod const& method : evaluation.methods) {
         for (InstanceErrors const& instance : method.judgement.instances)
-            text += fmt::format("{},{},{},{},{},{},{},{},{}\n", method.name, instance.image.scene_id,
-                                instance.image.im_id, instance.obj_id,
-                                instance.visible_share ? fmt::format("{:.4f}", *instance.visible_share) : "",
-                                known(instance.add_m), known(instance.add_s_m), known(instance.mssd_m),
-                                instance.mssd_hits);
+            text += fmt::format(
+                "{},{},{},{},{},{},{},{},{}\n", method.name, instance.image.scene_id, instance.image.im_id,
+                instance.obj_id, instance.visible_share ? fmt::format("{:.4f}", *instance.visible_share) : "",
+                known(instance.add_m), known(instance.add_s_m), known(instance.mssd_m), instance.mssd_hits);
     }
     return text;
 }

@@ -5,8 +5,8 @@
 
 namespace faster::poses {
 
-/// Tables for people: the scores of each object, of all and their mean, methods below each other; then, if there are
-/// several methods, what each is better than the first.
+/// Tables for people: the brief scores of each object, of all and their mean, methods below each other; then, if there
+/// are several methods, what each is better than the first in all and in the mean.
 std::string evaluation_markdown(Evaluation const& evaluation);
 
 /// Tables for programs; docs/formats.md has their columns.

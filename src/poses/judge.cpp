@@ -65,8 +65,7 @@ void check(bop::Dataset const& dataset, bop::PoseEstimate const& estimate, std::
 }
 
 /// Estimates by target, the best score first; of equal scores the one that stands first.
-std::map<TargetName, Estimates> by_target(bop::Dataset const& dataset,
-                                          std::vector<bop::PoseEstimate> const& estimates,
+std::map<TargetName, Estimates> by_target(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
                                           std::filesystem::path const& file) {
     std::map<TargetName, Estimates> groups;
     for (bop::PoseEstimate const& estimate : estimates) {
@@ -128,21 +127,20 @@ std::vector<int> hits(PairErrors const& errors, std::size_t truths, double diame
 std::vector<InstanceErrors> judge_target(bop::Target const& target, Estimates const& estimates, Truths const& truths,
                                          JudgedModel const& model) {
     std::size_t const n = truths.size();
-    auto const adds = matched(
-        pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add(model.points, e, t); }), n,
-        add_limit_m);
-    auto const adds_s = matched(
-        pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add_s(model.points, e, t); }), n,
-        add_limit_m);
-    PairErrors const mssds = pairs(estimates, truths, [&](Pose const& e, Pose const& t) {
-        return mssd(model.points, model.symmetries, e, t);
-    });
+    auto const adds =
+        matched(pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add(model.points, e, t); }), n,
+                add_limit_m);
+    auto const adds_s =
+        matched(pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add_s(model.points, e, t); }), n,
+                add_limit_m);
+    PairErrors const mssds = pairs(
+        estimates, truths, [&](Pose const& e, Pose const& t) { return mssd(model.points, model.symmetries, e, t); });
     auto const largest = matched(mssds, n, 0.05 * mssd_thresholds * model.diameter_m);
     auto const found = hits(mssds, n, model.diameter_m);
     std::vector<InstanceErrors> errors;
     for (std::size_t g = 0; g < n; ++g)
-        errors.push_back({target.image, target.obj_id, truths[g]->visible_share, adds[g], adds_s[g], largest[g],
-                          found[g]});
+        errors.push_back(
+            {target.image, target.obj_id, truths[g]->visible_share, adds[g], adds_s[g], largest[g], found[g]});
     return errors;
 }
 

@@ -10,8 +10,8 @@
 
 namespace faster::poses {
 
-constexpr double largest_add_m = 0.1;   ///< ADD and ADD-S beyond are failures
-constexpr int mssd_thresholds = 10;     ///< 0.05, 0.10, ... 0.50 of the diameter
+constexpr double largest_add_m = 0.1;  ///< ADD and ADD-S beyond are failures
+constexpr int mssd_thresholds = 10;    ///< 0.05, 0.10, ... 0.50 of the diameter
 
 /// An instance of an object that was to be found, and how far the estimate is off; infinity where there is none.
 struct InstanceErrors {

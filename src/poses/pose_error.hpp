@@ -7,7 +7,8 @@
 namespace faster::poses {
 
 // How far an estimated pose is from the true one, by what it does to the points of the model [m]. Points must not be
-// empty. ADD and ADD-S: Hinterstoisser et al., ACCV 2012, as in the toolbox of YCB-Video; MSSD: Hodan et al., ECCV 2020.
+// empty. ADD and ADD-S: Hinterstoisser et al., ACCV 2012, as in the toolbox of YCB-Video; MSSD: Hodan et al., ECCV
+// 2020.
 
 /// ADD: the mean distance between a point where it is estimated and where it is.
 double add(Points const& points, Pose const& estimate, Pose const& truth);

@@ -31,8 +31,7 @@ ScoredInstances::ScoredInstances(std::vector<InstanceErrors> const& instances,
                          [](Numbered const& a, Numbered const& b) { return a.error_m < b.error_m; });
 }
 
-std::vector<WeightedError> ScoredInstances::weighted(std::vector<Numbered> const& errors,
-                                                     ImageWeights const& weights) {
+std::vector<WeightedError> ScoredInstances::weighted(std::vector<Numbered> const& errors, ImageWeights const& weights) {
     std::vector<WeightedError> result;
     result.reserve(errors.size());
     for (auto const& [error_m, image] : errors)

@@ -13,15 +13,16 @@ namespace faster::poses {
 struct ScoreFacts {
     char const* name;   ///< in files
     char const* title;  ///< in tables for people
+    bool is_brief;      ///< stands on the terminal, where there is little room
 };
 constexpr std::size_t score_count = 7;
-constexpr std::array<ScoreFacts, score_count> score_facts{{{"add_s_auc", "ADD-S AUC"},
-                                                           {"add_auc", "ADD AUC"},
-                                                           {"add_s_2cm", "ADD-S < 2 cm"},
-                                                           {"add_s_4cm", "ADD-S < 4 cm"},
-                                                           {"add_2cm", "ADD < 2 cm"},
-                                                           {"add_4cm", "ADD < 4 cm"},
-                                                           {"mssd_recall", "MSSD recall"}}};
+constexpr std::array<ScoreFacts, score_count> score_facts{{{"add_s_auc", "ADD-S AUC", true},
+                                                           {"add_auc", "ADD AUC", true},
+                                                           {"add_s_2cm", "ADD-S < 2 cm", true},
+                                                           {"add_s_4cm", "ADD-S < 4 cm", false},
+                                                           {"add_2cm", "ADD < 2 cm", false},
+                                                           {"add_4cm", "ADD < 4 cm", false},
+                                                           {"mssd_recall", "MSSD recall", true}}};
 using Scores = std::array<double, score_count>;
 
 /// How often each image counts, by its number.

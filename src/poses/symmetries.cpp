@@ -37,8 +37,7 @@ std::vector<Pose> symmetries_of(bop::ObjectModel const& model) {
     std::vector<Pose> all;
     for (Pose const& symmetry : discrete) {
         for (Pose const& then : turns)
-            all.push_back(
-                {then.rotation * symmetry.rotation, then.rotation * symmetry.translation + then.translation});
+            all.push_back({then.rotation * symmetry.rotation, then.rotation * symmetry.translation + then.translation});
     }
     return all;
 }

@@ -41,8 +41,8 @@ void check_methods(std::vector<std::string> const& files) {
         if (name.find(',') != std::string::npos)
             throw InputError(file + ": has a comma in its name, expected none: the name is that of the method");
         if (!names.insert(name).second)
-            throw InputError(fmt::format("{}: another file is called {} as well, expected each method once", file,
-                                         name));
+            throw InputError(
+                fmt::format("{}: another file is called {} as well, expected each method once", file, name));
     }
 }
 
@@ -51,10 +51,7 @@ bop::Dataset load_dataset(EvaluateRequest const& request) {
     options.split = request.split;
     options.models.assign(request.models.begin(), request.models.end());
     options.to_judge = true;
-    bop::Dataset dataset = bop::read_dataset(request.files.back(), options);
-    if (dataset.targets.empty())
-        throw InputError(dataset.folder.string() + ": holds no true poses, expected some to compare with");
-    return dataset;
+    return bop::read_dataset(request.files.back(), options);
 }
 
 /// Of the images that have a time; it is the whole image's, so any of its rows has it.
@@ -103,9 +100,9 @@ int evaluate(EvaluateRequest const& request) {
     methods.reserve(results.size());
     for (std::string const& file : results)
         methods.push_back(judged(dataset, file, jobs_or_host_cores(request.jobs)));
-    poses::Evaluation const evaluation =
-        poses::evaluate(dataset, std::move(methods), static_cast<std::uint64_t>(request.seed),
-                        static_cast<std::size_t>(request.replicates));
+    poses::Evaluation const evaluation = poses::evaluate(
+        dataset, std::move(methods),
+        {request.visible_from, static_cast<std::uint64_t>(request.seed), static_cast<std::size_t>(request.replicates)});
     if (folder)
         write(evaluation, *folder);
     fmt::print("{}", poses::evaluation_markdown(evaluation));
@@ -133,6 +130,11 @@ Subcommand evaluate_command() {
                     ->type_name("DIR");
                 command.add_option("--split", request->split, "Folder of the dataset's scenes; by default test")
                     ->type_name("NAME");
+                command
+                    .add_option("--visible-from", request->visible_from,
+                                "Only instances of which at least this share is visible, as annotated")
+                    ->type_name("SHARE")
+                    ->check(number_in(0, 1));
                 command.add_option("--seed", request->seed, "Of the bootstrap")
                     ->type_name("N")
                     ->check(CLI::NonNegativeNumber)

@@ -13,6 +13,7 @@ struct EvaluateRequest {
     std::vector<std::string> models;  ///< folders to look for meshes in first
     std::string split;                ///< of the dataset; empty: `test`, or the only one
     std::string out;                  ///< folder; empty: none
+    double visible_from = 0;          ///< only instances of which this share is visible
     std::int64_t seed = 1;            ///< of the bootstrap
     std::int64_t replicates = 1000;   ///< of the bootstrap
     std::int64_t jobs = 0;            ///< threads; 0: the host's cores

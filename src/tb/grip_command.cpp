@@ -12,6 +12,7 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/load_config.hpp"
+#include "poses/pose_error.hpp"
 #include "reference/scorer.hpp"
 #include "tb/grip_comparison.hpp"
 #include "tb/workload_source.hpp"
@@ -60,7 +61,7 @@ std::vector<SampleCounters> flow_counters(AcceleratorConfig const& config, Stimu
 std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
     std::vector<double> errors;
     for (Pose const& pose : stimulus.posed.poses)
-        errors.push_back(grip::average_distance(stimulus.posed.mesh, pose, target));
+        errors.push_back(poses::add(stimulus.posed.mesh.vertices, pose, target));
     return errors;
 }
 

@@ -99,9 +99,19 @@ TEST_CASE("Meshes of a BOP folder are millimetres, and become metres", "[bop]") 
     CHECK(longest == Approx(0.12328828 / 2));
 }
 
+TEST_CASE("A symmetry's translation is the last column of its matrix", "[bop]") {
+    BopFolder const folder;
+    folder.replace("models/models_info.json", "[-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0,",
+                   "[-1, 0, 0, 7, 0, -1, 0, 8, 0, 0, 1, 9,");
+    Eigen::Vector3d const translation = read_dataset(folder.path()).models.at(1).symmetries[0].translation;
+    CHECK((translation - Eigen::Vector3d(0.007, 0.008, 0.009)).norm() < 1e-15);
+}
+
 TEST_CASE("A split, and a dataset without targets or camera file, are datasets", "[bop]") {
     BopFolder const folder;
-    CHECK(read_dataset(folder / "test").targets.size() == 8);
+    folder.replace("test_targets_bop19.json", "\"inst_count\": 1", "\"inst_count\": 2");
+    for (std::string const name : {"test", "test/", "./test/.", "models/../test"})
+        CHECK(read_dataset(folder / name).targets[0].inst_count == 2);  // of the file
     fs::remove(folder / "test_targets_bop19.json");
     fs::remove(folder / "camera.json");
     Dataset const dataset = read_dataset(folder.path());

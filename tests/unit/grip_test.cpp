@@ -214,13 +214,4 @@ TEST_CASE("Ranks share places among equals, and correlations are those by hand",
     CHECK(best_of({2, 7, 7}) == 1);
 }
 
-TEST_CASE("The average distance of two poses is that of their vertices", "[grip]") {
-    Mesh const mesh = plate(0.1);
-    CHECK(average_distance(mesh, at_distance(1), at_distance(1.25)) == Approx(0.25));
-    Pose turned = at_distance(1);
-    turned.rotation = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    // Corners move across: 2 x 0.2 sqrt 2 and 2 x 0.1 sqrt 2, halves of the vertices each.
-    CHECK(average_distance(mesh, at_distance(1), turned) == Approx(0.3 * std::sqrt(2.0)));
-}
-
 }  // namespace faster::grip

@@ -11,9 +11,9 @@
 
 using namespace faster;
 using namespace faster::poses;
+using Eigen::Vector3d;
 using faster::test::BopFolder;
 using faster::workload::Random;
-using Eigen::Vector3d;
 
 namespace {
 
@@ -141,5 +141,6 @@ TEST_CASE("There are 315 turns about an axis, after each discrete symmetry, and 
 }
 
 TEST_CASE("The diameter is the largest distance of two points", "[pose_error]") {
-    CHECK(diameter_of(BopFolder::mesh_of(BopFolder::box).vertices) == Approx(std::sqrt(0.06 * 0.06 + 0.04 * 0.04 + 0.01)));
+    CHECK(diameter_of(BopFolder::mesh_of(BopFolder::box).vertices) ==
+          Approx(std::sqrt(0.06 * 0.06 + 0.04 * 0.04 + 0.01)));
 }

@@ -1,5 +1,3 @@
-#include "poses/judge.hpp"
-
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "poses/evaluation.hpp"
 #include "poses/evaluation_json.hpp"
 #include "poses/evaluation_text.hpp"
+#include "poses/judge.hpp"
 #include "support/bop_folder.hpp"
 #include "support/input_error_text.hpp"
 #include "workload/bop/read_dataset.hpp"
@@ -58,7 +57,7 @@ Evaluation two_methods(Dataset const& dataset, std::size_t jobs = 2) {
     return evaluate(dataset,
                     {{"good", judged(dataset, shifted_truths(dataset, 0.001), jobs), 0.5},
                      {"worse", judged(dataset, worse, jobs), -1}},
-                    3, 200);
+                    {0, 3, 200});
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ TEST_CASE("An instance without an estimate is infinitely far off", "[pose_judge]
     CHECK(std::isinf(none.instances[0].add_m));
     CHECK(none.instances[0].mssd_hits == 0);
     CHECK(none.instances[2].visible_share == 0.5);
-    Evaluation const evaluation = evaluate(dataset, {{"none", none, -1}}, 1, 10);
+    Evaluation const evaluation = evaluate(dataset, {{"none", none, -1}}, {0, 1, 10});
     for (ScoreRow const& row : evaluation.rows) {
         CHECK(row.estimated == 0);
         for (Interval const& score : row.scores)
@@ -161,7 +160,7 @@ TEST_CASE("An estimate of something unknown is refused, one of what is no target
     CHECK_THAT(complaint(dataset, {}), Catch::Contains("obj_id = 9, expected one of the dataset's: 1, 5"));
 }
 
-TEST_CASE("Rows are objects, all and their mean; methods are compared on the same draws", "[pose_judge]") {
+TEST_CASE("Rows are objects, all and their mean, and methods are compared on the same draws", "[pose_judge]") {
     BopFolder const folder;
     Dataset const dataset = bop::read_dataset(folder.path());
     Evaluation const evaluation = two_methods(dataset);
@@ -185,6 +184,34 @@ TEST_CASE("Rows are objects, all and their mean; methods are compared on the sam
         CHECK((none.low == 0 && none.high == 0));
 }
 
+TEST_CASE("What two methods both miss does not part them in any draw", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Estimates near = shifted_truths(dataset, 0.001), far = shifted_truths(dataset, 0.03);
+    for (Estimates* const estimates : {&near, &far})
+        estimates->erase(estimates->begin(), estimates->begin() + 2);  // all of the first image
+    Evaluation const evaluation =
+        evaluate(dataset, {{"near", judged(dataset, near), -1}, {"far", judged(dataset, far), -1}}, {0, 3, 200});
+    ScoreRow const& row = row_of(evaluation, "far", "all");
+    CHECK(row.scores[5].high - row.scores[5].low > 20);  // ADD below 4 cm
+    CHECK(row.more_than_first[5].low == 0);
+    CHECK(row.more_than_first[5].high == 0);
+}
+
+TEST_CASE("Instances that are hidden too much can be left out", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Judgement const judgement = judged(dataset, shifted_truths(dataset, 0.01));
+    auto const visible_from = [&](double share) { return evaluate(dataset, {{"m", judgement, -1}}, {share, 1, 10}); };
+    CHECK(row_of(visible_from(0.5), "m", "obj_000001").instances == 4);
+    CHECK(row_of(visible_from(0.51), "m", "obj_000001").instances == 2);  // hidden by half in two images
+    CHECK(row_of(visible_from(0.51), "m", "all").instances == 6);
+    Judgement of_unknown = judgement;
+    for (InstanceErrors& instance : of_unknown.instances)
+        instance.visible_share.reset();
+    CHECK(evaluate(dataset, {{"m", of_unknown, -1}}, {1, 1, 10}).rows.back().instances == 8);
+}
+
 TEST_CASE("The same seed gives the same bytes, whatever the threads", "[pose_judge]") {
     BopFolder const folder;
     Dataset const dataset = bop::read_dataset(folder.path());
@@ -200,8 +227,9 @@ TEST_CASE("Tables hold what has been found", "[pose_judge]") {
     Evaluation const evaluation = two_methods(bop::read_dataset(folder.path()));
     std::string const text = evaluation_markdown(evaluation);
     CHECK_THAT(text, Catch::Contains("8 instances in 4 images") && Catch::Contains("200 bootstraps") &&
-                         Catch::Contains("| obj_000001 | worse | 4 | 3 |") && Catch::Contains("Points more than good") &&
-                         Catch::Contains("-100.0 (-100.0 .. -100.0)") && Catch::Contains("good: 0.500 s per image"));
+                         Catch::Contains("| obj_000001 | worse | 4 | 3 |") &&
+                         Catch::Contains("Points more than good") && Catch::Contains("| all | worse | -27.6") &&
+                         Catch::Contains("good: 0.500 s per image"));
     CHECK_THAT(errors_csv(evaluation),
                Catch::Contains("good,1,3,1,0.5000,0.001000,") && Catch::Contains("\nworse,1,3,1,0.5000,,,,0\n"));
     CHECK_THAT(curves_csv(evaluation), Catch::Contains("worse,all,add,0.030000,87.5000\n"));

@@ -110,7 +110,8 @@ TEST_CASE("Images are drawn by a generator that is the same everywhere", "[pose_
     for (ImageWeights const& weights : draws) {
         ImageWeights expected(7, 0);
         for (int i = 0; i < 7; ++i)
-            expected[static_cast<std::size_t>(std::floor(7 * std::ldexp(static_cast<double>(engine() >> 11), -53)))] += 1;
+            expected[static_cast<std::size_t>(std::floor(7 * std::ldexp(static_cast<double>(engine() >> 11), -53)))] +=
+                1;
         REQUIRE(weights == expected);
     }
     CHECK(drawn_images(7, 300, 6) != draws);

@@ -13,7 +13,7 @@ function line_colour(i) {
 function show_headline() {
   const all = data.rows.find((row) => row.obj_id === 0);
   by_id("machine").textContent = `${data.dataset}: ${count_of(all.instances, "instance")} of ${count_of(objects.length - 1, "object")} in ` +
-    `${count_of(data.images, "image")}; ${count_of(data.replicates, "bootstrap")}, seed ${data.seed}`;
+    `${count_of(data.images, "image")}${data.visible_from > 0 ? `, each at least ${100 * data.visible_from} % visible` : ""}; ${count_of(data.replicates, "bootstrap")}, seed ${data.seed}`;
 }
 
 /// A step up at each error.

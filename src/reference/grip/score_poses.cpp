@@ -38,11 +38,4 @@ std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& set
     return scores;
 }
 
-double average_distance(Mesh const& mesh, Pose const& a, Pose const& b) {
-    double sum = 0;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        sum += (a.rotation * vertex + a.translation - b.rotation * vertex - b.translation).norm();
-    return mesh.vertices.empty() ? 0 : sum / static_cast<double>(mesh.vertices.size());
-}
-
 }  // namespace faster::grip

@@ -34,8 +34,4 @@ class PoseScorer {
 /// Every pose of a posed stimulus, on `jobs` threads, at least one.
 std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs);
 
-/// Average distance of the object's vertices under one pose from where they are under another [m]: the thesis's ADD
-/// (6.1).
-double average_distance(Mesh const& mesh, Pose const& a, Pose const& b);
-
 }  // namespace faster::grip

@@ -20,6 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// However the folder was given: relative, or with a slash at its end.
+fs::path plain(fs::path const& folder) {
+    fs::path const normal = fs::absolute(folder).lexically_normal();
+    return normal.has_filename() ? normal : normal.parent_path();
+}
+fs::path parent_of(fs::path const& folder) { return plain(folder).parent_path(); }
+std::string name_of(fs::path const& folder) { return plain(folder).filename().string(); }
+
 std::set<fs::path> folders_in(fs::path const& folder) {
     std::set<fs::path> folders;
     for (auto const& entry : fs::directory_iterator(folder)) {
@@ -126,14 +134,15 @@ void append(std::vector<DatasetImage>& images, std::vector<DatasetImage> const& 
 
 Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     fs::path const split = split_of(folder, options.split);
-    fs::path const root = split == folder ? fs::absolute(folder / "").parent_path().parent_path() : folder;
+    fs::path const root = split == folder ? parent_of(folder) : folder;
     Dataset dataset;
     dataset.folder = folder;
     dataset.models = models_of(options.models, bop_models(root, options.to_judge));
+    Camera const size = common_size(root);
     for (auto const& [scene_id, scene] : scenes_in(split))
-        append(dataset.images, read_scene_folder(scene, scene_id, common_size(root)));
+        append(dataset.images, read_scene_folder(scene, scene_id, size));
     fs::path const targets = root / "test_targets_bop19.json";
-    bool const has_targets = fs::exists(targets) && split.filename().string().rfind("test", 0) == 0;
+    bool const has_targets = fs::exists(targets) && name_of(split).rfind("test", 0) == 0;
     dataset.targets = has_targets ? read_targets(targets, dataset) : all_targets(dataset.images);
     return dataset;
 }
@@ -173,7 +182,7 @@ Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
     if (!fs::is_directory(folder))
         io::fail(folder, "no such folder, expected a dataset");
     if (fs::exists(folder / "frames.json"))
-        return read_frames(folder, {folder}, folder / ".." / ".." / "meshes", options);
+        return read_frames(folder, {folder}, parent_of(parent_of(folder)) / "meshes", options);
     if (auto const scenes = frames_below(folder / "depth"); !scenes.empty())
         return read_frames(folder, scenes, folder / "meshes", options);
     return read_bop(folder, options);

@@ -1,0 +1,140 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "support/bop_folder.hpp"
+#include "support/command.hpp"
+#include "support/tool_output.hpp"
+#include "workload/bop/pose_results.hpp"
+
+using namespace faster;
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Words = std::vector<std::string>;
+
+namespace {
+
+std::string const header = "scene_id,im_id,obj_id,score,R,t,time\n";
+
+/// A dataset, and two methods' results: one right, the other 3 cm off.
+class Workspace {
+  public:
+    Workspace() {
+        work_.write("right.csv", results(0));
+        work_.write("off.csv", results(0.03));
+    }
+    CommandResult evaluate(Words arguments) const {
+        arguments.insert(arguments.begin(), "evaluate");
+        for (std::string& argument : arguments)
+            argument = argument == "DATASET" ? dataset_.path().string() : argument;
+        return run_command(FASTER_SIM_BINARY, arguments, work_.path());
+    }
+    CommandResult evaluate_text(std::string const& text) const {
+        work_.write("wrong.csv", text);
+        return evaluate({"wrong.csv", "DATASET", "--out", "out"});
+    }
+    std::string text(std::string const& name) const { return content_of(work_ / name); }
+    TempFolder const& work() const { return work_; }
+    BopFolder const& dataset() const { return dataset_; }
+
+  private:
+    static std::string results(double shift_m) {
+        std::vector<bop::PoseEstimate> estimates;
+        for (int const scene : {1, 2}) {
+            for (int const image : {0, 3}) {
+                for (int const object : {BopFolder::box, BopFolder::cylinder}) {
+                    estimates.push_back({{scene, image}, object, 0.5, BopFolder::pose_of(object, image), 0.25, 0});
+                    estimates.back().pose.translation.z() += shift_m;
+                }
+            }
+        }
+        return bop::pose_results_csv(estimates);
+    }
+
+    TempFolder work_;
+    BopFolder dataset_;
+};
+
+}  // namespace
+
+TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[evaluate]") {
+    Workspace const workspace;
+    CommandResult const result =
+        workspace.evaluate({"right.csv", "off.csv", "DATASET", "--out", "out", "--bootstraps", "100"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("8 instances in 4 images") &&
+                               Contains("| all | right | 8 | 8 | 100.0 (100.0 .. 100.0) |") &&
+                               Contains("Points more than right") && Contains("right: 0.250 s per image") &&
+                               Contains("written: out"));
+    for (std::string const file : {"scores.csv", "errors.csv", "curves.csv", "evaluation.html"})
+        CHECK_THAT(workspace.text("out/" + file), Contains("off"));
+    auto const json = nlohmann::json::parse(workspace.text("out/evaluation.json"));
+    CHECK(json["rows"].size() == 8);
+    CHECK(json["rows"][6]["object"] == "all");
+    CHECK(json["rows"][6]["scores"]["add_4cm"][0] == 100);
+    CHECK(json["rows"][6]["more_than_first"]["add_2cm"][0] == -100);
+    for (std::string const plot : {"accuracy_add_s.png", "accuracy_add.png"})
+        CHECK(cv::imread((workspace.work() / ("out/" + plot)).string()).cols == 3 * 330);
+    CHECK(entries_in(workspace.work() / "out") == 7);
+}
+
+TEST_CASE("evaluate writes the same bytes whatever the threads, and over what it wrote before", "[evaluate]") {
+    Workspace const workspace;
+    require_done(workspace.evaluate({"off.csv", "DATASET", "--out", "one", "--jobs", "1", "--seed", "7"}));
+    require_done(workspace.evaluate({"right.csv", "DATASET", "--out", "four"}));
+    require_done(workspace.evaluate({"off.csv", "DATASET", "--out", "four", "--jobs", "4", "--seed", "7"}));
+    for (auto const& entry : std::filesystem::directory_iterator(workspace.work() / "one")) {
+        std::string const name = entry.path().filename().string();
+        CAPTURE(name);
+        CHECK(workspace.text("one/" + name) == workspace.text("four/" + name));
+    }
+}
+
+TEST_CASE("evaluate takes models from elsewhere", "[evaluate]") {
+    Workspace const workspace;
+    std::filesystem::rename(workspace.dataset() / "models", workspace.work() / "elsewhere");
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET"}), {"models: no such folder"});
+    require_done(workspace.evaluate({"right.csv", "--models", "elsewhere", "DATASET"}));
+}
+
+TEST_CASE("evaluate leaves out what is hidden, if told to", "[evaluate]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.evaluate({"right.csv", "DATASET", "--visible-from", "0.6"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("6 instances in 4 images, each at least 60 % visible"));
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--visible-from", "1.5"}), {"--visible-from"});
+}
+
+TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[evaluate]") {
+    Workspace const workspace;
+    std::string const row = "1,0,1,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n";
+    check_bad_input(workspace.evaluate({"none.csv", "DATASET", "--out", "out"}), {"none.csv: no such file"});
+    check_bad_input(workspace.evaluate({"right.csv", "none", "--out", "out"}), {"none: no such folder"});
+    check_bad_input(workspace.evaluate_text("scene_id,im_id,object_id,score,R,t,time\n" + row),
+                    {"wrong.csv:1: no column obj_id in the header"});
+    check_bad_input(workspace.evaluate_text(header + row + "1,0,4,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
+                    {"wrong.csv:3: obj_id = 4, expected one of the dataset's: 1, 5"});
+    check_bad_input(workspace.evaluate_text(header + "1,9,1,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
+                    {"wrong.csv:2: scene_id, im_id = 1, 9, expected an image of"});
+    check_bad_input(workspace.evaluate_text(header + "1,0,1,0.5,1 0 0 0 1 0 0 0 2,0 0 600,-1\n"),
+                    {"wrong.csv:2: column R", "expected a rotation"});
+    check_bad_input(workspace.evaluate_text(header + "1,0,1,nan,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
+                    {"wrong.csv:2: column score = nan, expected a finite number"});
+    check_bad_input(workspace.evaluate({"right.csv", (workspace.work() / "right.csv").string(), "DATASET"}),
+                    {"another file is called right as well"});
+    std::filesystem::create_directory(workspace.work() / "mine");
+    workspace.work().write("mine/note.txt", "keep");
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--out", "mine"}), {"mine"});
+    CHECK(workspace.text("mine/note.txt") == "keep");
+    CHECK_FALSE(std::filesystem::exists(workspace.work() / "out"));
+}
+
+TEST_CASE("A dataset without true poses cannot be evaluated on", "[evaluate]") {
+    Workspace const workspace;
+    std::filesystem::remove(workspace.dataset() / "test_targets_bop19.json");
+    for (std::string const scene : {"000001", "000002"})
+        for (std::string const file : {"scene_gt.json", "scene_gt_info.json"})
+            std::filesystem::remove(workspace.dataset() / ("test/" + scene + "/" + file));
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET"}), {"holds no true poses"});
+}

@@ -1,6 +1,7 @@
 #include "poses/accuracy_plot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "workload/pictures/drawing.hpp"
@@ -71,8 +72,8 @@ class PanelPainter {
     }
 
   private:
-    int x(double error_m) const { return left_ + static_cast<int>(plot_width * error_m / largest_add_m + 0.5); }
-    int y(double share) const { return top_ + static_cast<int>(plot_height * (1 - share) + 0.5); }
+    int x(double error_m) const { return left_ + static_cast<int>(std::lround(plot_width * error_m / largest_add_m)); }
+    int y(double share) const { return top_ + static_cast<int>(std::lround(plot_height * (1 - share))); }
 
     void draw_grid() {
         for (int step = 0; step <= 5; ++step) {

@@ -142,7 +142,7 @@ class Evaluator {
             row.estimated += std::isfinite(instance.add_m) ? 1U : 0U;
         }
         row.images = images.size();
-        Replicates const replicates = replicates_of(instances);
+        Replicates replicates = replicates_of(instances);
         set_scores(row, replicates);
         evaluation.rows.push_back(row);
         evaluation.curves.push_back({method.name, obj_id, row.object, row.instances,

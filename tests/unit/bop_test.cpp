@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <string>
 
+#include "kernel/base/random.hpp"
 #include "support/bop_folder.hpp"
 #include "support/input_error_text.hpp"
 #include "workload/bop/detections.hpp"
@@ -180,6 +182,10 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         CHECK_THAT(complaint(folder), Catch::StartsWith("test/000001/scene_gt.json: 0[0].cam_R_m2c = an array of 9, "
                                                         "expected a rotation"));
     }
+    SECTION("an object of no number") {
+        folder.replace("test/000001/scene_gt.json", "\"obj_id\": 1", "\"obj_id\": 0");
+        CHECK(complaint(folder) == "test/000001/scene_gt.json: 0[0].obj_id = 0, expected an integer from 1");
+    }
     SECTION("an image without a camera") {
         folder.replace("test/000001/scene_gt.json", "\"3\"", "\"4\"");
         CHECK(complaint(folder) ==
@@ -234,6 +240,47 @@ TEST_CASE("What is wrong with a file of results is one line that says where", "[
     fs::path const file = folder.write("r.csv", "scene_id,im_id,obj_id,score,R,T,time\n");
     CHECK_THAT(input_error_text([&] { read_pose_results(file); }), Catch::Contains("no column t in the header"));
     CHECK_THAT(input_error_text([&] { read_pose_results(folder / "none.csv"); }), Catch::Contains("no such file"));
+}
+
+TEST_CASE("A file of results that is cut off anywhere is read or refused in one line", "[bop]") {
+    TempFolder const folder;
+    std::vector<PoseEstimate> const estimates{{{1, 2}, 3, 0.5, BopFolder::pose_of(1, 3), 0.25, 0}};
+    std::string const whole = pose_results_csv(estimates);
+    std::size_t refused = 0;
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        fs::path const file = folder.write("r.csv", whole.substr(0, length));
+        refused += complaint_in(folder.path(), [&] { read_pose_results(file); }).empty() ? 0U : 1U;
+    }
+    CHECK(refused > whole.size() - 12);  // a shorter number of seconds is one, too, and so is no row
+}
+
+TEST_CASE("Any value of a dataset may be of the wrong kind without more than a complaint", "[bop]") {
+    auto const seed = static_cast<std::uint64_t>(GENERATE(1, 2));
+    CAPTURE(seed);
+    workload::Random random(seed);
+    auto const below = [&](std::size_t count) {
+        return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
+    };
+    BopFolder const folder;
+    std::vector<std::string> const files{"models/models_info.json",   "test/000001/scene_camera.json",
+                                         "test/000001/scene_gt.json", "test/000001/scene_gt_info.json",
+                                         "test_targets_bop19.json",   "camera.json"};
+    std::vector<std::string> const wrong{"null", "\"x\"", "[]", "{}", "-1", "1e400", "1.5", "true", "1e300", "]", ""};
+    std::regex const number("-?[0-9.]+");
+    std::size_t refused = 0;
+    for (int round = 0; round < 150; ++round) {
+        std::string const& file = files[below(files.size())];
+        std::string const whole = faster::test::content_of(folder / file);
+        std::vector<std::smatch> numbers(std::sregex_iterator(whole.begin(), whole.end(), number), {});
+        std::smatch const& chosen = numbers[below(numbers.size())];
+        auto const place = static_cast<std::size_t>(chosen.position()),
+                   length = static_cast<std::size_t>(chosen.length());
+        folder.write(file, std::string(whole).replace(place, length, wrong[below(wrong.size())]));
+        refused += complaint(folder).empty() ? 0U : 1U;
+        folder.write(file, whole);
+    }
+    CHECK(refused > 75);
+    CHECK(complaint(folder).empty());
 }
 
 TEST_CASE("Detections that are written are read back, and masks are skipped", "[bop]") {

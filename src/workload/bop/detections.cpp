@@ -10,7 +10,7 @@ namespace {
 Detection read_detection(JsonNode const& node) {
     Detection detection;
     detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
-    detection.obj_id = node.at("category_id").integer(0);
+    detection.obj_id = node.at("category_id").integer(1);
     detection.box = read_box(node.at("bbox"));
     detection.score = node.at("score").number();
     if (auto const time = node.find("time"))

@@ -25,7 +25,7 @@ std::optional<int> numbered_object(std::string const& stem) {
     if (stem.rfind(prefix, 0) != 0)
         return std::nullopt;
     auto const result = std::from_chars(stem.data() + prefix.size(), end, id);
-    return result.ec == std::errc{} && result.ptr == end ? std::optional(id) : std::nullopt;
+    return result.ec == std::errc{} && result.ptr == end && id > 0 ? std::optional(id) : std::nullopt;
 }
 
 std::set<fs::path> meshes_in(fs::path const& folder) {

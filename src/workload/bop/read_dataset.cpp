@@ -103,7 +103,7 @@ std::vector<Target> read_targets(fs::path const& file, Dataset const& dataset) {
     std::vector<Target> targets;
     for (JsonNode const& node : JsonNode(file, json).items()) {
         Target const target{{node.at("scene_id").integer(0), node.at("im_id").integer(0)},
-                            node.at("obj_id").integer(0),
+                            node.at("obj_id").integer(1),
                             node.at("inst_count").integer(1)};
         if (dataset.find(target.image) == nullptr)
             node.at("im_id").fail(fmt::format("an image of scene {}", target.image.scene_id));

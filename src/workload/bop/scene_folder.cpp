@@ -41,7 +41,7 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
 
 GroundTruth read_object(JsonNode const& node) {
     GroundTruth object;
-    object.obj_id = node.at("obj_id").integer(0);
+    object.obj_id = node.at("obj_id").integer(1);
     object.pose.rotation = matrix_of(node.at("cam_R_m2c").numbers(9));
     if (std::string const problem = rotation_problem(object.pose.rotation); !problem.empty())
         node.at("cam_R_m2c").fail(problem);

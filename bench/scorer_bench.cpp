@@ -1,5 +1,5 @@
-// How many samples of a workload the scorers without time score per second on one host core, the shortest of ROUNDS goes
-// in turns.
+// How many samples of a workload the scorers without time score per second on one host core, the shortest of ROUNDS
+// goes in turns.
 //
 //   faster_scorer_bench [CONFIG] [ROUNDS]
 #include <chrono>

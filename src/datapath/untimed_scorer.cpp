@@ -109,8 +109,7 @@ void UntimedScorer::begin(TriangleSetup const& setup) {
     previous_col_ = setup.start_col - static_cast<int>(window_.col);
 }
 
-template <class Maps>
-void UntimedScorer::draw(TriangleSetup const& setup, Maps& maps, SampleCounters& counters) {
+template <class Maps> void UntimedScorer::draw(TriangleSetup const& setup, Maps& maps, SampleCounters& counters) {
     std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
     begin(setup);
     ZigzagScan lines(setup);

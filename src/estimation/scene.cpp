@@ -44,6 +44,14 @@ bool overlaps(DetectionConfig const& box, int width, int height) {
     return box.left < width && box.top < height && box.left + box.width > 0 && box.top + box.height > 0;
 }
 
+bool contains(DetectionConfig const& box, Eigen::Vector3d const& point, Camera const& camera) {
+    if (point.z() <= 0)
+        return false;
+    double const col = camera.fx * point.x() / point.z() + camera.cx;
+    double const row = camera.fy * point.y() / point.z() + camera.cy;
+    return col >= box.left && col < box.left + box.width && row >= box.top && row < box.top + box.height;
+}
+
 std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth) {
     Pixels const rows(box.top, box.height, depth.height()), cols(box.left, box.width, depth.width());
     std::size_t readings = 0;

@@ -24,6 +24,9 @@ DetectionConfig box_around(Mesh const& mesh, Pose const& pose, Camera const& cam
 /// Whether some pixel of the image lies in the box.
 bool overlaps(DetectionConfig const& box, int width, int height);
 
+/// Whether a point [m] before the camera is seen in the box.
+bool contains(DetectionConfig const& box, Eigen::Vector3d const& point, Camera const& camera);
+
 /// How many pixels of the box have a reading.
 std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth);
 

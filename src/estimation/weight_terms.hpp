@@ -7,7 +7,7 @@ namespace faster::estimation {
 
 /// The factors of thesis eq. 2.4 for one sample.
 struct WeightTerms {
-    double box = 0;     ///< w_box, confidence of its box
+    double box = 0;     ///< w_box, confidence of its box; 0 for a sample that has left it
     double in_box = 0;  ///< I_b
     double raw = 0;     ///< I_r
     double edge = 0;    ///< I_e

@@ -58,8 +58,8 @@ struct EstimatorConfig {
     double least_weight = 0.3;
     EstimateKind estimate = EstimateKind::best;
     std::uint64_t seed = 3;
-    WeightCoefficients accelerator_weights{0.1, 0, 0.45, 0.45, 0};
-    WeightCoefficients grip_weights{0.1, 0.1, 0.3, 0.3, 0.2};
+    WeightCoefficients accelerator_weights{0.2, 0, 0.7, 0.1, 0};
+    WeightCoefficients grip_weights{0.2, 0.1, 0.3, 0.2, 0.2};
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
     Resampling resampling = Resampling::systematic;
@@ -74,7 +74,7 @@ struct EstimatorConfig {
 struct HostConfig {
     double start_us = 20;
     double collect_us = 30;
-    double resample_us = 1000;
+    double resample_us = 2000;
 };
 
 }  // namespace faster

@@ -55,7 +55,7 @@ template <class Field> Key coefficient_key(std::string const& name, std::string 
 
 void add_weight_keys(Keys& keys) {
     keys.push_back(coefficient_key(
-        "accelerator.box", "the box's confidence; with .raw and .edge 1",
+        "accelerator.box", "the confidence of its box, while its middle is in it; with .raw and .edge 1",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.box; }));
     keys.push_back(coefficient_key(
         "accelerator.raw", "I_r = inlier / valid_raster",
@@ -68,7 +68,7 @@ void add_weight_keys(Keys& keys) {
          "A sample that draws fewer fragments (accelerator) or points (grip) has no inlier ratios.", "this project"},
         {0, 1'000'000'000}, [](auto& config) -> auto& { return config.estimator.least_drawn_px; }));
     keys.push_back(coefficient_key(
-        "grip.box", "the box's confidence; all five of grip are 1 together",
+        "grip.box", "the confidence of its box, while its middle is in it; all five of grip are 1 together",
         [](auto& config) -> auto& { return config.estimator.grip_weights.box; }));
     keys.push_back(coefficient_key(
         "grip.in_box", "I_b, the inlier ratio of what lies in the box",

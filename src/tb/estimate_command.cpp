@@ -229,15 +229,15 @@ Subcommand estimate_command() {
                 ->type_name("DIR");
             add_overrides(command, request->overrides);
             command.add_option("--bop", request->bop.folder, "Look for an object of this dataset (BOP)")
-                    ->type_name("DIR");
-                command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N");
-                command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N");
-                command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N");
-                command
-                    .add_option("--detections", request->bop.detections,
-                                "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
-                    ->type_name("FILE");
-                add_jobs(command, request->jobs, "Threads, and simulations at once");
+                ->type_name("DIR");
+            command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N");
+            command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N");
+            command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N");
+            command
+                .add_option("--detections", request->bop.detections,
+                            "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
+                ->type_name("FILE");
+            add_jobs(command, request->jobs, "Threads, and simulations at once");
             command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
                 ->type_name("NAME");
             command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");

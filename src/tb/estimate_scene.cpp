@@ -105,16 +105,17 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
         if (!scene.truth)
             scene.truth = object.pose;
         if (request.detections.empty())
-            scene.boxes.push_back(with_confidence(annotated_box(object, mesh, seen.camera),
-                                                  estimator_of(loaded.config).box.confidence));
+            scene.boxes.push_back(
+                with_confidence(annotated_box(object, mesh, seen.camera), estimator_of(loaded.config).box.confidence));
     }
     if (!request.detections.empty())
         scene.boxes = detected_boxes(request);
     for (DetectionConfig const& box : scene.boxes)
         if (!estimation::overlaps(box, scene.observed.width, scene.observed.height))
-            throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
-                                         request.detections.empty() ? request.folder : request.detections, box.left,
-                                         box.top, box.width, box.height, scene.observed.width, scene.observed.height));
+            throw InputError(
+                fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
+                            request.detections.empty() ? request.folder : request.detections, box.left, box.top,
+                            box.width, box.height, scene.observed.width, scene.observed.height));
     return scene;
 }
 

@@ -12,8 +12,12 @@ namespace faster {
 
 namespace {
 
+/// What has left its box cannot claim its confidence.
 double confidence_of(estimation::Scene const& scene, estimation::Particle const& particle) {
-    return scene.boxes.empty() ? 0 : scene.boxes[particle.box].confidence;
+    if (scene.boxes.empty())
+        return 0;
+    DetectionConfig const& box = scene.boxes[particle.box];
+    return estimation::contains(box, particle.middle, scene.observed.posed.camera) ? box.confidence : 0;
 }
 
 std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {

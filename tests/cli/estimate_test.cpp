@@ -83,8 +83,7 @@ TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]")
         CHECK(workspace.has(std::string("out/images/") + picture + ".png"));
 }
 
-TEST_CASE("An estimate has the same bytes whatever the number of threads, and others with another seed",
-          "[estimate]") {
+TEST_CASE("An estimate has the same bytes whatever the number of threads, and others with another seed", "[estimate]") {
     Workspace const workspace;
     for (char const* const backend : {"accelerator", "grip"}) {
         CAPTURE(backend);
@@ -97,16 +96,17 @@ TEST_CASE("An estimate has the same bytes whatever the number of threads, and ot
         for (char const* const other : {"three", "eight"})
             for (char const* const file : {"/estimate.json", "/iterations.csv", "/images/convergence.png"})
                 CHECK(workspace.text(std::string("one") + file) == workspace.text(other + std::string(file)));
-        require_done(workspace.estimate({"--untimed", "--backend", backend, "--set", "estimator.seed=4", "--out", "x"}));
+        require_done(
+            workspace.estimate({"--untimed", "--backend", backend, "--set", "estimator.seed=4", "--out", "x"}));
         CHECK(workspace.text("one/iterations.csv") != workspace.text("x/iterations.csv"));
     }
 }
 
 TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's time besides", "[estimate]") {
     Workspace const workspace;
-    require_done(workspace.estimate({"--out", "out", "--set", "estimator.iterations=3", "--traces", "0,2", "-j", "2",
-                                     "--set", "host.start_us=100", "--set", "host.collect_us=200", "--set",
-                                     "host.resample_us=700"}));
+    require_done(
+        workspace.estimate({"--out", "out", "--set", "estimator.iterations=3", "--traces", "0,2", "-j", "2", "--set",
+                            "host.start_us=100", "--set", "host.collect_us=200", "--set", "host.resample_us=700"}));
     Json const found = workspace.json("out/estimate.json");
     double total = 0;
     for (int k : {0, 1, 2}) {
@@ -130,8 +130,8 @@ TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's
 
 TEST_CASE("estimate scores with any design, and with grip without cycles", "[estimate]") {
     Workspace const workspace;
-    for (char const* const setting :
-         {"accelerator.architecture=next", "accelerator.architecture=fpga_grip", "accelerator.architecture=threshold"}) {
+    for (char const* const setting : {"accelerator.architecture=next", "accelerator.architecture=fpga_grip",
+                                      "accelerator.architecture=threshold"}) {
         CAPTURE(setting);
         require_done(workspace.estimate({"--set", setting, "--set", "estimator.iterations=2", "--out", "out"}));
         CHECK(workspace.json("out/estimate.json")["iterations"][1]["cycles"].get<double>() > 1000);
@@ -170,12 +170,13 @@ TEST_CASE("What cannot be found is said clearly", "[estimate]") {
         CHECK(workspace.json("out/estimate.json")["verdict"] == "weak");
     }
     SECTION("an object outside the image, for which there is no box") {
-        require_done(workspace.estimate({"--untimed", "--out", "out", "--set", "workload.pose.translation_m=[3,0,0.65]"}));
+        require_done(
+            workspace.estimate({"--untimed", "--out", "out", "--set", "workload.pose.translation_m=[3,0,0.65]"}));
         CHECK(workspace.json("out/estimate.json")["boxes"].empty());
     }
     SECTION("a scene without readings") {
-        CommandResult const result = workspace.estimate({"--untimed", "--out", "out", "--set",
-                                                         "workload.scene.noise.random_dropout=1"});
+        CommandResult const result =
+            workspace.estimate({"--untimed", "--out", "out", "--set", "workload.scene.noise.random_dropout=1"});
         require_done(result);
         CHECK_THAT(result.out, Contains("no readings in the box"));
         CHECK(workspace.json("out/estimate.json")["verdict"] == "no_readings");
@@ -214,7 +215,8 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
 
 TEST_CASE("A deadlock of the accelerator ends an estimate with its report", "[estimate]") {
     Workspace const workspace;
-    CommandResult const result = workspace.estimate({"--out", "out", "--set", "accelerator.fifos.fragment_depth.depth=1"});
+    CommandResult const result =
+        workspace.estimate({"--out", "out", "--set", "accelerator.fifos.fragment_depth.depth=1"});
     CHECK(result.exit_code == 3);
     CHECK_THAT(result.err, Contains("fragment_depth"));
     CHECK_FALSE(workspace.has("out"));

@@ -144,8 +144,7 @@ TEST_CASE("Noise has the configured deviations, and no direction is preferred", 
         mean += shift / draws;
         squares += shift.cwiseAbs2() / draws;
         products += Eigen::Vector3d(shift.x() * shift.y(), shift.y() * shift.z(), shift.z() * shift.x()) / draws;
-        Eigen::AngleAxisd const turn(
-            Eigen::Matrix3d(moved.rotation.matrix() * parent.rotation.matrix().transpose()));
+        Eigen::AngleAxisd const turn(Eigen::Matrix3d(moved.rotation.matrix() * parent.rotation.matrix().transpose()));
         angles += turn.angle() * turn.angle() / draws;
         axes += turn.axis().cwiseAbs2() / draws;
         REQUIRE(dot(moved.rotation, moved.rotation) == Approx(1).epsilon(1e-14));

@@ -27,7 +27,8 @@ UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge
       sweep_(stimulus.window, stimulus.fraction.depth_buffer, contour_depth(edge_map.algorithm)),
       valid_depths_(stimulus.observed_depth, stimulus.fraction.depth_buffer),
       maps_(make_edge_map_policy(edge_map.algorithm, stimulus.window)),
-      depth_buffer_(static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window)),
+      depth_buffer_(static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window),
+                    far_depth_code),
       depth_row_(static_cast<std::size_t>(stimulus.window)),
       edge_row_(static_cast<std::size_t>(stimulus.window)) {
     window_.side = stimulus.window;
@@ -37,7 +38,7 @@ SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) 
     window_.row = clamped_offset(std::int64_t{input.centre_row} - window_.side / 2);
     window_.col = clamped_offset(std::int64_t{input.centre_col} - window_.side / 2);
     maps_->clear();
-    std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
+    clear_drawn_rows();
     has_token_ = false;
     first_drawn_row_ = window_.side;
     end_drawn_row_ = 0;
@@ -55,6 +56,14 @@ SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) 
     return counters;
 }
 
+/// What the sample before has drawn.
+void UntimedScorer::clear_drawn_rows() {
+    auto const row = [this](int number) { return depth_buffer_.begin() + std::ptrdiff_t{number} * window_.side; };
+    int const first = std::max(0, first_drawn_row_), end = std::min(window_.side, end_drawn_row_);
+    if (first < end)
+        std::fill(row(first), row(end), far_depth_code);
+}
+
 TriangleSetup UntimedScorer::set_up_face(std::size_t face) const {
     auto const& corners = stimulus_.posed.mesh.faces[face];
     ProjectedVertex const& a = vertices_[corners[0]];
@@ -63,6 +72,34 @@ TriangleSetup UntimedScorer::set_up_face(std::size_t face) const {
     if (!(a.usable && b.usable && c.usable))
         return {};
     return set_up({{a.code, b.code, c.code}}, stimulus_.width, stimulus_.height, stimulus_.fraction.vertex_xy);
+}
+
+/// The fragments of a line that lie in the window; how many of them were drawn. From pixel to pixel the product of z
+/// sum and reciprocal changes by the same amount, modulo 2^64 if need be.
+inline std::uint64_t UntimedScorer::draw_run(ScanLine const& line, std::uint64_t reciprocal) {
+    std::int64_t const row = line.row - window_.row;
+    if (row < 0 || row >= window_.side)
+        return 0;
+    int const ends[2]{line.col(line.before), line.col(line.before + line.inside - 1)};
+    int const left = std::min(ends[0], ends[1]), right = std::max(ends[0], ends[1]);
+    int const first = std::max(left, static_cast<int>(window_.col));
+    int const end = std::min(right + 1, static_cast<int>(window_.col) + window_.side);
+    std::int64_t const per_column = line.step * line.z_sum_per_step;
+    std::uint16_t* word = depth_buffer_.data() + row * window_.side - window_.col + first;
+    std::int64_t z_sum = line.z_sum + (first - ends[0]) * per_column;
+    std::uint64_t drawn = 0;
+    if (!depth_unit_.adds_up()) {
+        for (int col = first; col < end; ++col, z_sum += per_column)
+            drawn +=
+                depth_unit_.draw(depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal), *word++);
+        return drawn;
+    }
+    DepthUnit const unit = depth_unit_;  // the compiler cannot know that drawing leaves it alone
+    std::uint64_t product = static_cast<std::uint64_t>(z_sum) * reciprocal;
+    std::uint64_t const step = static_cast<std::uint64_t>(per_column) * reciprocal;
+    for (int col = first; col < end; ++col, product += step)
+        drawn += unit.draw(product >> unit.shift(), *word++) ? 1U : 0U;
+    return drawn;
 }
 
 template <class Maps> void UntimedScorer::draw_mesh(Maps& maps, SampleCounters& counters) {
@@ -153,34 +190,6 @@ void UntimedScorer::draw_in_any_order(TriangleSetup const& setup, Maps& maps, Sa
         col_before = first + (line.pixels() - 1) * line.step;
     }
     counters.valid_raster += drawn;
-}
-
-/// The fragments of a line that lie in the window; how many of them were drawn. From pixel to pixel the product of z
-/// sum and reciprocal changes by the same amount, modulo 2^64 if need be.
-std::uint64_t UntimedScorer::draw_run(ScanLine const& line, std::uint64_t reciprocal) {
-    std::int64_t const row = line.row - window_.row;
-    if (row < 0 || row >= window_.side)
-        return 0;
-    int const ends[2]{line.col(line.before), line.col(line.before + line.inside - 1)};
-    int const left = std::min(ends[0], ends[1]), right = std::max(ends[0], ends[1]);
-    int const first = std::max(left, static_cast<int>(window_.col));
-    int const end = std::min(right + 1, static_cast<int>(window_.col) + window_.side);
-    std::int64_t const per_column = line.step * line.z_sum_per_step;
-    std::uint16_t* word = depth_buffer_.data() + row * window_.side - window_.col + first;
-    std::int64_t z_sum = line.z_sum + (first - ends[0]) * per_column;
-    std::uint64_t drawn = 0;
-    if (!depth_unit_.adds_up()) {
-        for (int col = first; col < end; ++col, z_sum += per_column)
-            drawn +=
-                depth_unit_.draw(depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum), reciprocal), *word++);
-        return drawn;
-    }
-    DepthUnit const unit = depth_unit_;  // the compiler cannot know that drawing leaves it alone
-    std::uint64_t product = static_cast<std::uint64_t>(z_sum) * reciprocal;
-    std::uint64_t const step = static_cast<std::uint64_t>(per_column) * reciprocal;
-    for (int col = first; col < end; ++col, product += step)
-        drawn += unit.draw(product >> unit.shift(), *word++) ? 1U : 0U;
-    return drawn;
 }
 
 /// Covered pixels are objects; the pixel behind a run is an edge, and so is the one before it, which is sent after the

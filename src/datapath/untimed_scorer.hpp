@@ -41,6 +41,7 @@ class UntimedScorer {
     template <class Maps> void draw_mesh(Maps& maps, SampleCounters& counters);
     /// The same for maps that do not depend on the order of tokens, but for the last one.
     template <class Maps> void draw_mesh_in_any_order(Maps& maps, SampleCounters& counters);
+    void clear_drawn_rows();
     TriangleSetup set_up_face(std::size_t face) const;
     std::size_t last_face_with_tokens() const;
     void begin(TriangleSetup const& setup);

@@ -63,7 +63,7 @@ struct EstimatorConfig {
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
     Resampling resampling = Resampling::systematic;
-    double sharpness = 8;
+    double sharpness = 5;
     DiffusionConfig diffusion;
     double cluster_translation_m = 0.01;
     double cluster_rotation_deg = 10;

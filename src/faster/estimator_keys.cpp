@@ -36,6 +36,9 @@ void add_loop_keys(Keys& keys) {
          "What the estimate is: the pose of the largest weight, or the weighted mean of the poses close to it.",
          "SYSTEM 7"},
         [](auto& config) -> auto& { return config.estimator.estimate; }));
+    keys.push_back(Make::integer_key(
+        {"estimator.seed", "", "Seed of all that the loop draws.", "this project"}, IntegerRange{},
+        [](auto& config) -> auto& { return config.estimator.seed; }));
     keys.push_back(Make::number_key(
         {"estimator.cluster.translation_m", "m", "Mean: how far a pose may be from the best one.", "this project"},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.cluster_translation_m; }));
@@ -43,9 +46,6 @@ void add_loop_keys(Keys& keys) {
         {"estimator.cluster.rotation_deg", "degrees", "Mean: by how much a pose may be turned from the best one.",
          "this project"},
         angle, [](auto& config) -> auto& { return config.estimator.cluster_rotation_deg; }));
-    keys.push_back(Make::integer_key(
-        {"estimator.seed", "", "Seed of all that the loop draws.", "this project"}, IntegerRange{},
-        [](auto& config) -> auto& { return config.estimator.seed; }));
 }
 
 template <class Field> Key coefficient_key(std::string const& name, std::string const& of, Field field) {

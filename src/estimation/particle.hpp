@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "common/mesh.hpp"
 #include "estimation/rotation.hpp"
@@ -20,6 +21,9 @@ struct ObjectSize {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< of its box, in the object frame [m]
     double least_extent = 0;                           ///< of its box [m]
     double diameter = 0;                               ///< of the ball around that middle that holds it [m]
+    /// The vertices that reach furthest in 26 directions, towards faces, edges and corners of the box: a few that tell
+    /// about what the object covers.
+    std::vector<Eigen::Vector3d> outline;
 };
 ObjectSize size_of(Mesh const& mesh);
 

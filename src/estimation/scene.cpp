@@ -20,10 +20,10 @@ struct Pixels {
 
 }  // namespace
 
-DetectionConfig box_around(Mesh const& mesh, Pose const& pose, Camera const& camera) {
+DetectionConfig box_around(std::vector<Eigen::Vector3d> const& points, Pose const& pose, Camera const& camera) {
     double left = camera.width, top = camera.height, right = 0, bottom = 0;
-    for (Eigen::Vector3d const& vertex : mesh.vertices) {
-        Eigen::Vector3d const p = rotated(pose.rotation, vertex) + pose.translation;
+    for (Eigen::Vector3d const& point : points) {
+        Eigen::Vector3d const p = rotated(pose.rotation, point) + pose.translation;
         if (p.z() < nearest_vertex_m)
             return {};
         double const u = camera.fx * p.x() / p.z() + camera.cx, v = camera.fy * p.y() / p.z() + camera.cy;
@@ -44,12 +44,12 @@ bool overlaps(DetectionConfig const& box, int width, int height) {
     return box.left < width && box.top < height && box.left + box.width > 0 && box.top + box.height > 0;
 }
 
-bool contains(DetectionConfig const& box, Eigen::Vector3d const& point, Camera const& camera) {
-    if (point.z() <= 0)
-        return false;
-    double const col = camera.fx * point.x() / point.z() + camera.cx;
-    double const row = camera.fy * point.y() / point.z() + camera.cy;
-    return col >= box.left && col < box.left + box.width && row >= box.top && row < box.top + box.height;
+double overlap_share(DetectionConfig const& a, DetectionConfig const& b) {
+    double const width = std::min(a.left + a.width, b.left + b.width) - std::max(a.left, b.left);
+    double const height = std::min(a.top + a.height, b.top + b.height) - std::max(a.top, b.top);
+    double const common = std::max(0.0, width) * std::max(0.0, height);
+    double const together = a.width * a.height + b.width * b.height - common;
+    return together > 0 ? common / together : 0;
 }
 
 std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth) {

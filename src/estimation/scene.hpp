@@ -17,15 +17,15 @@ struct Scene {
     std::optional<Pose> truth;  ///< if known
 };
 
-/// The box around an object's vertices in the image, as far as it lies in it; of no width if none of it does, or if
-/// some of the object is nearer than 0.1 m.
-DetectionConfig box_around(Mesh const& mesh, Pose const& pose, Camera const& camera);
+/// The box around an object's points in the image, as far as it lies in it; of no width if none of it does, or if
+/// some point is nearer than 0.1 m.
+DetectionConfig box_around(std::vector<Eigen::Vector3d> const& points, Pose const& pose, Camera const& camera);
+
+/// Area that two boxes have in common, as a share of what they cover together; 0 if they cover nothing.
+double overlap_share(DetectionConfig const& a, DetectionConfig const& b);
 
 /// Whether some pixel of the image lies in the box.
 bool overlaps(DetectionConfig const& box, int width, int height);
-
-/// Whether a point [m] before the camera is seen in the box.
-bool contains(DetectionConfig const& box, Eigen::Vector3d const& point, Camera const& camera);
 
 /// How many pixels of the box have a reading.
 std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth);

@@ -12,12 +12,13 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-WeightTerms terms_of(SampleCounters const& counters, double confidence, std::uint64_t least_drawn) {
+WeightTerms terms_of(SampleCounters const& counters, double confidence, double box_overlap, std::uint64_t least_drawn) {
     WeightTerms terms;
     terms.box = confidence;
     if (counters.valid_raster < least_drawn)
         return terms;
     terms.raw = std::min(1.0, ratio(counters.inlier, counters.valid_raster));
+    terms.in_box = terms.raw * box_overlap;
     terms.edge = ratio(counters.edge_inlier, counters.valid_edge);
     return terms;
 }

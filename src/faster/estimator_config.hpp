@@ -58,8 +58,8 @@ struct EstimatorConfig {
     double least_weight = 0.3;
     EstimateKind estimate = EstimateKind::best;
     std::uint64_t seed = 3;
-    WeightCoefficients accelerator_weights{0.2, 0, 0.7, 0.1, 0};
-    WeightCoefficients grip_weights{0.2, 0.1, 0.3, 0.2, 0.2};
+    WeightCoefficients accelerator_weights{0.1, 0.4, 0.4, 0.1, 0};
+    WeightCoefficients grip_weights{0.1, 0.2, 0.3, 0.2, 0.2};
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
     Resampling resampling = Resampling::systematic;

@@ -55,8 +55,11 @@ template <class Field> Key coefficient_key(std::string const& name, std::string 
 
 void add_weight_keys(Keys& keys) {
     keys.push_back(coefficient_key(
-        "accelerator.box", "the confidence of its box, while its middle is in it; with .raw and .edge 1",
+        "accelerator.box", "w_box, the confidence of its box; the four of accelerator are 1 together",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.box; }));
+    keys.push_back(coefficient_key(
+        "accelerator.in_box", "I_b = I_r times the overlap of the sample's and the detection's box",
+        [](auto& config) -> auto& { return config.estimator.accelerator_weights.in_box; }));
     keys.push_back(coefficient_key(
         "accelerator.raw", "I_r = inlier / valid_raster",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.raw; }));
@@ -68,7 +71,7 @@ void add_weight_keys(Keys& keys) {
          "A sample that draws fewer fragments (accelerator) or points (grip) has no inlier ratios.", "this project"},
         {0, 1'000'000'000}, [](auto& config) -> auto& { return config.estimator.least_drawn_px; }));
     keys.push_back(coefficient_key(
-        "grip.box", "the confidence of its box, while its middle is in it; all five of grip are 1 together",
+        "grip.box", "w_box, the confidence of its box; the five of grip are 1 together",
         [](auto& config) -> auto& { return config.estimator.grip_weights.box; }));
     keys.push_back(coefficient_key(
         "grip.in_box", "I_b, the inlier ratio of what lies in the box",

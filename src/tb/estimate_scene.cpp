@@ -28,7 +28,7 @@ std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Sc
     DetectionConfig box = estimator_of(loaded.config).box;
     if (box.width == 0) {
         double const confidence = box.confidence;
-        box = estimation::box_around(scene.observed.posed.mesh, *scene.truth, scene.observed.posed.camera);
+        box = estimation::box_around(scene.observed.posed.mesh.vertices, *scene.truth, scene.observed.posed.camera);
         box.confidence = confidence;
         return box.width > 0 && box.height > 0 ? std::vector<DetectionConfig>{box} : std::vector<DetectionConfig>{};
     }

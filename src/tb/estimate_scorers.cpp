@@ -12,12 +12,16 @@ namespace faster {
 
 namespace {
 
-/// What has left its box cannot claim its confidence.
 double confidence_of(estimation::Scene const& scene, estimation::Particle const& particle) {
+    return scene.boxes.empty() ? 0 : scene.boxes[particle.box].confidence;
+}
+
+/// How well what a pose covers in the image fills the box that the sample began in.
+double overlap_with_box(estimation::Scene const& scene, estimation::Particle const& particle, Pose const& pose) {
     if (scene.boxes.empty())
         return 0;
-    DetectionConfig const& box = scene.boxes[particle.box];
-    return estimation::contains(box, particle.middle, scene.observed.posed.camera) ? box.confidence : 0;
+    DetectionConfig const covered = estimation::box_around(scene.size.outline, pose, scene.observed.posed.camera);
+    return estimation::overlap_share(covered, scene.boxes[particle.box]);
 }
 
 std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {
@@ -41,7 +45,8 @@ class AcceleratorScorer final : public IterationScorer {
         last_.counters = scorer_.score();
         std::vector<estimation::WeightTerms> terms;
         for (std::size_t i = 0; i < particles.size(); ++i)
-            terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]), least_drawn_));
+            terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
+                                                 overlap_with_box(scene_, particles[i], last_.poses[i]), least_drawn_));
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }

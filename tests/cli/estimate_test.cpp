@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "support/bop_folder.hpp"
 #include "support/command.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
+#include "workload/bop/read_dataset.hpp"
 
 using namespace faster::test;
 using Catch::Matchers::Contains;
@@ -50,12 +52,22 @@ Words cells_in(std::string const& line) {
     return cells;
 }
 
+/// A detection of an object of BopFolder, where it is in image 0 of scene 1.
+std::string true_box(int object) {
+    faster::bop::ImageBox const box =
+        faster::bop::projected_box(BopFolder::mesh_of(object), BopFolder::pose_of(object, 0), BopFolder::camera());
+    return R"([{"scene_id": 1, "image_id": 0, "category_id": )" + std::to_string(object) + R"(, "bbox": [)" +
+           std::to_string(box.left) + "," + std::to_string(box.top) + "," + std::to_string(box.width) + "," +
+           std::to_string(box.height) + R"(], "score": 0.9}])";
+}
+
 }  // namespace
 
 TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]") {
     Workspace const workspace;
-    CommandResult const result = workspace.estimate(
-        {"--untimed", "--out", "out", "--set", "estimator.iterations=25", "--set", "workload.samples.count=200"});
+    CommandResult const result =
+        workspace.estimate({"--untimed", "--out", "out", "--set", "estimator.iterations=25", "--set",
+                            "workload.samples.count=200", "--set", "estimator.seed=1"});
     require_done(result);
     CHECK_THAT(result.out, Contains("Found") && Contains("ADD-S") && Contains("25 iterations of 200 samples"));
     Json const found = workspace.json("out/estimate.json");
@@ -139,6 +151,63 @@ TEST_CASE("estimate scores with any design, and with grip without cycles", "[est
     require_done(workspace.estimate({"--backend", "grip", "--out", "grip"}));
     CHECK(workspace.json("grip/estimate.json")["scorer"] == "grip");
     CHECK(workspace.json("grip/estimate.json")["total_ms"].is_null());
+}
+
+TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a result of BOP", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    Words const common{"--untimed",
+                       "--bop",
+                       dataset.path().string(),
+                       "--scene",
+                       "1",
+                       "--set",
+                       "estimator.iterations=25",
+                       "--set",
+                       "workload.samples.count=300",
+                       "--set",
+                       "estimator.weights.least_drawn_px=5"};
+    auto const estimate = [&](Words more, char const* image = "0") {
+        more.insert(more.end(), {"--image", image});
+        more.insert(more.begin(), common.begin(), common.end());
+        return workspace.estimate(more);
+    };
+    for (int const object : {BopFolder::box, BopFolder::cylinder}) {
+        std::string const number = std::to_string(object);
+        CAPTURE(number);
+        dataset.write("true.json", true_box(object));
+        require_done(estimate({"--object", number, "--detections", (dataset / "true.json").string(), "--out", number}));
+        CHECK(workspace.json(number + "/estimate.json")["adds_mm"].get<double>() < 25);
+        CHECK(lines_of(workspace.text(number + "/bop.csv"))[1].rfind("1,0," + number + ",", 0) == 0);
+        require_done(workspace.run({"evaluate", number + "/bop.csv", dataset.path().string(), "--out", "judged"}));
+        CHECK_THAT(workspace.text("judged/errors.csv"), Contains("bop,1,0," + number + ","));
+    }
+    SECTION("annotated boxes of what is visible, without a detector's") {
+        require_done(estimate({"--object", "1", "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"] ==
+              Json::parse(R"([{"left": 11, "top": 13, "width": 9, "height": 8, "confidence": 1}])"));
+    }
+    SECTION("boxes of a detector, of this object in this image only") {
+        dataset.write("boxes.json",
+                      R"([{"scene_id": 1, "image_id": 0, "category_id": 5, "bbox": [2, 3, 20, 30], "score": 0.75},)"
+                      R"({"scene_id": 1, "image_id": 0, "category_id": 5, "bbox": [9, 9, 9, 9], "score": 0.25},)"
+                      R"({"scene_id": 1, "image_id": 3, "category_id": 5, "bbox": [1, 1, 9, 9], "score": 0.5}])");
+        std::string const boxes = (dataset / "boxes.json").string();
+        require_done(estimate({"--object", "5", "--detections", boxes, "--out", "out"}));
+        Json const found = workspace.json("out/estimate.json");
+        REQUIRE(found["boxes"].size() == 2);
+        CHECK(found["boxes"][0]["confidence"] == 0.75);
+        CHECK(found["boxes"][0]["height"] == 30);
+        require_done(estimate({"--object", "1", "--detections", boxes, "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());  // nobody detected it
+        dataset.replace("boxes.json", "[9, 9, 9, 9]", "[90, 9, 9, 9]");
+        check_bad_input(estimate({"--object", "5", "--detections", boxes}),
+                        {"boxes.json", "overlaps the image of 64 x 48"});
+    }
+    SECTION("what the dataset does not have") {
+        check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
+        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image"});
+    }
 }
 
 TEST_CASE("A run does not know the keys of estimate", "[estimate]") {

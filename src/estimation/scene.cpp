@@ -20,6 +20,24 @@ struct Pixels {
 
 }  // namespace
 
+Pose Scene::own(Pose pose) const {
+    pose.translation += rotated(pose.rotation, own_origin);
+    return pose;
+}
+
+Pose Scene::centred(Pose pose) const {
+    pose.translation -= rotated(pose.rotation, own_origin);
+    return pose;
+}
+
+void centre_mesh(Scene& scene) {
+    Mesh& mesh = scene.observed.posed.mesh;
+    scene.own_origin = -size_of(mesh).middle;
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex += scene.own_origin;
+    scene.size = size_of(mesh);
+}
+
 DetectionConfig box_around(std::vector<Eigen::Vector3d> const& points, Pose const& pose, Camera const& camera) {
     double left = camera.width, top = camera.height, right = 0, bottom = 0;
     for (Eigen::Vector3d const& point : points) {

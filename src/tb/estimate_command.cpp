@@ -111,12 +111,13 @@ class EstimateRun {
         report.samples = workload_of(loaded_.config).samples.count;
         report.seed = config.seed;
         report.boxes = scene_.boxes;
-        report.pose = pose_of(estimate_.particle, scene_.size);
+        report.pose = scene_.own(estimated_pose());
         report.weight = estimate_.weight;
         report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
         report.verdict = verdict();
-        report.truth = scene_.truth;
-        report.distances = distances_from_truth(scene_, report.pose);
+        if (scene_.truth)
+            report.truth = scene_.own(*scene_.truth);
+        report.distances = distances_from_truth(scene_, estimated_pose());
         report.iterations = rows_;
         report.host = host_of(loaded_.config);
         report.keys = resolved_keys(loaded_.config, KeyScope::all);
@@ -126,7 +127,7 @@ class EstimateRun {
     void write(std::filesystem::path const& folder, EstimateReport const& report) const {
         io::write_file(folder / "estimate.json", estimate_json(report));
         io::write_file(folder / "iterations.csv", estimate_csv(report));
-        write_pictures(folder / "images", report);
+        write_pictures(folder / "images");
         if (!request_.bop.folder.empty())
             io::write_file(folder / "bop.csv", bop::pose_results_csv({bop_estimate(report)}));
         for (std::uint64_t const k : request_.traces)
@@ -139,6 +140,9 @@ class EstimateRun {
     }
 
   private:
+    /// Of the frame of the scene's mesh.
+    Pose estimated_pose() const { return pose_of(estimate_.particle, scene_.size); }
+
     void set_time(IterationRow& row, std::uint64_t cycles) const {
         HostConfig const& host = host_of(loaded_.config);
         row.cycles = cycles;
@@ -165,7 +169,7 @@ class EstimateRun {
         return estimate_.weight < estimator_of(loaded_.config).least_weight ? Verdict::weak : Verdict::found;
     }
 
-    void write_pictures(std::filesystem::path const& folder, EstimateReport const& report) const {
+    void write_pictures(std::filesystem::path const& folder) const {
         constexpr std::size_t contours = 12;
         std::vector<DrawnIteration> drawn;
         for (std::uint64_t const k : chosen_iterations(request_.pictures, rows_.size())) {
@@ -177,7 +181,7 @@ class EstimateRun {
             iteration.best = poses[rows_[k].best_sample];
             drawn.push_back(std::move(iteration));
         }
-        EstimatePictures(scene_.observed, accelerator_of(loaded_.config), report.pose).write(folder, drawn);
+        EstimatePictures(scene_.observed, accelerator_of(loaded_.config), estimated_pose()).write(folder, drawn);
     }
 
     EstimateRequest const& request_;

@@ -51,8 +51,8 @@ estimation::Scene configured_scene(LoadedConfig const& loaded) {
     AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
     estimation::Scene scene;
     scene.observed = workload::build_observation(workload, accelerator.window, accelerator.fraction_bits);
-    scene.size = estimation::size_of(scene.observed.posed.mesh);
-    scene.truth = workload::configured_pose(workload.target);
+    estimation::centre_mesh(scene);
+    scene.truth = scene.centred(workload::configured_pose(workload.target));
     scene.boxes = boxes_of(loaded, scene);
     return scene;
 }
@@ -86,36 +86,45 @@ std::vector<DetectionConfig> detected_boxes(BopRequest const& request) {
     return boxes;
 }
 
+void require_overlap(DetectionConfig const& box, Camera const& camera, BopRequest const& request) {
+    if (estimation::overlaps(box, camera.width, camera.height))
+        return;
+    throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
+                                 request.detections.empty() ? request.folder : request.detections, box.left, box.top,
+                                 box.width, box.height, camera.width, camera.height));
+}
+
 }  // namespace
 
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
     require_mesh_and_samples(loaded);
     AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    WorkloadConfig const& workload = workload_of(loaded.config);
     bop::Dataset const dataset = bop::read_dataset(request.folder);
     bop::DatasetImage const& image = image_of(dataset, request);
     Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
     bop::Observation const seen = bop::load_observation(image);
+    int const n = workload.scene.downscale;
     estimation::Scene scene;
-    scene.observed = workload::observed_stimulus(mesh, seen.depth, seen.camera, workload_of(loaded.config),
-                                                 accelerator.window, accelerator.fraction_bits);
-    scene.size = estimation::size_of(scene.observed.posed.mesh);
+    scene.observed =
+        workload::observed_stimulus(mesh, workload::downscaled(seen.depth, n), workload::downscaled(seen.camera, n),
+                                    workload, accelerator.window, accelerator.fraction_bits);
+    estimation::centre_mesh(scene);
+    double const confidence = estimator_of(loaded.config).box.confidence;
     for (bop::GroundTruth const& object : image.objects) {
         if (object.obj_id != request.obj_id)
             continue;
         if (!scene.truth)
-            scene.truth = object.pose;
+            scene.truth = scene.centred(object.pose);
         if (request.detections.empty())
-            scene.boxes.push_back(
-                with_confidence(annotated_box(object, mesh, seen.camera), estimator_of(loaded.config).box.confidence));
+            scene.boxes.push_back(with_confidence(annotated_box(object, mesh, seen.camera), confidence));
     }
     if (!request.detections.empty())
         scene.boxes = detected_boxes(request);
-    for (DetectionConfig const& box : scene.boxes)
-        if (!estimation::overlaps(box, scene.observed.width, scene.observed.height))
-            throw InputError(
-                fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
-                            request.detections.empty() ? request.folder : request.detections, box.left, box.top,
-                            box.width, box.height, scene.observed.width, scene.observed.height));
+    for (DetectionConfig& box : scene.boxes) {
+        require_overlap(box, seen.camera, request);
+        box = {box.left / n, box.top / n, box.width / n, box.height / n, box.confidence};
+    }
     return scene;
 }
 

@@ -234,6 +234,22 @@ TEST_CASE("A particle's pose has the middle of the object where the particle is"
     CHECK(pose_of(behind, size).translation.z() == 0.1);
 }
 
+TEST_CASE("A mesh is moved to its middle, and poses are told in its own frame", "[estimation]") {
+    Scene scene = can_scene(0.6);
+    for (Eigen::Vector3d& vertex : scene.observed.posed.mesh.vertices)
+        vertex += Eigen::Vector3d(0.04, -0.08, 0.06);
+    Mesh const own = scene.observed.posed.mesh;
+    centre_mesh(scene);
+    CHECK(scene.size.middle.norm() < 1e-12);
+    Pose const pose = pose_of(some_particle(), scene.size);
+    CHECK(pose.translation.isApprox(some_particle().middle, 1e-12));
+    Pose const told = scene.own(pose);
+    for (std::size_t i = 0; i < own.vertices.size(); i += 50)
+        CHECK((told.rotation * own.vertices[i] + told.translation)
+                  .isApprox(pose.rotation * scene.observed.posed.mesh.vertices[i] + pose.translation, 1e-12));
+    CHECK(scene.centred(told).translation.isApprox(pose.translation, 1e-12));
+}
+
 TEST_CASE("First samples lie in the box, a little behind a reading, and turn everywhere", "[estimation]") {
     Scene const scene = can_scene(0.6);
     std::vector<Particle> const particles = first_samples(scene, 500, 3);

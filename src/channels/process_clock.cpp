@@ -104,6 +104,18 @@ void ProcessClock::catch_up() {
     log_limit_ = std::max(log_limit_, 2 * timing_.log().pending());  // what is left waits for others: let them talk
 }
 
+/// The reader of a flushing pipeline's tokens may have one to read now.
+void ProcessClock::wake_behind_flushing() {
+    if (timing_.flushes())
+        fifos_[timing_.flushing_port()]->wake_reader();
+}
+
+/// There is room for a token.
+void ProcessClock::let_out() {
+    timing_.let_out();
+    wake_behind_flushing();
+}
+
 void ProcessClock::follow_in_lockstep() {
     using Status = timing::ProcessTiming::Status;
     for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
@@ -111,16 +123,23 @@ void ProcessClock::follow_in_lockstep() {
             FifoChannel& fifo = *fifos_[timing_.blocking_port()];
             bool const writing = timing_.writes(timing_.blocking_port());
             (writing ? fifo.writer_waits_ : fifo.reader_waits_) = true;
+            wake_behind_flushing();
             sc_core::wait(writing ? fifo.read_ : fifo.written_);
             continue;
         }
         bring_kernel_to(timing_.front_cycle());
         timing::Ports const ports = timing_.front_ports();
         timing_.commit_front();
-        ports.each([this](unsigned port) {
-            timing_.writes(port) ? fifos_[port]->wake_reader() : fifos_[port]->wake_writer();
-        });
+        ports.each(
+            [this](unsigned port) { timing_.writes(port) ? fifos_[port]->wake_reader() : wake_writer(*fifos_[port]); });
     }
+    wake_behind_flushing();
+}
+
+void ProcessClock::wake_writer(FifoChannel& fifo) {
+    fifo.wake_writer();
+    if (fifo.writer_ != nullptr && fifo.timing().shape().flushing_stages > 0)
+        fifo.writer_->let_out();
 }
 
 void ProcessClock::bring_kernel_to(Cycles cycle) {

@@ -193,6 +193,9 @@ class ProcessClock {
     void catch_up();
     void follow_in_lockstep();
     void bring_kernel_to(Cycles cycle);
+    static void wake_writer(FifoChannel& fifo);
+    void wake_behind_flushing();
+    void let_out();
 
     static timing::Ports read_port_of(FifoChannel const& fifo);
     std::uint64_t iterations_behind(std::string_view loop, FifoChannel const& fifo) const;

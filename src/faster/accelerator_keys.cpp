@@ -193,6 +193,7 @@ void add_machine_keys(Keys& keys) {
          "thesis 3.2"},
         {1, 4096}, [](auto& config) -> auto& { return config.accelerator.window; }));
     keys.push_back(clock_key("thesis 4.2.3"));
+    keys.push_back(fifo_rules_key());
 }
 
 void append(Keys& keys, Keys const& more) { keys.insert(keys.end(), more.begin(), more.end()); }

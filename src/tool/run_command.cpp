@@ -102,8 +102,10 @@ int run(RunRequest const& request, RunExtras& extras) {
         return give_up(loaded, statistics, outputs);
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
-    if (request.sensitivities)
+    if (request.sensitivities) {
         statistics.sensitivities = work_out_sensitivities(recorded, loaded);
+        statistics.alternatives = replay::alternatives(recorded, loaded);
+    }
     if (outputs.events)
         write_events(*outputs.events, loaded, recorded, statistics);
     if (outputs.folder && extras.writes_pictures())

@@ -24,6 +24,7 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
     ProgressLine line("retimings");
     auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
     run.sensitivities = replay::sensitivities(recorded.run, recorded.loaded, progress);
+    run.alternatives = replay::alternatives(recorded.run, recorded.loaded);
     replay::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
     return run;
 }

@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -40,6 +43,31 @@ nlohmann::json row_of(nlohmann::json const& table, std::string const& column, st
 }
 
 }  // namespace
+
+TEST_CASE("Our own designs hold with the FIFOs of every generation", "[architectures]") {
+    fs::path const source = FASTER_SOURCE_DIR;
+    TempFolder const folder;
+    for (std::string const preset : {"next", "next_double_buffers"})
+        for (std::string const trace : {"tomato_soup_can", "cracker_box"}) {
+            CAPTURE(preset, trace);
+            std::map<std::string, std::int64_t> totals;
+            for (std::string const rules : {"spec", "vivado_hls", "vitis_hls"}) {
+                require_done(
+                    run_command(FASTER_SIM_BINARY,
+                                {"run", (source / "configs/architectures" / (preset + ".yaml")).string(), "--trace",
+                                 (source / "traces" / trace).string(), "--set", "accelerator.raster_cores=1", "--set",
+                                 "accelerator.fifo_rules=" + rules, "--out", "out"},
+                                folder.path()));
+                nlohmann::json const summary = nlohmann::json::parse(content_of(folder / "out" / "summary.json"));
+                totals[rules] = summary["total_cycles"];
+                bool const is_spec = rules == "spec";
+                CHECK(row_of(summary["fifos"], "fifo", "vertex")["kind"] == (is_spec ? "memory" : "shift_register"));
+            }
+            CAPTURE(totals["spec"], totals["vivado_hls"], totals["vitis_hls"]);
+            CHECK(std::abs(totals["vivado_hls"] - totals["spec"]) * 100 <= totals["spec"]);
+            CHECK(std::abs(totals["vitis_hls"] - totals["spec"]) * 100 <= totals["spec"]);
+        }
+}
 
 TEST_CASE("The presets of the thesis's designs run, with their intervals and memories", "[architectures]") {
     for (Preset const& preset :

@@ -78,6 +78,31 @@ TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
     }
 }
 
+TEST_CASE("Depths and kinds of sizing.json give its cycles, by the rules of every generation") {
+    Workspace const workspace;
+    for (std::string const rules : {"spec", "vivado_hls", "vitis_hls"}) {
+        CAPTURE(rules);
+        std::string const setting = "accelerator.fifo_rules=" + rules;
+        require_done(workspace.size({"--within", "1", "--out", "sizes", "--points", "0", "--set", setting}));
+        Json const sizing = workspace.json("sizes/sizing.json");
+        for (std::string const which : {"unbounded", "configured", "answer"}) {
+            CAPTURE(which);
+            Words words{"whatif", "events", "--set", setting};
+            for (auto const& [fifo, depth] : sizing[which]["depths"].items()) {
+                std::string const key = "accelerator.fifos." + fifo;
+                words.insert(words.end(), {"--set", key + ".depth=" + depth.dump()});
+                words.insert(words.end(), {"--set", key + ".kind=" + sizing[which]["kinds"][fifo].get<std::string>()});
+            }
+            CommandResult const replayed = workspace.tool(words);
+            require_done(replayed);
+            CHECK(total_cycles(replayed.out) == sizing[which]["total_cycles"].get<std::uint64_t>());
+        }
+        CHECK(sizing["unbounded"]["kinds"]["sample_vertex"] == "memory");  // though it is shallow
+        CHECK_THAT(workspace.text("sizes/depths.yaml"),
+                   Contains(rules == "spec" ? "kind: " : "fifo_rules: \"" + rules + '"'));
+    }
+}
+
 TEST_CASE("The files of size-fifos agree, and are the same on any number of threads") {
     Workspace const workspace;
     require_done(workspace.size({"--within", "5", "--out", "one", "-j", "1", "--points", "4"}));

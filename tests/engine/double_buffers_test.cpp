@@ -187,7 +187,7 @@ TEST_CASE("Handing over buffers through FIFOs of depth 1 does not deadlock, nor 
         trial.config.edge_map.buffers = trial.config.inlier_unit.buffers = 2;
         auto const total_with = [&trial](std::uint64_t depth) {
             for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free})
-                trial.config.fifo(fifo) = {depth, FifoKind::shift_register, Cycles{0}, std::nullopt};
+                trial.config.fifo(fifo) = {depth, FifoKind::shift_register, Cycles{0}, std::nullopt, std::nullopt};
             RunStatistics const statistics = run(trial).statistics;
             REQUIRE_FALSE(statistics.deadlocked());
             for (FifoId const fifo : {FifoId::map_full, FifoId::map_free, FifoId::depth_full, FifoId::depth_free})

@@ -2,10 +2,12 @@
 #include <cstdint>
 
 #include "faster/faster_config.hpp"
+#include "kernel/config/enum_names.hpp"
 #include "kernel/config/keys.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/run_cells.hpp"
 
 namespace faster::testing {
 namespace {
@@ -103,6 +105,47 @@ TEST_CASE("So it does where the scan tests several pixels at a time", "[sensitiv
     trial.config.rasterizer = {ScanPolicy::spans, 3, EdgeTokens::object, 4};
     trial.config.fifo(FifoId::area).depth = 8;
     CHECK(check_all_steps(trial, Engine::decoupled) > 5);
+}
+
+TEST_CASE("The FIFOs of other generations change the total as a run with them says", "[sensitivities]") {
+    std::size_t alternatives = 0;
+    std::size_t changes = 0;
+    for (std::uint64_t seed = 8040; seed < 8052; ++seed) {
+        CAPTURE(seed);
+        Trial trial = random_trial(seed);
+        ForkOptions options;
+        options.sensitivities = true;
+        RunStatistics const run = run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
+        for (Alternative const& row : run.alternatives) {
+            CAPTURE(row.value, row.other);
+            CHECK(row.key == "accelerator.fifo_rules");
+            CHECK(row.value == choice_name(trial.config.fifo_rules));
+            Trial changed = trial;
+            changed.config.fifo_rules = choice_from_name<FifoGeneration>(row.other);
+            RunStatistics const other = run_forked(changed.config, trial.stimulus, Engine::lockstep).statistics;
+            REQUIRE(row.step.deadlocks == other.deadlocked());
+            CHECK(row.step.total_cycles == (other.deadlocked() ? 0 : other.total_cycles));
+            changes += other.deadlocked() || other.total_cycles != run.total_cycles ? 1U : 0U;
+            ++alternatives;
+        }
+    }
+    CHECK(alternatives >= 20);
+    CHECK(changes > 5);
+}
+
+TEST_CASE("FIFOs of depth 2 are the same in every generation", "[sensitivities]") {
+    Trial trial = random_trial(8010);
+    for (FifoGeneration const rules : {FifoGeneration::spec, FifoGeneration::vivado_hls, FifoGeneration::vitis_hls}) {
+        trial.config = AcceleratorConfig();
+        trial.config.cores = 2;
+        RunStatistics const as_in_spec = run_forked(trial.config, trial.stimulus, Engine::decoupled).statistics;
+        trial.config.fifo_rules = rules;
+        ForkOptions options;
+        options.sensitivities = true;
+        RunStatistics const run = run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
+        CHECK(first_difference(all_cells(run), all_cells(as_in_spec)) == "");
+        CHECK(run.alternatives.empty());
+    }
 }
 
 TEST_CASE("Steps that deadlock are known", "[sensitivities]") {

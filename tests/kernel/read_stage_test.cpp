@@ -241,6 +241,7 @@ class Accesses : public StepObserver {
     void left_loop(ProcessTiming const&, Cycles) override {}
     void iterated(ProcessTiming const&, Cycles, std::uint64_t, std::uint64_t, Cycles) override {}
     void stalled(ProcessTiming const&, unsigned, Cycles, Cycles) override {}
+    void let_out(ProcessTiming const& /*process*/, unsigned /*port*/, Cycles /*due*/, Cycles /*cycle*/) override {}
     void stamped(ProcessTiming const&, Cycles) override {}
 
   private:

@@ -1,11 +1,13 @@
 #include "support/cycle_twin.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
@@ -23,10 +25,11 @@ Cycles ceil_div(Cycles dividend, Cycles divisor) { return (dividend + divisor - 
 class FifoModel {
   public:
     FifoModel(FifoConfig const& config, Cycles pipeline_stages) : pipeline_stages_(pipeline_stages) {
-        bool const is_shift_register =
-            config.kind == FifoKind::shift_register || (config.kind == FifoKind::automatic && config.depth <= 2);
-        capacity_ = is_shift_register ? config.depth : config.depth + 1;
-        read_latency_ = is_shift_register ? 1 : 2;
+        bool const is_memory =
+            config.kind == FifoKind::memory || (config.kind == FifoKind::automatic && !is_small(config));
+        bool const has_register_besides = is_memory && config.rules != FifoGeneration::vitis_hls;
+        capacity_ = has_register_besides ? config.depth + 1 : config.depth;
+        read_latency_ = is_memory ? 2 : 1;
     }
 
     /// First cycle in which the next access is legal; `never` unless some other process moves first.
@@ -61,6 +64,11 @@ class FifoModel {
     }
 
   private:
+    /// SYSTEM.md section 5: what HLS makes a shift register of.
+    static bool is_small(FifoConfig const& config) {
+        return config.depth <= 2 || (config.rules != FifoGeneration::spec && config.depth * config.bits <= 1024);
+    }
+
     Cycles write_legal_from() const {
         std::size_t const n = write_cycles_.size();
         std::size_t const slots = capacity_ + pipeline_stages_;
@@ -77,7 +85,7 @@ class FifoModel {
 
     std::uint64_t capacity_ = 0;
     Cycles read_latency_ = 0;
-    Cycles const pipeline_stages_;  ///< between the write and the FIFO: area_reciprocal's Lw, else 0
+    Cycles const pipeline_stages_;  ///< between the write and the FIFO: area_reciprocal's Lw if it squeezes, else 0
     std::vector<Cycles> write_cycles_;
     std::vector<Cycles> read_cycles_;
     std::size_t arrived_ = 0;
@@ -90,7 +98,7 @@ Fifos make_fifos(AcceleratorConfig const& config) {
     Fifos fifos;
     for (FifoId const id : fifo_ids) {
         FifoConfig const fifo = fifo_of(config, id);
-        fifos.emplace_back(fifo, id == FifoId::area_reciprocal ? fifo.write_latency : 0);
+        fifos.emplace_back(fifo, id == FifoId::area_reciprocal && fifo.squeezes ? fifo.write_latency : 0);
     }
     return fifos;
 }
@@ -480,6 +488,113 @@ class ProcessModel {
     TwinProcess stats_;
 };
 
+/// AreaReciprocal as a shift register of Lw stages, which moves as a whole in each cycle or not at all.
+class FlushingModel {
+  public:
+    FlushingModel(AcceleratorConfig const& config, TwinProgram const& program, Fifos& fifos)
+        : stages_(fifo_of(config, FifoId::area_reciprocal).write_latency),
+          area_(fifos[index_of(FifoId::area)]),
+          reciprocal_(fifos[index_of(FifoId::area_reciprocal)]) {
+        for (TwinState const& state : program) {
+            if (state.accesses.front().kind == AccessKind::Read) {
+                areas_.push_back(false);
+            } else {
+                areas_.back() = true;
+            }
+        }
+    }
+
+    bool is_finished() const { return next_ == areas_.size() && !holds_results(); }
+
+    void run_cycle(Cycles cycle) {
+        if (is_finished()) {
+            return;
+        }
+        if (stages_.back() && reciprocal_.legal_from(AccessKind::Write) > cycle) {
+            reciprocal_.count_stall(AccessKind::Write);
+            ++stats_.full_stall;
+            is_frozen_ = true;
+            return;
+        }
+        if (stages_.back()) {
+            reciprocal_.access(AccessKind::Write, cycle);
+            end_ = is_frozen_ ? cycle : end_;
+        }
+        is_frozen_ = false;
+        stages_.pop_back();
+        stages_.push_front(read(cycle));
+    }
+
+    bool is_stuck() const {
+        if (stages_.back()) {
+            return reciprocal_.legal_from(AccessKind::Write) == never;
+        }
+        return !is_finished() && !holds_results() && area_.legal_from(AccessKind::Read) == never;
+    }
+
+    Cycles local_time() const { return local_time_; }
+
+    TwinProcess stats() const {
+        TwinProcess stats = stats_;
+        stats.end_cycle = std::max(local_time_, end_);
+        return stats;
+    }
+
+  private:
+    bool holds_results() const { return std::find(stages_.begin(), stages_.end(), true) != stages_.end(); }
+
+    /// Whether there is something to divide by: not in a bubble, nor of a triangle that is not drawn.
+    bool read(Cycles cycle) {
+        if (next_ == areas_.size()) {
+            return false;
+        }
+        if (area_.legal_from(AccessKind::Read) > cycle) {
+            area_.count_stall(AccessKind::Read);
+            ++stats_.empty_stall;
+            return false;
+        }
+        area_.access(AccessKind::Read, cycle);
+        local_time_ = cycle + 1;
+        return areas_[next_++];
+    }
+
+    std::deque<bool> stages_;
+    FifoModel& area_;
+    FifoModel& reciprocal_;
+    std::vector<bool> areas_;  ///< by triangle: is drawn
+    std::size_t next_ = 0;
+    bool is_frozen_ = false;
+    Cycles end_ = 0;         ///< of the last time it stood still
+    Cycles local_time_ = 0;  ///< behind the last area
+    TwinProcess stats_;
+};
+
+/// A process of either sort.
+class AnyProcess {
+  public:
+    explicit AnyProcess(ProcessModel process) : model_(std::move(process)) {}
+    explicit AnyProcess(FlushingModel process) : model_(std::move(process)) {}
+
+    bool is_finished() const {
+        return std::visit([](auto const& process) { return process.is_finished(); }, model_);
+    }
+    void run_cycle(Cycles cycle) {
+        std::visit([cycle](auto& process) { process.run_cycle(cycle); }, model_);
+    }
+    bool is_stuck() const {
+        return std::visit([](auto const& process) { return process.is_stuck(); }, model_);
+    }
+    Cycles local_time() const {
+        return std::visit([](auto const& process) { return process.local_time(); }, model_);
+    }
+    TwinProcess stats() const {
+        return std::visit([](auto const& process) { return process.stats(); }, model_);
+    }
+
+  private:
+    std::variant<ProcessModel, FlushingModel> model_;
+};
+
 /// Writes of loops must leave the pipeline before its end, else the steps above would lose them.
 void check_write_latency(AcceleratorConfig const& config, LoopId loop, FifoId fifo) {
     if (fifo_of(config, fifo).write_latency >= loop_of(config, loop).depth) {
@@ -528,16 +643,23 @@ void run_core(AcceleratorConfig const& config, Stimulus const& stimulus, SampleR
     }
     Fifos fifos = make_fifos(config);
     std::array<TwinLoop, loop_count> loops = make_loops(config);
-    std::vector<ProcessModel> processes;
+    FifoConfig const reciprocal = fifo_of(config, FifoId::area_reciprocal);
+    std::vector<AnyProcess> processes;
     processes.reserve(module_count);
-    for (TwinProgram& program : programs) {
-        processes.emplace_back(config, std::move(program), fifos, loops);
+    for (std::size_t i = 0; i < module_count; ++i) {
+        bool const flushes =
+            i == index_of(ModuleId::area_reciprocal) && !reciprocal.squeezes && reciprocal.write_latency > 0;
+        if (flushes) {
+            processes.emplace_back(FlushingModel(config, programs[i], fifos));
+        } else {
+            processes.emplace_back(ProcessModel(config, std::move(programs[i]), fifos, loops));
+        }
     }
 
-    auto const finished = [](ProcessModel const& process) { return process.is_finished(); };
-    auto const at_rest = [](ProcessModel const& process) { return process.is_finished() || process.is_stuck(); };
+    auto const finished = [](AnyProcess const& process) { return process.is_finished(); };
+    auto const at_rest = [](AnyProcess const& process) { return process.is_finished() || process.is_stuck(); };
     for (Cycles cycle = 0; !std::all_of(processes.begin(), processes.end(), finished); ++cycle) {
-        for (ProcessModel& process : processes) {
+        for (AnyProcess& process : processes) {
             process.run_cycle(cycle);
         }
         for (FifoModel& fifo : fifos) {
@@ -548,7 +670,7 @@ void run_core(AcceleratorConfig const& config, Stimulus const& stimulus, SampleR
         if (std::all_of(processes.begin(), processes.end(), at_rest) &&
             !std::all_of(processes.begin(), processes.end(), finished)) {
             result.deadlock = true;
-            for (ProcessModel const& process : processes) {
+            for (AnyProcess const& process : processes) {
                 if (!process.is_finished()) {
                     result.deadlock_cycle = std::max(result.deadlock_cycle, process.local_time());
                 }

@@ -86,12 +86,16 @@ template <class Visit, class Row> void visit_sensitivity(Visit visit, Row& row) 
         visit(step->valid, step->deadlocks, step->total_cycles);
 }
 
+template <class Visit, class Row> void visit_alternative(Visit visit, Row& row) {
+    visit(row.key, row.value, row.other, row.step.valid, row.step.deadlocks, row.step.total_cycles);
+}
+
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
     ByteWriter writer;
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
     CriticalPath const path = run.critical_path.value_or(CriticalPath{});
     put(std::string{}, run.total_cycles, run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(),
-        run.stuck.size(), path.rows.size(), run.sensitivities.size(), maps.size());
+        run.stuck.size(), path.rows.size(), run.sensitivities.size(), run.alternatives.size(), maps.size());
     for (auto const& row : run.samples)
         visit_sample(put, row);
     for (auto const& row : run.cores)
@@ -102,6 +106,8 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
         visit_path(put, row);
     for (auto const& row : run.sensitivities)
         visit_sensitivity(put, row);
+    for (auto const& row : run.alternatives)
+        visit_alternative(put, row);
     for (auto const& row : maps)
         put(row.edge_map.pixels(), row.object_map.pixels(), row.depth_buffer.pixels());
     return writer.bytes();
@@ -133,6 +139,7 @@ ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
     run.statistics.stuck.resize(reader.get_size());
     path.rows.resize(reader.get_size());
     run.statistics.sensitivities.resize(reader.get_size());
+    run.statistics.alternatives.resize(reader.get_size());
     run.maps.resize(reader.get_size());
     for (auto& row : run.statistics.samples)
         visit_sample(get, row);
@@ -144,6 +151,8 @@ ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
         visit_path(get, row);
     for (auto& row : run.statistics.sensitivities)
         visit_sensitivity(get, row);
+    for (auto& row : run.statistics.alternatives)
+        visit_alternative(get, row);
     if (has_path)
         run.statistics.critical_path = path;
     for (auto& row : run.maps) {
@@ -178,8 +187,10 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         replay::RecordedRun recorded;
         options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
         RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : nullptr);
-        if (wanted.sensitivities)
+        if (wanted.sensitivities) {
             run.sensitivities = replay::sensitivities(recorded, loaded_from(config));
+            run.alternatives = replay::alternatives(recorded, loaded_from(config));
+        }
         if (!wanted.events.empty() && !run.deadlocked())
             write_events(wanted.events, config, recorded, run);
         return to_bytes(run, collector.maps());

@@ -4,6 +4,7 @@
 
 #include "faster/accelerator_config.hpp"
 #include "support/parts.hpp"
+#include "support/token_bits.hpp"
 
 namespace faster::testing {
 
@@ -14,6 +15,9 @@ struct FifoConfig {
     std::uint64_t depth = 2;  ///< tokens; HLS default
     FifoKind kind = FifoKind::automatic;
     Cycles write_latency = 0;  ///< stage of the writing loop in which a token leaves; 0 where not written in a loop
+    bool squeezes = false;     ///< of area_reciprocal: results in its unit close up instead of freezing
+    unsigned bits = 0;         ///< of a token
+    FifoGeneration rules = FifoGeneration::spec;
 };
 
 struct LoopConfig {
@@ -43,6 +47,9 @@ inline FifoConfig fifo_of(AcceleratorConfig const& config, FifoId id) {
     fifo.depth = asked.depth.value_or(fifo.depth);
     fifo.kind = asked.kind.value_or(fifo.kind);
     fifo.write_latency = asked.write_latency.value_or(default_write_latency(id));
+    fifo.squeezes = asked.when_full == WhenFull::squeeze;
+    fifo.bits = token_bits(id, config);
+    fifo.rules = config.fifo_rules;
     return fifo;
 }
 

@@ -439,6 +439,9 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
             draw_fifo(fifo);
         }
     }
+    if (dice.one_in(4)) {
+        config.fifo(FifoId::area_reciprocal).when_full = WhenFull::squeeze;
+    }
     if (options.is_deadlock_free) {
         make_room(config, {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index}, 1);
         if (config.rasterizer.setup_overlap > 0) {  // an area leaves at once, its command when it has passed the loop
@@ -447,6 +450,7 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         }
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }
+    config.fifo_rules = static_cast<FifoGeneration>(Dice(~seed).between(0, 2));  // changes nothing else that is drawn
     return config;
 }
 

@@ -46,7 +46,8 @@ struct Machine {
                 shape.capacity += 8;  // or read ahead and written behind, it would lock
             shape.read_latency = dice.between(1, 2);
             shape.write_latency = latencies[fifo];
-            shape.issue_latency = fifo == area_reciprocal ? dice.below(12) : 0;
+            if (fifo == area_reciprocal)
+                (dice.chance(30) ? shape.issue_latency : shape.flushing_stages) = dice.below(12);
             core.add_fifo(shape);
         }
         for (char const* name : {"source", "driver", "divider", "builder", "drawer", "collector"})

@@ -233,7 +233,8 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:1: raster_cores: unknown key, did you mean accelerator.raster_cores?");
     CHECK(file_error("accelerator:\n  cheese: 3\n") ==
           "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of architecture, raster_cores, "
-          "window, clock_mhz, flow, fraction_bits, edge_map, rasterizer, inlier_unit, edge_extraction, fifos, loops, "
+          "window, clock_mhz, fifo_rules, flow, fraction_bits, edge_map, rasterizer, inlier_unit, edge_extraction, "
+          "fifos, area_reciprocal, loops, "
           "brams");
     CHECK(file_error("accelerator.window: 3\n") ==
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");

@@ -109,7 +109,7 @@ TEST_CASE("A token read in the cycle in which another is written never makes two
     CHECK(ahead.max_occupancy() == 1);
 }
 
-TEST_CASE("The stages of a flushing pipeline are room in front of its FIFO", "[timing]") {
+TEST_CASE("The stages of a squeezing pipeline are room in front of its FIFO", "[timing]") {
     FifoShape pipeline = shape("area_reciprocal", 1);
     pipeline.issue_latency = 3;
     FifoTiming fifo(pipeline);
@@ -121,6 +121,74 @@ TEST_CASE("The stages of a flushing pipeline are room in front of its FIFO", "[t
     fifo.read(30);
     CHECK(fifo.earliest_write() == 31);
     CHECK(fifo.max_occupancy() == 1);  // what is still in the pipeline does not count
+}
+
+namespace {
+
+/// A unit of some stages that reads numbers which are there from cycle 0 on, and whose results wait for a reader.
+struct FlushingUnit {
+    CoreTiming core;
+    FifoTiming& in = core.add_fifo(shape("in", 100));
+    FifoTiming& out;
+    ProcessTiming& unit = core.add_process("unit");
+
+    FlushingUnit(Cycles stages, std::uint64_t capacity)
+        : out(core.add_fifo([&] {
+              FifoShape behind = shape("out", capacity);
+              behind.flushing_stages = stages;
+              return behind;
+          }())) {
+        unit.add_reads(in);
+        unit.add_writes(out);
+    }
+    /// Reads what can be read from a cycle on, which yields something.
+    void divide(Cycles written) {
+        in.write(written);
+        unit.log().step(bit(0), 0);
+        unit.log().step(bit(1), 0);
+        unit.log().wait(1);
+        core.resolve();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("A flushing pipeline freezes with its bubbles while there is no room behind it", "[timing]") {
+    FlushingUnit machine(4, 1);
+    for (Cycles const written : std::vector<Cycles>{9, 11, 14})  // read in 10, 12 and 15
+        machine.divide(written);
+    CHECK(machine.out.writes() == 1);  // in 14
+    CHECK(machine.out.known_reads() == 1);
+    CHECK(machine.out.earliest_read() == 15);
+    CHECK(machine.unit.local_time() == 16);
+    CHECK(machine.in.empty_stall_cycles() == 13);  // all but the three steps that read
+
+    machine.out.read(30);  // the second was due in 16, and gets its place in 31
+    machine.core.resolve();
+    CHECK(machine.out.earliest_read() == 32);
+    CHECK(machine.out.full_stall_cycles() == 15);
+
+    machine.out.read(32);  // the third was three steps behind it, and still is
+    machine.core.resolve();
+    CHECK(machine.out.earliest_read() == 35);
+    CHECK(machine.out.full_stall_cycles() == 15);
+
+    machine.divide(16);  // could have been read in 17, but everything stood still from 16 to 31
+    CHECK(machine.unit.local_time() == 32);
+    CHECK(machine.in.empty_stall_cycles() == 13);
+    CHECK(machine.unit.end() == 32);
+}
+
+TEST_CASE("A result that waits behind a flushing pipeline says so when everything stands still", "[timing]") {
+    FlushingUnit machine(4, 1);
+    machine.divide(9);
+    machine.divide(11);
+    std::vector<Wait> const waits = machine.core.waits();
+    REQUIRE(waits.size() == 1);
+    CHECK(waits[0].fifo == "out");
+    CHECK(waits[0].to_write);
+    CHECK(waits[0].occupancy == 1);
+    CHECK(waits[0].since == 13);
 }
 
 TEST_CASE("An unlimited FIFO is as one with room for everything, however far its writer gets ahead", "[timing]") {

@@ -14,9 +14,21 @@ namespace faster {
 /// How the enumerators of a choice are written in configuration files and reports.
 template <class Enum> struct EnumNames;
 
+template <> struct EnumNames<FifoGeneration> {
+    static constexpr std::array<std::pair<FifoGeneration, char const*>, 3> all{
+        {{FifoGeneration::spec, "spec"},
+         {FifoGeneration::vivado_hls, "vivado_hls"},
+         {FifoGeneration::vitis_hls, "vitis_hls"}}};
+};
+
 template <> struct EnumNames<FifoKind> {
     static constexpr std::array<std::pair<FifoKind, char const*>, 3> all{
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};
+};
+
+template <> struct EnumNames<WhenFull> {
+    static constexpr std::array<std::pair<WhenFull, char const*>, 2> all{
+        {{WhenFull::freeze, "freeze"}, {WhenFull::squeeze, "squeeze"}}};
 };
 
 template <> struct EnumNames<PartitionType> {

@@ -72,6 +72,8 @@ struct Key {
     bool of_runs = true;
     /// A whole number of a time or size that the sensitivities change by one.
     bool is_step = false;
+    /// A choice about the whole machine, of which the sensitivities try every other value.
+    bool is_alternative = false;
     std::function<KeyValue(RunConfig const&)> read;
     std::function<void(RunConfig&, KeyValue const&)> write;
 

@@ -100,6 +100,19 @@ void add_stage_keys(Keys& keys, CoreDescription const& core, std::string const& 
             stages, fifo, [](auto& settings) -> auto& { return settings.read_stage; }, *taken->end.read_stage));
 }
 
+/// Of the module that has a flushing pipeline.
+void add_flushing_keys(Keys& keys, ModuleDescription const& module) {
+    for (FifoEnd const& end : module.ends)
+        if (end.flushes)
+            keys.push_back(choice_key(
+                {"accelerator." + module.name + ".when_full", "",
+                 "What the pipeline does while the FIFO behind it is full: freeze with its bubbles, or let its results "
+                 "close up, which takes a FIFO as deep as the pipeline besides.",
+                 "SPEC 3"},
+                [name = end.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
+                [](auto& settings) -> auto& { return settings.when_full; }, WhenFull::freeze));
+}
+
 void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
     auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
     keys.push_back(step_key(
@@ -108,7 +121,8 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
         {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
-         "How the FIFO is built; auto is a shift register up to depth 2, else a memory.", "timing model"},
+         "How the FIFO is built; auto is a shift register up to depth 2, or as far as fifo_rules says, else a memory.",
+         "timing model"},
         fifo, [](auto& settings) -> auto& { return settings.kind; }, FifoKind::automatic));
     add_stage_keys(keys, core, name);
 }
@@ -200,6 +214,8 @@ Keys machine_keys(CoreDescription const& core) {
     for (std::string const& fifo : core.fifos)
         add_fifo_keys(keys, core, fifo);
     for (ModuleDescription const& module : core.modules)
+        add_flushing_keys(keys, module);
+    for (ModuleDescription const& module : core.modules)
         add_loops_keys(keys, module);
     for (ModuleDescription const& module : core.modules)
         for (MemoryDescription const& memory : module.memories)
@@ -221,6 +237,18 @@ Key clock_key(std::string source) {
         {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
         {0, std::numeric_limits<double>::infinity(), true},
         [](auto& settings) -> auto& { return settings.clock_mhz; }));
+}
+
+Key fifo_rules_key() {
+    Key key = of_time(KeyMaker<MachineSettings>::choice_key(
+        {"accelerator.fifo_rules", "",
+         "Whose FIFOs: those of SPEC, of Vivado HLS up to 2020.2, or of Vitis HLS from 2021.1 on; decides what kind "
+         "auto "
+         "is and how many tokens a memory holds.",
+         "timing model"},
+        [](auto& settings) -> auto& { return settings.fifo_rules; }));
+    key.is_alternative = true;
+    return key;
 }
 
 }  // namespace faster

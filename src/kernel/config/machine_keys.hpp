@@ -19,6 +19,9 @@ Key cores_key(std::string name, std::string meaning, std::string source);
 /// accelerator.clock_mhz
 Key clock_key(std::string source);
 
+/// accelerator.fifo_rules
+Key fifo_rules_key();
+
 /// accelerator.architecture, for a design with presets. `field`: where its `Config` keeps the name.
 template <class Config, class Field> Key architecture_key(std::string source, Field field) {
     Key key = KeyMaker<Config>::make_key(

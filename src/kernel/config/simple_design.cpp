@@ -42,6 +42,7 @@ std::vector<Key> SimpleDesign::keys() const {
     add_numbers(false);
     keys.push_back(cores_key("accelerator.cores", "Cores that share the samples.", facts_.name));
     keys.push_back(clock_key(facts_.name));
+    keys.push_back(fifo_rules_key());
     add_numbers(true);
     for (Key& key : machine_keys(describe(defaults().numbers)))
         keys.push_back(std::move(key));

@@ -57,6 +57,7 @@ struct RunStatistics {
     std::vector<CoreStatistics> cores;
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
+    std::vector<Alternative> alternatives;      ///< likewise
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
 
     bool deadlocked() const { return !stuck.empty(); }

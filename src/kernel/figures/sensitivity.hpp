@@ -36,4 +36,12 @@ struct Sensitivity {
     SensitivityStep up;    ///< value + 1
 };
 
+/// What another value of a choice does to total_cycles, all else equal.
+struct Alternative {
+    std::string key;
+    std::string value;
+    std::string other;
+    SensitivityStep step;  ///< always without slack
+};
+
 }  // namespace faster

@@ -8,16 +8,34 @@ namespace faster {
 /// How a FIFO is built (SPEC section 3): decides its capacity and read latency.
 enum class FifoKind { automatic, shift_register, memory };
 
-/// A kind with `automatic` decided: shift register up to depth 2, memory above.
-constexpr FifoKind resolved_kind(FifoKind kind, std::uint64_t depth) {
+/// What a flushing pipeline does whose FIFO is full (SPEC section 3, AreaReciprocal): freeze with its bubbles, or let
+/// its tokens close up, as stages that each take a token whenever they are empty do.
+enum class WhenFull { freeze, squeeze };
+
+/// Whose FIFOs a machine has; key `accelerator.fifo_rules` (SYSTEM.md section 5). The generations differ in what
+/// `automatic` becomes, and in whether a memory's output register holds a token besides the memory's words.
+enum class FifoGeneration {
+    spec,        ///< SPEC section 3
+    vivado_hls,  ///< Vivado HLS up to 2020.2
+    vitis_hls,   ///< Vitis HLS from 2021.1 on
+};
+
+/// The largest that HLS builds of shift registers where it is free to choose: `auto_srl_max_depth` and
+/// `auto_srl_max_bits` of its `config_storage`, as they are by default. One of the two is enough.
+constexpr std::uint64_t auto_shift_register_depth = 2;    ///< tokens
+constexpr std::uint64_t auto_shift_register_bits = 1024;  ///< depth times bits of a token
+
+/// A kind with `automatic` decided. `bits`: of a token.
+constexpr FifoKind resolved_kind(FifoKind kind, std::uint64_t depth, unsigned bits, FifoGeneration generation) {
     if (kind != FifoKind::automatic)
         return kind;
-    return depth <= 2 ? FifoKind::shift_register : FifoKind::memory;
+    bool const is_small = generation != FifoGeneration::spec && depth * bits <= auto_shift_register_bits;
+    return depth <= auto_shift_register_depth || is_small ? FifoKind::shift_register : FifoKind::memory;
 }
 
-/// Tokens that fit into a FIFO of a resolved kind: a memory has an output register besides.
-constexpr std::uint64_t capacity_of(FifoKind resolved, std::uint64_t depth) {
-    return resolved == FifoKind::memory ? depth + 1 : depth;
+/// Tokens that a FIFO of a resolved kind holds beyond its depth: in a memory's output register.
+constexpr std::uint64_t tokens_beyond_depth(FifoKind resolved, FifoGeneration generation) {
+    return resolved == FifoKind::memory && generation != FifoGeneration::vitis_hls ? 1 : 0;
 }
 
 /// A token written in cycle s can be read from s + this on.

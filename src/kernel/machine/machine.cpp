@@ -115,12 +115,14 @@ class Maker {
         fifo.reader = read.module;
         fifo.depth = settings.depth.value_or(FifoSettings::default_depth);
         fifo.configured_kind = settings.kind.value_or(FifoKind::automatic);
-        fifo.kind = resolved_kind(fifo.configured_kind, fifo.depth);
         fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
         if (read.end->read_stage)
             fifo.read_stage = settings.read_stage.value_or(*read.end->read_stage);
         fifo.flushes = written.end->flushes;
+        fifo.when_full = settings.when_full.value_or(WhenFull::freeze);
         fifo.bits = fifo.is_present ? written.end->bits : 0;
+        fifo.generation = settings_.fifo_rules;
+        fifo.kind = resolved_kind(fifo.configured_kind, fifo.depth, fifo.bits, fifo.generation);
         machine_.fifos.push_back(std::move(fifo));
     }
 
@@ -238,11 +240,12 @@ class Maker {
 timing::FifoShape MachineFifo::shape() const {
     timing::FifoShape shape;
     shape.name = name;
-    shape.capacity = capacity_of(kind, depth);
+    shape.capacity = capacity();
     shape.read_latency = read_latency_of(kind);
     shape.write_latency = write_latency;
     shape.read_stage = read_stage;
-    shape.issue_latency = flushes ? write_latency : 0;
+    if (flushes)
+        (when_full == WhenFull::freeze ? shape.flushing_stages : shape.issue_latency) = write_latency;
     return shape;
 }
 

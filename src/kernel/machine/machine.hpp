@@ -48,12 +48,16 @@ struct MachineFifo {
     std::size_t reader = 0;
     FifoKind configured_kind = FifoKind::automatic;
     FifoKind kind = FifoKind::shift_register;  ///< resolved
-    std::uint64_t depth = 2;                   ///< tokens
+    FifoGeneration generation = FifoGeneration::spec;
+    std::uint64_t depth = 2;  ///< tokens
     Cycles write_latency = 0;
     Cycles read_stage = 0;
     bool flushes = false;
-    unsigned bits = 0;  ///< of a token; 0: not there
+    WhenFull when_full = WhenFull::freeze;  ///< if it flushes
+    unsigned bits = 0;                      ///< of a token; 0: not there
 
+    /// Tokens that fit.
+    std::uint64_t capacity() const { return depth + tokens_beyond_depth(kind, generation); }
     /// As the timing sees it (SPEC section 3, FIFO).
     timing::FifoShape shape() const;
 };

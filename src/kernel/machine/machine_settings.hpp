@@ -18,6 +18,7 @@ struct FifoSettings {
     std::optional<FifoKind> kind;
     std::optional<Cycles> write_latency;  ///< stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< stage of the reading loop in which a token is taken
+    std::optional<WhenFull> when_full;    ///< of a flushing pipeline in front of it; key `accelerator.MODULE.when_full`
 };
 
 /// One pipelined loop; keys `accelerator.loops.MODULE.LOOP.*`.
@@ -37,6 +38,7 @@ struct MemorySettings {
 struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
+    FifoGeneration fifo_rules = FifoGeneration::spec;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, MemorySettings> memories;

@@ -27,7 +27,7 @@ struct FifoEnd {
     std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
     std::string loop;                     ///< the loop whose depth bounds the write latency or read stage; or empty
-    bool flushes = false;                 ///< behind a flushing pipeline, whose stages hold tokens of their own
+    bool flushes = false;                 ///< behind a flushing pipeline of its module, see timing::FlushingPipeline
     std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
 
     FifoEnd& carries(std::string text) { return tokens = std::move(text), *this; }
@@ -38,7 +38,9 @@ struct FifoEnd {
     /// Read by a loop that may take it in a later step than an iteration's first. Such a loop says it of all FIFOs that
     /// it reads, or names the others by also_reads().
     FifoEnd& taken(std::string its_loop, Cycles stage) { return loop = std::move(its_loop), read_stage = stage, *this; }
-    /// Leaves a pipeline of so many stages that drains by itself, whatever its module reads.
+    /// Leaves a pipeline of so many stages that drains by itself, whatever its module reads. Such a module reads one
+    /// FIFO, in a step of its own, then writes what that step yields, if anything, then lets a cycle pass; that again
+    /// and again.
     FifoEnd& flushes_after(Cycles stages, std::string meaning) {
         return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
     }

@@ -9,7 +9,12 @@ using timing::ProcessTiming;
 
 CoreCapture::CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
                          std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools)
-    : core_(core), taps_(taps), first_sample_(first_sample), tokens_in_use_(tokens_in_use), spools_(spools) {
+    : core_(core),
+      taps_(taps),
+      first_sample_(first_sample),
+      tokens_in_use_(tokens_in_use),
+      spools_(spools),
+      late_(core.processes().size()) {
     number_parts(machine);
     take_down_state();
     for (std::size_t i = 0; i < core.processes().size(); ++i)
@@ -64,8 +69,12 @@ void CoreCapture::take_down_tokens(ProcessTiming const& process) {
     std::stable_sort(accesses.begin(), accesses.end(),
                      [](Access const& a, Access const& b) { return a.cycle < b.cycle; });
     for (Access const& access : accesses)
-        access.writes ? put_write(process, access.fifo, access.number, access.cycle)
-                      : put_read(process, access.fifo, access.cycle);
+        if (!access.writes)
+            put_read(process, access.fifo, access.cycle);
+        else if (process.flushes() && access.cycle >= process.local_time())
+            put_late(process, access.fifo, access.number, process.due(access.cycle), access.cycle);
+        else
+            put_write(process, access.fifo, access.number, access.cycle);
 }
 
 void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cycles cycle) {
@@ -76,9 +85,27 @@ void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cyc
     put(process, event);
 }
 
+/// Events of a process are in the order of their cycles.
 void CoreCapture::put(ProcessTiming const& process, Event const& event) {
+    tell_late(process.index(), event.cycle);
+    spool(process.index(), event);
+}
+
+void CoreCapture::spool(std::size_t process, Event const& event) {
     if (event.cycle <= last_)
-        spools_[process.index()].put(event);
+        spools_[process].put(event);
+}
+
+/// What was told ahead of time and happens before a cycle, or in it.
+void CoreCapture::tell_late(std::size_t process, Cycles until) {
+    std::deque<Event>& late = late_[process];
+    for (; !late.empty() && late.front().cycle <= until; late.pop_front())
+        spool(process, late.front());
+}
+
+void CoreCapture::finish() {
+    for (std::size_t process = 0; process < late_.size(); ++process)
+        tell_late(process, ~Cycles{0});
 }
 
 void CoreCapture::entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) {
@@ -107,13 +134,28 @@ void CoreCapture::iterated(ProcessTiming const& process, Cycles cycle, std::uint
     put(process, event);
 }
 
+/// What happens in a flushing pipeline during a stall parts it.
 void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) {
+    std::deque<Event>& late = late_[process.index()];
+    while (!late.empty() && late.front().cycle < until) {
+        Event const next = late.front();
+        Cycles const goes_on = next.kind == Kind::stall ? static_cast<Cycles>(next.value) : next.cycle;
+        if (next.cycle > from)
+            put_stall(process, port, from, next.cycle);
+        tell_late(process.index(), goes_on);
+        from = std::max(from, goes_on);
+    }
+    if (from < until)
+        put_stall(process, port, from, until);
+}
+
+void CoreCapture::put_stall(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) {
     Event event;
     event.cycle = from;
     event.kind = Kind::stall;
     event.item = fifo_at(process, port);
     event.value = static_cast<std::int64_t>(until);
-    put(process, event);
+    spool(process.index(), event);
 }
 
 void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
@@ -126,15 +168,40 @@ void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cy
 }
 
 void CoreCapture::put_write(ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle) {
-    std::int64_t const* const values = taps_[fifo].token(number);
-    Event event;
-    event.cycle = cycle;
-    event.item = fifo;
-    for (std::size_t i = 0; i < taps_[fifo].layout().size(); ++i) {
-        event.kind = i == 0 ? Kind::write : Kind::field;
-        event.value = values[i];
+    for (Event const& event : write_of(fifo, number, cycle))
         put(process, event);
+}
+
+/// A token with its fields.
+std::vector<Event> CoreCapture::write_of(std::uint32_t fifo, std::uint64_t number, Cycles cycle) const {
+    std::int64_t const* const values = taps_[fifo].token(number);
+    std::vector<Event> events(taps_[fifo].layout().size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        events[i].cycle = cycle;
+        events[i].item = fifo;
+        events[i].kind = i == 0 ? Kind::write : Kind::field;
+        events[i].value = values[i];
     }
+    return events;
+}
+
+void CoreCapture::let_out(ProcessTiming const& process, unsigned port, Cycles due, Cycles cycle) {
+    put_late(process, fifo_at(process, port), process.fifo(port).writes(), due, cycle);
+}
+
+void CoreCapture::put_late(ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles due,
+                           Cycles cycle) {
+    std::deque<Event>& late = late_[process.index()];
+    if (cycle > due) {
+        Event stall;
+        stall.cycle = due;
+        stall.kind = Kind::stall;
+        stall.item = fifo;
+        stall.value = static_cast<std::int64_t>(cycle);
+        late.push_back(stall);
+    }
+    std::vector<Event> const token = write_of(fifo, number, cycle);
+    late.insert(late.end(), token.begin(), token.end());
 }
 
 void CoreCapture::stamped(ProcessTiming const& process, Cycles cycle) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <vector>
 
 #include "kernel/machine/machine.hpp"
@@ -25,10 +26,19 @@ class CoreCapture : public timing::StepObserver {
                   Cycles stride) override;
     void stalled(timing::ProcessTiming const& process, unsigned port, Cycles from, Cycles until) override;
     void accessed(timing::ProcessTiming const& process, timing::Ports ports, Cycles cycle) override;
+    void let_out(timing::ProcessTiming const& process, unsigned port, Cycles due, Cycles cycle) override;
     void stamped(timing::ProcessTiming const& process, Cycles cycle) override;
+    /// Nothing more comes: tells what was told ahead of time.
+    void finish();
 
   private:
     void put(timing::ProcessTiming const& process, Event const& event);
+    void spool(std::size_t process, Event const& event);
+    void put_late(timing::ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles due,
+                  Cycles cycle);
+    void put_stall(timing::ProcessTiming const& process, unsigned port, Cycles from, Cycles until);
+    void tell_late(std::size_t process, Cycles until);
+    std::vector<Event> write_of(std::uint32_t fifo, std::uint64_t number, Cycles cycle) const;
     void put_write(timing::ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle);
     void put_read(timing::ProcessTiming const& process, std::uint32_t fifo, Cycles cycle);
     void number_parts(Machine const& machine);
@@ -44,6 +54,7 @@ class CoreCapture : public timing::StepObserver {
     std::uint64_t tokens_in_use_;
     Spools& spools_;
     Cycles last_ = ~Cycles{0};
+    std::vector<std::deque<Event>> late_;  ///< by process: events told ahead of time, in order
     // Numbers of parts of the machine.
     std::vector<std::vector<std::uint32_t>> fifos_at_;  // by process and port
     std::vector<std::vector<std::uint32_t>> loops_at_;  // by process and number of the loop in it

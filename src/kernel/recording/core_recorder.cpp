@@ -162,6 +162,8 @@ void CoreRecorder::stop() {
     for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
         core_.remove_tap(fifo, taps_[fifo]);
     checkpoints_.clear();
+    if (capture_ != nullptr)
+        capture_->finish();
     capture_.reset();
     detail_.reset();
     taps_.clear();

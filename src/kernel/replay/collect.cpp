@@ -66,7 +66,7 @@ class CycleSorter {
             return row;
         }
         timing::ProcessTiming const& process = core_.processes()[number];
-        Cycles const end = std::min(process.local_time(), total_cycles_);
+        Cycles const end = std::min(process.end(), total_cycles_);
         if (process.idle_before_cycles() > end) {  // its first token comes after the last result
             row[CycleClass::idle_before] = end;
             return row;
@@ -74,7 +74,7 @@ class CycleSorter {
         add_stalls(process, row);
         add_loop_costs(process, row);
         row[CycleClass::setup] = cycles_of_setups(process);
-        cut_off(process, process.local_time() - end, row);
+        cut_off(process, process.end() - end, row);
         row[CycleClass::busy] = end - row.sum();
         row[CycleClass::idle_after] = total_cycles_ - end;
         return row;

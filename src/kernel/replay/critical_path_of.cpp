@@ -39,6 +39,9 @@ class ProcessRows {
         row.cause = cause_of(region.part());
         row.cycles = sums_.of(process_.index(), region, Share::own);
         put(row);
+        row.cause = PathCause::fill_drain;
+        row.cycles = sums_.of(process_.index(), region, Share::flight);
+        put(row);
         row.cause = PathCause::recurrence;
         row.cycles = sums_.of(process_.index(), region, Share::recurrence);
         put(row);

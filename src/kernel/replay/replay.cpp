@@ -131,8 +131,8 @@ Cycles Replay::all_times() const {
 void Replay::find_stuck() {
     core_.resolve();
     for (std::size_t i = 0; i < is_stuck_.size(); ++i)
-        is_stuck_[i] = i != supplier_ && !core_.processes()[i].finished();
-    auto const is_left = [](timing::ProcessTiming const& process) { return !process.finished(); };
+        is_stuck_[i] = i != supplier_ && !core_.processes()[i].log().exhausted();
+    auto const is_left = [](timing::ProcessTiming const& process) { return !process.log().exhausted(); };
     is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
 }
 

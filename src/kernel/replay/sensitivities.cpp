@@ -1,5 +1,7 @@
 #include "kernel/replay/sensitivities.hpp"
 
+#include <algorithm>
+
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
@@ -25,6 +27,22 @@ void add_step(LoadedConfig const& loaded, Key const& key, std::int64_t value, Se
     tasks.steps.push_back(&step);
 }
 
+bool are_alike(MachineFifo const& one, MachineFifo const& other) {
+    return one.capacity() == other.capacity() && one.kind == other.kind;
+}
+
+/// As far as such a choice goes: FIFOs.
+bool are_alike(Machine const& one, Machine const& other) {
+    std::vector<std::size_t> const fifos = fifos_of(one);
+    return std::all_of(fifos.begin(), fifos.end(),
+                       [&](std::size_t i) { return are_alike(one.fifos[i], other.fifos[i]); });
+}
+
+void note(RunStatistics const& retimed, SensitivityStep& step) {
+    step.deadlocks = retimed.deadlocked();
+    step.total_cycles = retimed.deadlocked() ? 0 : retimed.total_cycles;
+}
+
 }  // namespace
 
 std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
@@ -40,11 +58,28 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
     }
     std::size_t done = 0;
     retime_many(run, tasks.machines, [&](std::size_t i, RunStatistics const& retimed) {
-        tasks.steps[i]->deadlocks = retimed.deadlocked();
-        tasks.steps[i]->total_cycles = retimed.deadlocked() ? 0 : retimed.total_cycles;
+        note(retimed, *tasks.steps[i]);
         if (progress)
             progress(++done, tasks.machines.size());
     });
+    return rows;
+}
+
+std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const& loaded) {
+    Machine const machine = machine_of(loaded.config);
+    std::vector<Alternative> rows;
+    std::vector<Machine> machines;
+    for (Key const& key : all_keys())
+        for (std::string const& other : key.is_alternative ? key.choices : std::vector<std::string>{}) {
+            RunConfig changed = loaded.config;
+            key.write(changed, KeyValue{other});
+            Machine changed_machine = machine_of(changed);
+            if (are_alike(machine, changed_machine))
+                continue;
+            machines.push_back(std::move(changed_machine));
+            rows.push_back({key.name(), std::get<std::string>(key.read(loaded.config)), other, {true}});
+        }
+    retime_many(run, machines, [&](std::size_t i, RunStatistics const& retimed) { note(retimed, rows[i].step); });
     return rows;
 }
 

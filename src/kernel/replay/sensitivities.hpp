@@ -14,4 +14,8 @@ namespace faster::replay {
 std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
                                        std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
+/// The same for every other value of each choice about the whole machine; but of values with which the machine is the
+/// same, nothing.
+std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const& loaded);
+
 }  // namespace faster::replay

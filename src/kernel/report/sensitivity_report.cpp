@@ -69,19 +69,29 @@ std::string cell(SensitivityStep const& step, RunStatistics const& run) {
                        100.0 * static_cast<double>(change) / static_cast<double>(run.total_cycles));
 }
 
+std::string alternatives_text(RunStatistics const& run) {
+    std::string text = "\nAlternatives: change of the total by another choice, exact\n";
+    for (Alternative const& row : run.alternatives)
+        text += fmt::format("  {:<47} {:>12} -> {:<12} {:>22}\n", row.key, row.value, row.other, cell(row.step, run));
+    return text;
+}
+
 char const* outcome(SensitivityStep const& step) {
     return !step.valid ? "invalid" : step.deadlocks ? "deadlock" : "finished";
 }
 
-void add_csv_row(std::string& text, Sensitivity const& row, int by, SensitivityStep const& step,
-                 RunStatistics const& run) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},", row.key, row.value, row.value + by, outcome(step));
+template <class Value>
+void add_csv_row(std::string& text, std::string const& key, Value const& value, Value const& changed,
+                 SensitivityStep const& step, RunStatistics const& run) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},", key, value, changed, outcome(step));
     if (finishes(step))
         fmt::format_to(std::back_inserter(text), "{},{}", step.total_cycles, change_of(step, run));
     else
         text += ',';
     if (step.slack)
         fmt::format_to(std::back_inserter(text), ",{},{}", step.slack->change, name_of(step.slack->end));
+    else if (has_slack(run))
+        text += ",,";
     text += '\n';
 }
 
@@ -117,6 +127,8 @@ std::string sensitivities_text(RunStatistics const& run) {
         text += fmt::format("  ({} more, which the files of --out or --csv list)\n", rows.size() - most_steps);
     std::size_t const idle = run.sensitivities.size() - rows.size();
     text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
+    if (!run.alternatives.empty())
+        text += alternatives_text(run);
     if (has_slack(run))
         text += slack_text(run);
     return text;
@@ -126,9 +138,11 @@ std::string sensitivities_csv(RunStatistics const& run) {
     std::string text = "key,value,changed_value,outcome,total_cycles,change_cycles";
     text += has_slack(run) ? ",slack,slack_end\n" : "\n";
     for (Sensitivity const& row : run.sensitivities) {
-        add_csv_row(text, row, -1, row.down, run);
-        add_csv_row(text, row, 1, row.up, run);
+        add_csv_row(text, row.key, row.value, row.value - 1, row.down, run);
+        add_csv_row(text, row.key, row.value, row.value + 1, row.up, run);
     }
+    for (Alternative const& row : run.alternatives)
+        add_csv_row(text, row.key, row.value, row.other, row.step, run);
     return text;
 }
 
@@ -142,12 +156,23 @@ Json sensitivities_json(RunStatistics const& run) {
     return rows;
 }
 
+Json alternatives_json(RunStatistics const& run) {
+    Json rows = Json::array();
+    for (Alternative const& row : run.alternatives) {
+        rows.push_back({{"key", row.key}, {"value", row.value}, {"other", row.other}});
+        rows.back().update(step_json(row.step, run));
+    }
+    return rows;
+}
+
 std::string sensitivities_file_json(RunStatistics const& run) {
     Json file;
     file["format"] = "faster-sensitivities";
     file["version"] = 1;
     file["total_cycles"] = run.total_cycles;
     file["sensitivities"] = sensitivities_json(run);
+    if (!run.alternatives.empty())
+        file["alternatives"] = alternatives_json(run);
     return file.dump(2) + "\n";
 }
 

@@ -14,6 +14,7 @@ std::string sensitivities_text(RunStatistics const& run);
 /// keys.
 std::string sensitivities_csv(RunStatistics const& run);
 Json sensitivities_json(RunStatistics const& run);
+Json alternatives_json(RunStatistics const& run);
 /// The same as a file of its own, of `faster-sim sensitivities --json`.
 std::string sensitivities_file_json(RunStatistics const& run);
 

@@ -38,6 +38,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
         summary["critical_path"] = critical_path_json(run);
     if (!run.sensitivities.empty())
         summary["sensitivities"] = sensitivities_json(run);
+    if (!run.alternatives.empty())
+        summary["alternatives"] = alternatives_json(run);
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     return summary.dump(2) + "\n";

@@ -11,13 +11,13 @@ namespace faster::sizing {
 namespace {
 
 double cost_at(FifoFrame const& frame, std::size_t fifo, FifoChoice const& choice) {
-    return cost_of(primitives_of(choice.kind, choice.depth, frame.bits[fifo], frame.weights), frame.weights);
+    return cost_of(primitives_of(choice, frame.freedoms[fifo], frame.weights), frame.weights);
 }
 
 /// 0 if nothing shallower costs less.
 std::uint64_t cheaper_depth(FifoFrame const& frame, std::size_t fifo, FifoChoice const& choice) {
     std::uint64_t depth = choice.depth - 1;
-    while (depth > 0 && cost_at(frame, fifo, choice_of(frame.kinds[fifo], depth)) >= cost_at(frame, fifo, choice))
+    while (depth > 0 && cost_at(frame, fifo, frame.freedoms[fifo].at_depth(depth)) >= cost_at(frame, fifo, choice))
         --depth;
     return depth;
 }
@@ -41,7 +41,7 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
             continue;
         CertificateRow row;
         row.fifo = i;
-        row.shallower = choice_of(frame.kinds[i], choice[i].depth - 1);
+        row.shallower = frame.freedoms[i].at_depth(choice[i].depth - 1);
         row.is_token_step = true;
         std::uint64_t const cheaper = cheaper_depth(frame, i, choice[i]);
         row.is_cost_step = cheaper == choice[i].depth - 1;
@@ -49,7 +49,7 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
             rows.push_back(row);
         if (row.is_cost_step || cheaper == 0)
             continue;
-        row.shallower = choice_of(frame.kinds[i], cheaper);
+        row.shallower = frame.freedoms[i].at_depth(cheaper);
         row.is_token_step = false;
         row.is_cost_step = true;
         rows.push_back(row);

@@ -94,10 +94,10 @@ class BranchAndBound {
 
 }  // namespace
 
-Primitives sum_of(Choice const& choice, std::vector<unsigned> const& bits, CostWeights const& weights) {
+Primitives sum_of(Choice const& choice, Freedoms const& fifos, CostWeights const& weights) {
     Primitives sum;
     for (std::size_t i = 0; i < choice.size(); ++i) {
-        Primitives const fifo = primitives_of(choice[i].kind, choice[i].depth, bits[i], weights);
+        Primitives const fifo = primitives_of(choice[i], fifos[i], weights);
         sum.luts += fifo.luts;
         sum.ramb18 += fifo.ramb18;
     }

@@ -9,8 +9,8 @@ namespace faster::sizing {
 /// The levels of each FIFO, the cheapest first.
 using Levels = std::vector<std::vector<Level>>;
 
-/// What the primitives of a choice take together, in one core; `bits` of a token by FIFO.
-Primitives sum_of(Choice const& choice, std::vector<unsigned> const& bits, CostWeights const& weights);
+/// What the primitives of a choice take together, in one core.
+Primitives sum_of(Choice const& choice, Freedoms const& fifos, CostWeights const& weights);
 
 /// The cheapest combination of levels that escapes all cuts; of equally cheap ones always the same. Empty if there is
 /// none. Exact: branches on who escapes a cut, and leaves a branch once it costs what the best so far costs.

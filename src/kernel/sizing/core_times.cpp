@@ -125,14 +125,29 @@ std::vector<Cut::Member> members_of(Members const& members) {
 
 }  // namespace
 
-CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine machine)
-    : run_(run, machine.lead),
+CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine)
+    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, machine.lead), machine) {}
+
+CoreTimes::CoreTimes(Run run, Machine machine)
+    : run_(std::move(run)),
       machine_(std::move(machine)),
-      cores_(cores_with_samples(machine_.cores, run.tape.samples())),
+      freezing_(freezing_fifos(machine_)),
+      relaxed_(freezing_.empty() ? nullptr : new CoreTimes(run_, sizing::relaxed(machine_))),
+      cores_(cores_with_samples(machine_.cores, run_->run().tape.samples())),
       tokens_(machine_.fifos.size()),
       work_(cores_) {}
 
+/// A FIFO was full behind a pipeline that freezes then, if it does.
+bool CoreTimes::has_frozen(Choice const& choice, Known const& known) const {
+    return std::any_of(freezing_.begin(), freezing_.end(),
+                       [&](std::size_t fifo) { return choice[fifo].capacity() < known.room[fifo]; });
+}
+
+/// The relaxed machine does the same as long as nothing would freeze.
 std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
+    std::optional<Known> const relaxed = is_monotone() ? std::nullopt : relaxed_->known(core, choice);
+    if (relaxed && !relaxed->is_left_early && !has_frozen(choice, *relaxed))
+        return relaxed;
     std::lock_guard<std::mutex> const lock(mutex_);
     auto const known = known_.find({core, choice});
     return known == known_.end() ? std::nullopt : std::optional(known->second);
@@ -149,18 +164,39 @@ Cycles CoreTimes::least_cycles(std::size_t core, Choice const& choice) const {
 }
 
 std::uint64_t CoreTimes::needed_room(Choice const& choice, std::size_t fifo) const {
-    std::lock_guard<std::mutex> const lock(mutex_);
     std::uint64_t room = 1;
     for (std::size_t core = 0; core < cores_; ++core)
-        room = std::max(room, known_.at({core, choice}).room[fifo]);
-    return room;
+        room = std::max(room, known(core, choice)->room[fifo]);
+    return std::min(room, choice[fifo].capacity());
+}
+
+bool CoreTimes::was_full(Choice const& choice, std::size_t fifo) const {
+    for (std::size_t core = 0; core < cores_; ++core)
+        if (known(core, choice)->room[fifo] > choice[fifo].capacity())
+            return true;
+    return false;
 }
 
 /// Enough room for what happened there, and at most its latency.
 bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const& known) {
     for (std::size_t i = 0; i < choice.size(); ++i)
-        if (choice[i].capacity() < known.room[i] || choice[i].read_latency() > place.second[i].read_latency())
+        if (choice[i].capacity() < std::min(known.room[i], place.second[i].capacity()) ||
+            choice[i].read_latency() > place.second[i].read_latency())
             return false;
+    return true;
+}
+
+/// The same latency, and the same room, or more than is needed in either case.
+bool CoreTimes::is_same(Choice const& choice, Place const& place, Known const& known) {
+    if (known.is_left_early)
+        return choice == place.second;
+    for (std::size_t i = 0; i < choice.size(); ++i) {
+        FifoChoice const& there = place.second[i];
+        bool const is_never_full = std::min(choice[i].capacity(), there.capacity()) >= known.room[i];
+        if (choice[i].read_latency() != there.read_latency() ||
+            (choice[i].capacity() != there.capacity() && !is_never_full))
+            return false;
+    }
     return true;
 }
 
@@ -168,7 +204,7 @@ Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     if (!core.waits().empty())
         return Cut::deadlock;
     auto const is_left = [](timing::FifoTiming const& fifo) { return fifo.writes() != fifo.reads(); };
-    std::size_t const samples = share_of(number, machine_.cores, run_.run().tape.samples()).count;
+    std::size_t const samples = share_of(number, machine_.cores, run_->run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
     return results_of(core).back() + 1;
@@ -180,19 +216,19 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
     ++retimed_;
     Known& known = known_[place];
     known = {end, false, std::vector<std::uint64_t>(machine_.fifos.size())};
-    if (end != Cut::deadlock)
+    if (end != Cut::deadlock && is_monotone())
         note_work(place.first, core, end);
     for (std::size_t i = 0; i < known.room.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
-        known.room[i] = std::min(place.second[i].capacity(), fifo.max_occupancy() + 1);
+        known.room[i] = fifo.max_occupancy() + 1;
         if (end != Cut::deadlock)
             tokens_[i] = std::max(tokens_[i], fifo.writes());
     }
 }
 
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
-    auto const timings = retime_cores(run_, with_choice(machine_, choice), cores);
+    auto const timings = retime_cores(*run_, with_choice(machine_, choice), cores);
     for (std::size_t i = 0; i < cores.size(); ++i)
         enter({cores[i], choice}, *timings[i]);
 }
@@ -213,7 +249,7 @@ timing::ProcessTiming const* CoreTimes::writer_of_results(timing::CoreTiming con
 /// collector go on after the last result: that is left out.
 void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cycles end) {
     timing::ProcessTiming const* const writer = writer_of_results(core);
-    if (work_[number] || writer == nullptr)
+    if (work_[number] || writer == nullptr || writer->flushes())
         return;
     timing::ProcessTiming const& collector = core.processes()[machine_.ends];
     Cycles const waited = collector.fifo(*first_read_port(collector)).empty_stall_cycles();
@@ -222,7 +258,10 @@ void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cy
     work_[number] = waited - std::min(waited, left_out);
 }
 
+/// The same on the relaxed machine.
 std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
+    if (!is_monotone())
+        return relaxed_->work_of(core);
     std::lock_guard<std::mutex> const lock(mutex_);
     return work_[core];
 }
@@ -242,7 +281,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
     GivenUp given_up{is_obsolete};
     replay::CoreOptions options;
     options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
-    auto const timings = retime_cores(run_, with_choice(machine_, choice), {core}, options);
+    auto const timings = retime_cores(*run_, with_choice(machine_, choice), {core}, options);
     if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
         enter({core, choice}, *timings.front());
 }
@@ -251,7 +290,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
 bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
     replay::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
     std::size_t const done = results_of(core).size();
-    std::size_t const samples = share_of(place.first, machine_.cores, run_.run().tape.samples()).count;
+    std::size_t const samples = share_of(place.first, machine_.cores, run_->run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
         return false;
     Cycles const least = *work_of(place.first) + stalls_of(*writer_of_results(core));
@@ -263,14 +302,24 @@ bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core
     return true;
 }
 
+bool CoreTimes::is_told_by(Place const& place, Known const& known, Choice const& choice, bool exceeds) const {
+    if (!is_monotone())
+        return is_same(choice, place, known);
+    return exceeds ? is_no_faster(choice, place.second) : is_as_fast(choice, place, known);
+}
+
 std::optional<bool> CoreTimes::known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const {
+    if (!is_monotone() && relaxed_->known_to_exceed(core, choice, bound).value_or(false))
+        return true;
+    if (!is_monotone() && is_done(core, choice))
+        return known(core, choice)->end > bound;
     std::lock_guard<std::mutex> const lock(mutex_);
     for (auto known = known_.lower_bound({core, Choice{}}); known != known_.end() && known->first.first == core;
          ++known) {
         bool const exceeds = known->second.end > bound;
         if (!exceeds && known->second.is_left_early)
             continue;
-        if (exceeds ? is_no_faster(choice, known->first.second) : is_as_fast(choice, known->first, known->second))
+        if (is_told_by(known->first, known->second, choice, exceeds))
             return exceeds;
     }
     return std::nullopt;
@@ -334,7 +383,7 @@ std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choi
     replay::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;
-    return std::move(retime_cores(run_, with_choice(machine_, choice), {core}, options).front());
+    return std::move(retime_cores(*run_, with_choice(machine_, choice), {core}, options).front());
 }
 
 Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {

@@ -11,21 +11,29 @@
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/scripted_run.hpp"
 #include "kernel/sizing/cut.hpp"
+#include "kernel/sizing/relaxation.hpp"
 
 namespace faster::sizing {
 
 /// How long the cores of a recorded run would take with other FIFOs. Remembers what it has worked out. May be asked by
-/// several threads at once.
+/// several threads at once. Of a machine with freezing_fifos() it knows the times of the relaxed machine besides.
 class CoreTimes {
   public:
     /// A run and its machine, of which all but the FIFOs' depths and kinds counts.
-    CoreTimes(replay::RecordedRun const& run, Machine machine);
+    CoreTimes(replay::RecordedRun const& run, Machine const& machine);
+
+    /// More room and less latency never make a run longer.
+    bool is_monotone() const { return relaxed_ == nullptr; }
+    /// Times that are: these, or else those of the relaxed machine.
+    CoreTimes& relaxed() { return is_monotone() ? *this : *relaxed_; }
 
     /// Those that have samples.
     std::size_t cores() const { return cores_; }
 
-    /// Whether a core takes more than `bound`, if that follows from what is known: more room and less latency never
-    /// make a run longer, and room that was never needed makes it no shorter.
+    /// Whether a core takes more than `bound`, if that follows from what is known. Where times are monotone, more room
+    /// and less latency make no run longer, and room that was never needed makes none shorter. Where not, a run is the
+    /// same as another if they differ in nothing but room that neither needs, and no shorter than on the relaxed
+    /// machine.
     std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
     bool exceeds(std::size_t core, Choice const& choice, Cycles bound);
     /// The same, unless it is given up because nobody needs it any more.
@@ -35,8 +43,11 @@ class CoreTimes {
     bool is_done(std::size_t core, Choice const& choice) const;
     /// No more than cycles(), of what has been worked out.
     Cycles least_cycles(std::size_t core, Choice const& choice) const;
-    /// The capacity of a FIFO that would be enough for all cores, each of which has been worked out.
+    /// The capacity that a FIFO would need never to be full, in any core, each of which has been worked out. No more
+    /// than it has if it has been full.
     std::uint64_t needed_room(Choice const& choice, std::size_t fifo) const;
+    /// Whether it has been full in one of them.
+    bool was_full(Choice const& choice, std::size_t fifo) const;
     /// The first core that does; cores() if none does. On up to `jobs` threads.
     std::size_t first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs);
     /// One past a core's last result read, or Cut::deadlock.
@@ -55,22 +66,28 @@ class CoreTimes {
     Cut first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const;
 
     /// Tokens that go through each FIFO, of the core that has most, among those that were seen to end.
-    std::vector<std::uint64_t> const& tokens() const { return tokens_; }
-    /// How many cores were retimed so far.
-    std::size_t retimed_cores() const { return retimed_; }
+    std::vector<std::uint64_t> const& tokens() const { return is_monotone() ? tokens_ : relaxed_->tokens(); }
+    /// How many cores were retimed so far, on the relaxed machine as well.
+    std::size_t retimed_cores() const { return retimed_ + (is_monotone() ? 0 : relaxed_->retimed_cores()); }
 
   private:
     using Place = std::pair<std::size_t, Choice>;
     struct Known {
         Cycles end = 0;
         bool is_left_early = false;       ///< not before `end`, and then nothing is known of room
-        std::vector<std::uint64_t> room;  ///< capacities that would have been enough, at most the choice's
+        std::vector<std::uint64_t> room;  ///< capacities with which FIFOs are never full; more than they have: it was
     };
+    using Run = std::shared_ptr<replay::ScriptedRun const>;
+
+    CoreTimes(Run run, Machine machine);
 
     /// Stamps of the process that ends samples, and who writes what it waits for.
     std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
     timing::ProcessTiming const* writer_of_results(timing::CoreTiming const& core) const;
     static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
+    static bool is_same(Choice const& choice, Place const& place, Known const& known);
+    bool is_told_by(Place const& place, Known const& known, Choice const& choice, bool exceeds) const;
+    bool has_frozen(Choice const& choice, Known const& known) const;
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
     replay::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
     std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice,
@@ -85,8 +102,10 @@ class CoreTimes {
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
     void enter(Place const& place, timing::CoreTiming& core);
 
-    replay::ScriptedRun const run_;
+    Run const run_;
     Machine const machine_;
+    std::vector<std::size_t> const freezing_;
+    std::unique_ptr<CoreTimes> const relaxed_;  ///< null: these times are monotone
     std::size_t cores_;
     std::vector<std::uint64_t> tokens_;  ///< by FIFO
     std::map<Place, Known> known_;       ///< by core first

@@ -6,18 +6,18 @@ namespace faster::sizing {
 
 namespace {
 
-/// Depths of one kind that a configured kind may have.
+/// Depths of one kind that a FIFO may have.
 struct Range {
     FifoKind kind;
     std::uint64_t shallowest;
     std::uint64_t deepest;
 };
 
-std::vector<Range> ranges_of(FifoKind configured, std::uint64_t depth) {
-    if (configured != FifoKind::automatic)
-        return {{configured, 1, depth}};
+std::vector<Range> ranges_of(FifoFreedom const& fifo, std::uint64_t depth) {
+    if (fifo.kind != FifoKind::automatic)
+        return {{fifo.kind, 1, depth}};
     std::vector<Range> ranges{{FifoKind::shift_register, 1, 1}};
-    while (ranges[0].deepest < depth && choice_of(configured, ranges[0].deepest + 1).kind == FifoKind::shift_register)
+    while (ranges[0].deepest < depth && fifo.at_depth(ranges[0].deepest + 1).kind == FifoKind::shift_register)
         ++ranges[0].deepest;
     if (ranges[0].deepest < depth)
         ranges.push_back({FifoKind::memory, ranges[0].deepest + 1, depth});
@@ -25,25 +25,48 @@ std::vector<Range> ranges_of(FifoKind configured, std::uint64_t depth) {
 }
 
 /// The deepest that the primitives of `depth` hold.
-std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, unsigned bits, CostWeights const& weights) {
-    Primitives const primitives = primitives_of(range.kind, depth, bits, weights);
+std::uint64_t deepest_at_cost(Range const& range, std::uint64_t depth, FifoFreedom const& fifo,
+                              CostWeights const& weights) {
+    Primitives const primitives = primitives_of({range.kind, depth}, fifo, weights);
     std::uint64_t same = depth;
     std::uint64_t other = range.deepest + 1;
     while (other - same > 1) {
         std::uint64_t const middle = (same + other) / 2;
-        (primitives_of(range.kind, middle, bits, weights) == primitives ? same : other) = middle;
+        (primitives_of({range.kind, middle}, fifo, weights) == primitives ? same : other) = middle;
     }
     return same;
 }
 
 }  // namespace
 
-FifoChoice choice_of(FifoKind configured, std::uint64_t depth) { return {resolved_kind(configured, depth), depth}; }
+FifoChoice FifoFreedom::at_depth(std::uint64_t depth) const {
+    return {resolved_kind(kind, depth, bits, generation), depth, generation};
+}
+
+FifoChoice FifoFreedom::with_capacity(FifoKind resolved, std::uint64_t capacity) const {
+    return {resolved, capacity - tokens_beyond_depth(resolved, generation), generation};
+}
+
+Freedoms freedoms_of(Machine const& machine) {
+    Freedoms freedoms;
+    for (MachineFifo const& fifo : machine.fifos)
+        freedoms.push_back(freedom_of(fifo));
+    return freedoms;
+}
+
+FifoFreedom freedom_of(MachineFifo const& fifo) {
+    bool const squeezes = fifo.flushes && fifo.when_full == WhenFull::squeeze;
+    return {fifo.configured_kind, fifo.bits, fifo.generation, squeezes ? fifo.write_latency : 0};
+}
+
+Primitives primitives_of(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights) {
+    return primitives_of(choice.kind, choice.depth + fifo.tokens_besides, fifo.bits, weights);
+}
 
 Choice choice_of(Machine const& machine) {
     Choice choice;
     for (MachineFifo const& fifo : machine.fifos)
-        choice.push_back({fifo.kind, fifo.depth});
+        choice.push_back({fifo.kind, fifo.depth, fifo.generation});
     return choice;
 }
 
@@ -65,13 +88,14 @@ MachineSettings with_choice(MachineSettings settings, Machine const& machine, Ch
     return settings;
 }
 
-std::vector<Level> levels_of(FifoKind configured, unsigned bits, std::uint64_t depth, CostWeights const& weights) {
+std::vector<Level> levels_of(FifoFreedom const& fifo, std::uint64_t depth, CostWeights const& weights) {
     std::vector<Level> levels;
-    for (Range const& range : ranges_of(configured, depth))
+    for (Range const& range : ranges_of(fifo, depth))
         for (std::uint64_t next = range.shallowest; next <= range.deepest;) {
-            std::uint64_t const deepest = deepest_at_cost(range, next, bits, weights);
-            Primitives const primitives = primitives_of(range.kind, deepest, bits, weights);
-            levels.push_back({{range.kind, deepest}, primitives, cost_of(primitives, weights)});
+            std::uint64_t const deepest = deepest_at_cost(range, next, fifo, weights);
+            FifoChoice const choice{range.kind, deepest, fifo.generation};
+            Primitives const primitives = primitives_of(choice, fifo, weights);
+            levels.push_back({choice, primitives, cost_of(primitives, weights)});
             next = deepest + 1;
         }
     std::stable_sort(levels.begin(), levels.end(), [](Level const& a, Level const& b) { return a.cost < b.cost; });

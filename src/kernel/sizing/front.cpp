@@ -6,11 +6,11 @@ namespace faster::sizing {
 
 namespace {
 
-FrontPoint point_at(FifoFrame const& frame, Search& search, Cycles bound) {
+FrontPoint point_at(FifoFrame const& frame, RepairedSearch& search, Cycles bound) {
     FrontPoint point;
     point.bound = bound;
     point.found = search.timed(search.cheapest(bound));
-    point.primitives = sum_of(point.found.choice, frame.bits, frame.weights);
+    point.primitives = sum_of(point.found.choice, frame.freedoms, frame.weights);
     point.cost = cost_of(point.primitives, frame.weights);
     return point;
 }
@@ -22,7 +22,7 @@ bool beats(FrontPoint const& a, FrontPoint const& b) {
 
 }  // namespace
 
-std::vector<FrontPoint> front(FifoFrame const& frame, Search& search, Cycles unbounded_cycles, Cycles bound,
+std::vector<FrontPoint> front(FifoFrame const& frame, RepairedSearch& search, Cycles unbounded_cycles, Cycles bound,
                               unsigned points, std::function<void()> const& done) {
     std::vector<FrontPoint> all{point_at(frame, search, bound), point_at(frame, search, Cut::deadlock - 1)};
     Cycles const slowest = all.back().found.total_cycles;

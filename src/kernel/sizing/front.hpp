@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/sizing/search.hpp"
+#include "kernel/sizing/repaired_search.hpp"
 
 namespace faster::sizing {
 
@@ -17,7 +17,7 @@ struct FrontPoint {
 /// Cost against cycles: the cheapest choice that ends at all, and the cheapest within `bound` and each of `points`
 /// bounds, evenly spaced from there down to what unbounded FIFOs take. Those that another beats are left out; cheapest
 /// first. `done` is told after each of the evenly spaced ones and the first.
-std::vector<FrontPoint> front(FifoFrame const& frame, Search& search, Cycles unbounded_cycles, Cycles bound,
+std::vector<FrontPoint> front(FifoFrame const& frame, RepairedSearch& search, Cycles unbounded_cycles, Cycles bound,
                               unsigned points, std::function<void()> const& done);
 
 }  // namespace faster::sizing

@@ -1,6 +1,7 @@
 #include "kernel/sizing/last_that_holds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <mutex>
 #include <vector>
@@ -111,6 +112,26 @@ std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& mo
     std::size_t const workers = std::min<std::size_t>(std::max(1U, jobs), std::max<std::size_t>(1, no - yes - 1));
     on_threads(workers, workers, [&](std::size_t) { bisection.work(); });
     return bisection.yes();
+}
+
+std::size_t last_before_failing(std::size_t count, unsigned jobs, std::function<bool(std::size_t)> const& holds) {
+    std::size_t yes = 0;
+    std::size_t no = count;
+    for (bool is_first = true; no - yes > 1; is_first = false) {
+        std::size_t const open = no - yes - 1;
+        std::size_t const near = yes + (is_first ? 1 : (open + 2) / 3);
+        std::size_t const far =
+            std::min(no - 1, near + (is_first ? std::max<std::size_t>(1, open / 8) : (open + 2) / 3));
+        std::array<bool, 2> held{};
+        on_threads(far > near ? 2 : 1, jobs, [&](std::size_t i) { held[i] = holds(i == 0 ? near : far); });
+        if (!held[0])
+            no = near;
+        else if (far > near && !held[1])
+            yes = near, no = far;
+        else
+            yes = far;
+    }
+    return yes;
 }
 
 }  // namespace faster::sizing

@@ -23,16 +23,24 @@ Cut everybody(Choice const& choice) {
     return cut;
 }
 
-bool may_be_shift_register(FifoKind configured) { return configured != FifoKind::memory; }
+bool may_be_shift_register(FifoFreedom const& fifo) { return fifo.kind != FifoKind::memory; }
+
+/// Of a depth at which `auto` is a memory, whatever the tokens' width.
+FifoChoice deep(FifoFreedom const& fifo, std::uint64_t depth) {
+    return {fifo.kind == FifoKind::automatic ? FifoKind::memory : fifo.kind, depth, fifo.generation};
+}
+
+/// An unbounded `auto` FIFO that was never filled is a memory so shallow that it would be a shift register: one that is
+/// no slower.
+FifoChoice as_it_may_be(FifoChoice const& choice, FifoFreedom const& fifo) {
+    bool const may_be = fifo.at_depth(choice.depth).kind == choice.kind;
+    return may_be ? choice : fifo.at_depth(choice.capacity());
+}
 
 }  // namespace
 
-FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights) : weights(cost_weights) {
-    for (MachineFifo const& fifo : machine.fifos) {
-        kinds.push_back(fifo.configured_kind);
-        bits.push_back(fifo.bits);
-    }
-}
+FifoFrame::FifoFrame(Machine const& machine, CostWeights const& cost_weights)
+    : freezing(freezing_fifos(machine)), freedoms(freedoms_of(machine)), weights(cost_weights) {}
 
 /// What a path waits for room in; false: in nothing that could be deeper.
 bool deepen(Choice& choice, Cut const& path) {
@@ -57,10 +65,22 @@ Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
     return smaller;
 }
 
-Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+/// What holds others up because it freezes; false: nothing that could be deeper.
+bool deepen_frozen(Choice& choice, std::vector<std::size_t> const& freezing, CoreTimes const& times) {
+    Cut full;
+    for (std::size_t const fifo : freezing)
+        if (times.was_full(choice, fifo))
+            full.members.push_back({fifo, choice[fifo].capacity(), false});
+    return deepen(choice, full);
+}
+
+namespace {
+
+/// On the relaxed machine.
+Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     Unbounded result;
-    for (FifoKind const kind : frame.kinds)
-        result.choice.push_back(choice_of(kind, first_depth));
+    for (FifoFreedom const& fifo : frame.freedoms)
+        result.choice.push_back(deep(fifo, first_depth));
     bool is_deep = times.cores() == 0;
     while (!is_deep && deepen(result.choice, times.first_suspects(0, result.choice, samples_at_first))) {
     }
@@ -69,23 +89,33 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
         result.last_core = 0;
         while (times.cycles(result.last_core, result.choice) != result.total_cycles)
             ++result.last_core;
-        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice));
+        is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice)) &&
+                  !deepen_frozen(result.choice, frame.freezing, times);
     }
     result.choice = without_spare_room(result.choice, times);
     return result;
 }
 
-Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
-               std::size_t most_retimings)
+}  // namespace
+
+Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    Unbounded result = relaxed_unbounded(frame, times.relaxed(), jobs);
+    result.total_cycles = times.total_cycles(result.choice, jobs);
+    return result;
+}
+
+Search::Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, SearchOptions const& options,
+               Search const* relaxed)
     : frame_(frame),
       times_(times),
       unbounded_(unbounded),
-      jobs_(std::max(1U, jobs)),
-      most_retimings_(most_retimings),
+      options_(options),
+      relaxed_(relaxed),
+      jobs_(std::max(1U, options.jobs)),
       strict_core_(unbounded.last_core) {
     for (std::size_t i = 0; i < frame.fifos(); ++i) {
         std::uint64_t const tokens = std::min(most_depth, std::max<std::uint64_t>(1, times.tokens()[i]));
-        levels_.push_back(levels_of(frame.kinds[i], frame.bits[i], tokens, frame.weights));
+        levels_.push_back(levels_of(frame.freedoms[i], tokens, frame.weights));
     }
 }
 
@@ -101,11 +131,11 @@ std::size_t Search::broken_core(Choice const& choice, Cycles bound) {
 bool Search::is_within(Choice const& choice, Cycles bound) { return broken_core(choice, bound) == times_.cores(); }
 
 double Search::cost_of_choice(Choice const& choice) const {
-    return cost_of(sum_of(choice, frame_.bits, frame_.weights), frame_.weights);
+    return cost_of(sum_of(choice, frame_.freedoms, frame_.weights), frame_.weights);
 }
 
 std::vector<Cut> Search::cuts_against(Cycles bound) const {
-    std::vector<Cut> cuts;
+    std::vector<Cut> cuts = relaxed_ == nullptr ? std::vector<Cut>() : relaxed_->cuts_against(bound);
     std::copy_if(cuts_.begin(), cuts_.end(), std::back_inserter(cuts),
                  [bound](Cut const& cut) { return cut.total_cycles > bound; });
     return cuts;
@@ -120,10 +150,11 @@ Found Search::cheapest(Cycles bound) {
         found.choice = *choice;
         found.least_cost = cost_of_choice(*choice);
         found.is_proven = !learn(*choice, bound);
-        if (found.is_proven || times_.retimed_cores() >= most_retimings_)
+        if (found.is_proven || times_.retimed_cores() >= options_.most_retimings)
             break;
     }
-    if (!found.is_proven)
+    found.is_given_up = !found.is_proven;
+    if (found.is_given_up)
         found.choice = descend(bound);
     return found;
 }
@@ -153,6 +184,8 @@ bool Search::learn(Choice const& choice, Cycles bound) {
 /// Of the strict core: those of the last cut, if they are to blame again and that is found out sooner. Who they are
 /// makes no difference to what is found in the end.
 Cut Search::suspects(Choice const& choice, Cycles bound) {
+    if (options_.has_repeatable_cuts)
+        return times_.suspects(strict_core_, choice, bound).value();
     Cut same = cuts_.empty() ? Cut() : cuts_.back();
     for (Cut::Member& member : same.members) {
         FifoChoice const& fifo = choice[member.fifo];
@@ -179,16 +212,23 @@ Choice Search::corner(Cut const& cut) const {
     Choice choice(frame_.fifos());
     for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t capacity = timing::FifoShape::unlimited;
-        bool is_memory = !may_be_shift_register(frame_.kinds[i]);
+        FifoFreedom const& fifo = frame_.freedoms[i];
+        bool is_memory = !may_be_shift_register(fifo);
         for (Cut::Member const& member : cut.members)
             if (member.fifo == i) {
                 capacity = member.capacity > 0 ? member.capacity : capacity;
                 is_memory = is_memory || member.is_slow;
             }
-        choice[i] =
-            is_memory ? FifoChoice{FifoKind::memory, capacity - 1} : FifoChoice{FifoKind::shift_register, capacity};
+        choice[i] = fifo.with_capacity(is_memory ? FifoKind::memory : FifoKind::shift_register, capacity);
     }
     return choice;
+}
+
+/// Where times are not monotone, one that does not depend on the jobs.
+std::size_t Search::last(std::size_t count, unsigned jobs, Monotone const& monotone) const {
+    if (times_.is_monotone())
+        return last_that_holds(count, jobs, monotone);
+    return last_before_failing(count, jobs, [&](std::size_t i) { return monotone.holds(i, nullptr).value(); });
 }
 
 /// As many choices as can be ruled out with a cut that the bound is broken by.
@@ -198,7 +238,8 @@ Cut Search::widened(Cut cut, std::size_t core, Cycles bound) {
         if (cut.members[i].capacity > 0)
             deepen_member(cut, i, core, bound);
     // That it breaks the bound may be known from a choice that is no slower, and nothing more.
-    cut.total_cycles = std::max(bound + 1, times_.least_cycles(core, corner(cut)));
+    Cycles const least = options_.has_repeatable_cuts ? 0 : times_.least_cycles(core, corner(cut));
+    cut.total_cycles = std::max(bound + 1, least);
     return cut;
 }
 
@@ -244,13 +285,19 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
     Monotone const breaks{
         [&](std::size_t i, auto const& is_obsolete) { return times_.exceeds(core, corner_at(i), bound, is_obsolete); },
         [&](std::size_t i) { return times_.known_to_exceed(core, corner_at(i), bound); }};
-    std::size_t const last = last_that_holds(capacities.size(), jobs_, breaks);
-    cut.members[member].capacity = last + 1 < capacities.size() ? capacities[last] : 0;  // however deep: it is too slow
+    std::size_t const deepest = last(capacities.size(), jobs_, breaks);
+    cut.members[member].capacity =
+        deepest + 1 < capacities.size() ? capacities[deepest] : 0;  // however deep: it is too slow
 }
 
 /// From unbounded FIFOs down, one after the other, until none can be had for less.
 Choice Search::descend(Cycles bound) {
     Choice choice = unbounded_.choice;
+    for (std::size_t i = 0; i < choice.size(); ++i)
+        choice[i] = as_it_may_be(choice[i], frame_.freedoms[i]);
+    for (std::size_t const fifo : frame_.freezing)  // so deep that it never freezes, whatever the others are
+        choice[fifo] =
+            frame_.freedoms[fifo].at_depth(std::max(choice[fifo].depth, std::min(most_depth, times_.tokens()[fifo])));
     for (bool is_cheaper = true; is_cheaper;) {
         is_cheaper = false;
         for (std::size_t i = 0; i < choice.size(); ++i)
@@ -260,8 +307,7 @@ Choice Search::descend(Cycles bound) {
 }
 
 bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
-    double const cost = cost_of(primitives_of(choice[fifo].kind, choice[fifo].depth, frame_.bits[fifo], frame_.weights),
-                                frame_.weights);
+    double const cost = cost_of(primitives_of(choice[fifo], frame_.freedoms[fifo], frame_.weights), frame_.weights);
     for (FifoKind const kind : {FifoKind::shift_register, FifoKind::memory}) {
         std::vector<Level> levels;
         std::copy_if(levels_[fifo].rbegin(), levels_[fifo].rend(), std::back_inserter(levels),
@@ -275,7 +321,7 @@ bool Search::cheapen(Choice& choice, std::size_t fifo, Cycles bound) {
             continue;
         Monotone const fits{[&](std::size_t i, auto const& /*is_obsolete*/) { return is_within_at(i); },
                             [](std::size_t) { return std::nullopt; }};
-        choice[fifo] = levels[last_that_holds(levels.size(), 1, fits)].choice;
+        choice[fifo] = levels[last(levels.size(), 1, fits)].choice;
         return true;
     }
     return false;
@@ -335,7 +381,7 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
     for (std::size_t i = 0; i < choice.size(); ++i) {
         std::uint64_t const deepest = choice[i].depth;
         std::uint64_t shallowest = deepest;
-        while (shallowest > 1 && choice_of(frame_.kinds[i], shallowest - 1).kind == choice[i].kind)
+        while (shallowest > 1 && frame_.freedoms[i].at_depth(shallowest - 1).kind == choice[i].kind)
             --shallowest;
         auto const with_less = [&, before = choice](std::size_t less) {
             Choice shallower = before;
@@ -348,7 +394,7 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
                             [&](std::size_t less) { return known_to_fit(with_less(less), bound, cores); }};
         if (deepest - shallowest == 1 && !known_to_fit(with_less(1), bound, cores))
             ask_ahead(choice, i, bound, cores);
-        choice[i].depth = deepest - last_that_holds(deepest - shallowest + 1, jobs_, fits);
+        choice[i].depth = deepest - last(deepest - shallowest + 1, jobs_, fits);
     }
     return choice;
 }

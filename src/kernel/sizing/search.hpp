@@ -8,14 +8,14 @@
 
 namespace faster::sizing {
 
-/// The FIFOs as they are configured: which kinds they may be built in, and how wide they are.
+/// The FIFOs as they are configured: how they may be built.
 struct FifoFrame {
-    std::vector<FifoKind> kinds;
-    std::vector<unsigned> bits;  ///< of a token; 0: the FIFO is not there
+    std::vector<std::size_t> freezing;  ///< numbers, see freezing_fifos()
+    Freedoms freedoms;
     CostWeights weights;
 
     FifoFrame(Machine const& machine, CostWeights const& weights);
-    std::size_t fifos() const { return kinds.size(); }
+    std::size_t fifos() const { return freedoms.size(); }
 };
 
 /// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.
@@ -26,15 +26,24 @@ struct Unbounded {
 };
 
 /// Deepens FIFOs of the configured kinds, `auto` ones as memories, until the critical path of the core that ends last
-/// waits for no room. Then no depth whatsoever is faster (unless `most_depth` is reached).
+/// waits for no room, and no pipeline ever freezes. Then no depth whatsoever is faster (unless `most_depth` is
+/// reached).
 Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 
 /// The cheapest choice within a bound, and how sure that is.
 struct Found {
     Choice choice;
-    Cycles total_cycles = 0;  ///< once timed
-    bool is_proven = false;   ///< no choice within the bound is cheaper; else only nothing shallower is within
-    double least_cost = 0;    ///< LUTs of a core; no choice within the bound costs less, proven or not
+    Cycles total_cycles = 0;   ///< once timed
+    bool is_proven = false;    ///< no choice within the bound is cheaper
+    bool is_given_up = false;  ///< not proven, as that would have taken too many retimings
+    bool is_repaired = false;  ///< what the relaxed machine needs is not enough
+    double least_cost = 0;     ///< LUTs of a core; no choice within the bound costs less, proven or not
+};
+
+struct SearchOptions {
+    unsigned jobs = 1;
+    std::size_t most_retimings = 20000;  ///< cores retimed in all before a search settles for less than a proof
+    bool has_repeatable_cuts = false;    ///< the same whatever the threads do, as another search rests on them
 };
 
 /// Searches for the cheapest FIFOs. Keeps the cuts of earlier searches.
@@ -42,21 +51,23 @@ struct Found {
 /// The cheapest levels that escape all known cuts are timed. If they are within the bound they are the answer, as
 /// nothing cheaper escapes. If not, the critical path says why, which is a new cut. It is deepened as far as it still
 /// breaks the bound with all other FIFOs unlimited, so that it rules out as much as it can; that is retimed too.
-/// This takes for granted that more room or less latency never makes a run longer: docs/architecture.md says why.
+/// This takes for granted that more room or less latency never makes a run longer: docs/architecture.md says why. Where
+/// times are not monotone, what it finds is within the bound and good, but proven to be nothing.
 class Search {
   public:
-    /// At most `most_retimings` cores are retimed in all before a search settles for less than a proof.
-    Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, unsigned jobs,
-           std::size_t most_retimings);
+    /// `relaxed`: a search on the relaxed machine, of which all cuts hold here too.
+    Search(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded, SearchOptions const& options,
+           Search const* relaxed = nullptr);
 
     /// At most `bound` cycles, which must be no less than unbounded FIFOs take; Cut::deadlock - 1: any that end.
     Found cheapest(Cycles bound);
     Found timed(Found found);
     /// The same price, no token more than needed; timed.
     Found shallowest(Found found, Cycles bound);
+    bool is_within(Choice const& choice, Cycles bound);
+    double cost_of_choice(Choice const& choice) const;
 
   private:
-    bool is_within(Choice const& choice, Cycles bound);
     std::size_t broken_core(Choice const& choice, Cycles bound);
     bool learn(Choice const& choice, Cycles bound);
     Cut suspects(Choice const& choice, Cycles bound);
@@ -72,13 +83,14 @@ class Search {
                                    Monotone::IsObsolete const& is_obsolete);
     void ask_ahead(Choice choice, std::size_t fifo, Cycles bound, std::vector<std::size_t> const& cores);
     Choice without_spare_tokens(Choice choice, Cycles bound, std::vector<std::size_t> const& cores);
-    double cost_of_choice(Choice const& choice) const;
+    std::size_t last(std::size_t count, unsigned jobs, Monotone const& monotone) const;
 
     FifoFrame const& frame_;
     CoreTimes& times_;
     Unbounded const& unbounded_;
-    unsigned jobs_;
-    std::size_t most_retimings_;
+    SearchOptions const options_;
+    Search const* const relaxed_;
+    unsigned const jobs_;
     Levels levels_;
     std::vector<Cut> cuts_;
     std::size_t strict_core_;  ///< the one that broke the last bound; it will probably break the next

@@ -1,5 +1,6 @@
 #include "kernel/sizing/size_fifos.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t steps_to_the_answer = 3;  // unbounded, cheapest, shallowest
 
 SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& frame) {
-    Primitives const primitives = sum_of(choice, frame.bits, frame.weights);
+    Primitives const primitives = sum_of(choice, frame.freedoms, frame.weights);
     return {choice, total_cycles, primitives, cost_of(primitives, frame.weights)};
 }
 
@@ -20,10 +21,9 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 Choice holding(Choice choice, FifoFrame const& frame) {
     for (std::size_t i = 0; i < choice.size(); ++i) {
         auto const same_primitives = [&](std::uint64_t depth) {
-            FifoChoice const deeper = choice_of(frame.kinds[i], depth);
-            return deeper.kind == choice[i].kind &&
-                   primitives_of(deeper.kind, depth, frame.bits[i], frame.weights) ==
-                       primitives_of(deeper.kind, choice[i].depth, frame.bits[i], frame.weights);
+            FifoChoice const deeper = frame.freedoms[i].at_depth(depth);
+            return deeper.kind == choice[i].kind && primitives_of(deeper, frame.freedoms[i], frame.weights) ==
+                                                        primitives_of(choice[i], frame.freedoms[i], frame.weights);
         };
         std::uint64_t deepest = choice[i].depth;
         while (deepest < most_depth && same_primitives(deepest + 1))
@@ -51,6 +51,25 @@ class Steps {
     std::size_t done_ = 0;
 };
 
+/// Takes every step down that is within the bound, until none is. Where times are monotone there is none.
+Found certified(Found found, RepairedSearch& search, CoreTimes& times, Sizing& sizing, Steps& steps) {
+    FifoFrame const frame(sizing.machine, sizing.options.weights);
+    auto const is_within = [&sizing](CertificateRow const& row) { return !row.breaks(sizing.bound); };
+    for (;;) {
+        std::vector<CertificateRow>& rows = sizing.certificate;
+        rows = steps_down(frame, found.choice);
+        steps.expect(rows.size());
+        time_steps(found.choice, sizing.bound, times, sizing.options.jobs, rows, [&] { steps.done(); });
+        auto const row = std::find_if(rows.begin(), rows.end(), is_within);
+        if (row == rows.end())
+            return found;
+        if (times.is_monotone())
+            throw std::logic_error("a shallower FIFO is within the bound: " + sizing.machine.fifos[row->fifo].name);
+        found.choice[row->fifo] = row->shallower;
+        found = search.timed(search.replaced(found, found.choice));
+    }
+}
+
 }  // namespace
 
 Cycles bound_within(double percent, Cycles unbounded_cycles) {
@@ -74,22 +93,19 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     sizing.bound = bound_within(options.within_percent, deep.total_cycles);
     steps.done();
 
-    Search search(frame, times, deep, options.jobs, options.most_retimings);
+    RepairedSearch search(frame, times, deep, {options.jobs, options.most_retimings});
     Found found = search.cheapest(sizing.bound);
     steps.done();
     found = search.shallowest(found, sizing.bound);
     steps.done();
+    found = certified(found, search, times, sizing, steps);
     sizing.answer = sized(found.choice, found.total_cycles, frame);
     sizing.is_proven = found.is_proven;
+    sizing.is_given_up = found.is_given_up;
     sizing.least_cost = found.least_cost;
     sizing.holds = holding(found.choice, frame);
-
-    sizing.certificate = steps_down(frame, found.choice);
-    steps.expect(sizing.certificate.size());
-    time_steps(found.choice, sizing.bound, times, options.jobs, sizing.certificate, [&] { steps.done(); });
-    for (CertificateRow const& row : sizing.certificate)
-        if (!row.breaks(sizing.bound))
-            throw std::logic_error("a shallower FIFO is within the bound: " + machine.fifos[row.fifo].name);
+    if (!times.is_monotone())
+        sizing.holds_cycles = times.total_cycles(sizing.holds, options.jobs);
 
     Choice const configured = choice_of(machine);
     sizing.configured = sized(configured, times.total_cycles(configured, options.jobs), frame);

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "kernel/config/run_config.hpp"
 #include "kernel/sizing/certificate.hpp"
@@ -32,9 +33,12 @@ struct Sizing {
     SizedChoice unbounded;
     Cycles bound = 0;
     SizedChoice answer;
-    bool is_proven = false;  ///< nothing within the bound is cheaper
-    double least_cost = 0;   ///< of a core, in LUTs: nothing within the bound costs less
-    Choice holds;            ///< the answer's kinds, as deep as its primitives allow
+    bool is_proven = false;    ///< nothing within the bound is cheaper
+    bool is_given_up = false;  ///< not proven, as that would have taken too many retimings
+    double least_cost = 0;     ///< of a core, in LUTs: nothing within the bound costs less
+    Choice holds;              ///< the answer's kinds, as deep as its primitives allow
+    /// What that takes, if it may be more than the answer: then times are not monotone.
+    std::optional<Cycles> holds_cycles;
     std::vector<CertificateRow> certificate;
     std::vector<FrontPoint> front;  ///< cheapest first
     std::size_t retimed_cores = 0;

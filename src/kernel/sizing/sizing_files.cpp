@@ -28,6 +28,14 @@ Json depths(Choice const& choice, Machine const& machine) {
     return json;
 }
 
+/// An unbounded `auto` FIFO is a memory, however shallow.
+Json kinds(Choice const& choice, Machine const& machine) {
+    Json json;
+    for (std::size_t const i : fifos_of(machine))
+        json[machine.fifos[i].name] = choice_name(choice[i].kind);
+    return json;
+}
+
 Json summary(SizedChoice const& choice, Machine const& machine) {
     Json json;
     json["total_cycles"] = cycles_or_null(choice.total_cycles);
@@ -37,13 +45,28 @@ Json summary(SizedChoice const& choice, Machine const& machine) {
     json["luts"] = choice.primitives.luts;
     json["ramb36"] = ramb36(choice.primitives);
     json["depths"] = depths(choice.choice, machine);
+    json["kinds"] = kinds(choice.choice, machine);
+    return json;
+}
+
+/// null: it is proven.
+Json why_unproven(Sizing const& sizing) {
+    if (sizing.is_proven)
+        return {};
+    return sizing.is_given_up ? "given_up" : "freezing";
+}
+
+Json freezing(Machine const& machine) {
+    Json json = Json::array();
+    for (std::size_t const i : freezing_fifos(machine))
+        json.push_back(machine.fifos[i].name);
     return json;
 }
 
 Json fifo_row(Sizing const& sizing, std::size_t i) {
     MachineFifo const& fifo = sizing.machine.fifos[i];
     FifoChoice const& choice = sizing.answer.choice[i];
-    Primitives const primitives = primitives_of(choice.kind, choice.depth, fifo.bits, sizing.options.weights);
+    Primitives const primitives = primitives_of(choice, freedom_of(fifo), sizing.options.weights);
     Json row;
     row["fifo"] = fifo.name;
     row["configured_depth"] = fifo.depth;
@@ -89,13 +112,17 @@ std::string sizing_json(Sizing const& sizing) {
     json["clock_mhz"] = sizing.machine.clock_mhz;
     json["luts_per_ramb36"] = sizing.options.weights.luts_per_ramb36;
     json["proven"] = sizing.is_proven;
+    json["unproven_because"] = why_unproven(sizing);
     json["least_cost_luts"] = rounded(sizing.least_cost);
+    json["freezing_fifos"] = freezing(sizing.machine);
     json["unbounded"] = summary(sizing.unbounded, sizing.machine);
     json["configured"] = summary(sizing.configured, sizing.machine);
     json["answer"] = summary(sizing.answer, sizing.machine);
     json["fifos"] = Json::array();
     for (std::size_t const i : fifos_of(sizing.machine))
         json["fifos"].push_back(fifo_row(sizing, i));
+    if (sizing.holds_cycles)
+        json["holds_total_cycles"] = cycles_or_null(*sizing.holds_cycles);
     json["certificate"] = Json::array();
     for (CertificateRow const& row : sizing.certificate)
         json["certificate"].push_back(certificate_row(sizing, row));

@@ -36,6 +36,28 @@ std::string choice_line(char const* name, SizedChoice const& choice, Sizing cons
                        primitives_text(choice.primitives));
 }
 
+std::string names_of(std::vector<std::size_t> const& fifos, Machine const& machine) {
+    std::string names;
+    for (std::size_t const i : fifos)
+        names += (names.empty() ? "" : ", ") + machine.fifos[i].name;
+    return names;
+}
+
+std::string proof(Sizing const& sizing) {
+    if (sizing.is_proven)
+        return "\n  Proven: no depths within the bound cost less.\n";
+    if (sizing.is_given_up)
+        return fmt::format(
+            "\n  Not proven to be the cheapest: the search was given up. Nothing within the bound costs less than "
+            "{:.1f} LUT.\n",
+            sizing.least_cost);
+    return fmt::format(
+        "\n  Nothing within the bound costs less than {:.1f} LUT: that would be too slow even if tokens in front of a\n"
+        "  full {} closed up. They freeze, so that more room may cost time: not proven that nothing in between is "
+        "within.\n",
+        sizing.least_cost, names_of(freezing_fifos(sizing.machine), sizing.machine));
+}
+
 std::string head(Sizing const& sizing) {
     std::string text = fmt::format("Cheapest FIFOs within {} % of unbounded ones: at most {} cycles\n\n",
                                    sizing.options.within_percent, sizing.bound);
@@ -44,12 +66,7 @@ std::string head(Sizing const& sizing) {
     text += choice_line("unbounded", sizing.unbounded, sizing);
     text += choice_line("configured", sizing.configured, sizing);
     text += choice_line("answer", sizing.answer, sizing);
-    text += sizing.is_proven
-                ? std::string("\n  Proven: no depths within the bound cost less.\n")
-                : fmt::format(
-                      "\n  Not proven to be the cheapest: the search was given up. Nothing within the bound costs "
-                      "less than {:.1f} LUT.\n",
-                      sizing.least_cost);
+    text += proof(sizing);
     return text + fmt::format("  A RAMB36 counts as {:.2f} LUT.\n", sizing.options.weights.luts_per_ramb36);
 }
 
@@ -59,11 +76,14 @@ std::string depths(Sizing const& sizing) {
     for (std::size_t const i : fifos_of(sizing.machine)) {
         MachineFifo const& fifo = sizing.machine.fifos[i];
         FifoChoice const& choice = sizing.answer.choice[i];
-        Primitives const primitives = primitives_of(choice.kind, choice.depth, fifo.bits, sizing.options.weights);
+        Primitives const primitives = primitives_of(choice, freedom_of(fifo), sizing.options.weights);
         fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo.name,
                        fifo.depth, choice.depth, choice_name(choice.kind), fifo.bits,
                        cost_of(primitives, sizing.options.weights), sizing.holds[i].depth, primitives_text(primitives));
     }
+    if (sizing.holds_cycles.value_or(0) > sizing.answer.total_cycles)
+        fmt::format_to(std::back_inserter(text), "  All as deep as they hold: {} cycles.\n",
+                       cycles_text(*sizing.holds_cycles));
     return text;
 }
 

@@ -240,9 +240,11 @@ std::vector<Wait> CoreTiming::waits() {
     for (ProcessTiming& process : processes_) {
         ProcessTiming::Status const status = process.front();
         bool const starving = status == ProcessTiming::Status::exhausted && process.starving_port() >= 0;
-        if (status != ProcessTiming::Status::blocked && !starving)
+        if (status != ProcessTiming::Status::blocked && !starving && !process.waits_for_room())
             continue;
-        unsigned const port = starving ? static_cast<unsigned>(process.starving_port()) : process.blocking_port();
+        unsigned const port = process.waits_for_room() ? process.flushing_port()
+                              : starving               ? static_cast<unsigned>(process.starving_port())
+                                                       : process.blocking_port();
         FifoTiming const& fifo = process.fifo(port);
         Wait wait;
         wait.process = process.name();

@@ -16,7 +16,8 @@ struct FifoShape {
     Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
     Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
     Cycles read_stage = 0;       ///< stage of the reading loop in which a token is taken; 0 outside loops
-    Cycles issue_latency = 0;    ///< stages of a flushing pipeline in front of the FIFO, which hold tokens of their own
+    Cycles issue_latency = 0;  ///< stages of a squeezing pipeline in front of the FIFO, which hold tokens of their own
+    Cycles flushing_stages = 0;  ///< of a pipeline in front of it that freezes as a whole: see FlushingPipeline
 
     bool is_unlimited() const { return capacity >= unlimited; }
 };

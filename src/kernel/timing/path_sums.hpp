@@ -40,8 +40,8 @@ class Region {
 /// each process. Of no processes: nothing.
 class PathSums {
   public:
-    enum class Share : std::uint8_t { own, recurrence, port_conflict };
-    static constexpr unsigned shares = 3;
+    enum class Share : std::uint8_t { own, recurrence, port_conflict, flight };
+    static constexpr unsigned shares = 4;
 
     PathSums() = default;
     PathSums(std::size_t processes, std::size_t regions, std::size_t ports)

@@ -10,16 +10,27 @@ using Share = PathSums::Share;
 
 bool is_power_of_two(std::uint64_t value) { return (value & (value - 1)) == 0; }
 
+/// What has decided so far when a token leaves a flushing pipeline by a port.
+PathSweep::Position decided(CoreTiming const& core, unsigned process, unsigned port,
+                            ProcessTiming::Flight const& flight) {
+    if (!flight.is_room)
+        return {process, flight.since};
+    return {static_cast<unsigned>(core.ends(process, port).reader), flight.since - 1};
+}
+
 /// Whatever happens from now on has its causes in what a process has done so far, or in a token or a gap of a FIFO.
 std::vector<PathSweep::Position> live_positions(CoreTiming const& core) {
     std::vector<PathSweep::Position> live;
     for (ProcessTiming const& process : core.processes()) {
         live.push_back({process.index(), PathSweep::everything});
+        for (ProcessTiming::Flight const& flight : process.flights())
+            live.push_back(decided(core, process.index(), process.flushing_port(), flight));
         for (unsigned port = 0; port < process.port_count(); ++port) {
             FifoTiming const& fifo = process.fifo(port);
             Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
+            bool const flies = fifo.shape().flushing_stages > 0;
             for (std::uint64_t i = 0; process.writes(port) && i < fifo.known_reads(); ++i)
-                live.push_back({process.index(), fifo.earliest_read(i) - latency});
+                live.push_back({process.index(), fifo.earliest_read(i) - latency, flies});
             for (std::uint64_t i = 0; !process.writes(port) && i < fifo.known_writes(); ++i)
                 if (fifo.earliest_write(i) > 0)
                     live.push_back({process.index(), fifo.earliest_write(i) - 1});
@@ -41,7 +52,7 @@ PathSums sums_of(CoreTiming const& core) {
 PathSweep::PathSweep(CoreTiming const& core, std::vector<Position> const& from)
     : core_(core),
       trail_(*core.trail()),
-      standing_(core.processes().size()),
+      standing_(2 * core.processes().size()),
       sums_(sums_of(core)),
       next_event_(trail_.events().size()),
       next_transition_(trail_.transitions().size()) {
@@ -59,11 +70,13 @@ PathSweep PathSweep::from_here() const {
 PathSweep::Position PathSweep::position() const {
     auto const occupied = [](std::vector<Cycles> const& times) { return !times.empty(); };
     auto const found = std::find_if(standing_.begin(), standing_.end(), occupied);
-    return {static_cast<unsigned>(found - standing_.begin()), found->back()};
+    auto const number = static_cast<std::size_t>(found - standing_.begin());
+    std::size_t const processes = standing_.size() / 2;
+    return {static_cast<unsigned>(number % processes), found->back(), number >= processes};
 }
 
 void PathSweep::stand(Position position) {
-    std::vector<Cycles>& times = standing_[position.process];
+    std::vector<Cycles>& times = standing_[place(position)];
     auto const place = std::lower_bound(times.begin(), times.end(), position.time);
     if (place != times.end() && *place == position.time)
         return;
@@ -83,7 +96,7 @@ void PathSweep::to_the_start() {
 bool PathSweep::to_a_junction() {
     while (positions_ > 1 && next_event_ > 0)
         pass_next();
-    return positions_ == 1 && next_event_ > 0 && position().time != everything;
+    return positions_ == 1 && next_event_ > 0 && position().time != everything && !position().flies;
 }
 
 void PathSweep::pass_next() {
@@ -105,6 +118,8 @@ void PathSweep::pass_one(Events const& events, std::size_t i, Cycles later) {
     TrailEvent const& event = events[i];
     if (event.kind == Kind::repeated)
         pass_repeated(events, i, later);
+    else if (event.kind == Kind::flown)
+        land(event, event.time + later);
     else
         turn(event, event.time + later);
 }
@@ -185,6 +200,20 @@ void PathSweep::turn(TrailEvent const& event, Cycles time) {
     stand(event.kind == Kind::marked ? Position{event.process, time} : origin(event, time));
 }
 
+/// Moves those back to what decided when a token left a flushing pipeline who stand there.
+void PathSweep::land(TrailEvent const& event, Cycles time) {
+    std::vector<Cycles>& times = standing_[place({event.process, time, true})];
+    if (times.empty() || times.back() != time)
+        return;
+    times.pop_back();
+    --positions_;
+    sums_.of(event.process, Region(), Share::flight) += event.count;
+    bool const is_room = event.distance != 0;
+    if (is_room)
+        ++sums_.turns(event.process, Region(), event.port);
+    stand(decided(core_, event.process, event.port, {time - event.count, is_room}));
+}
+
 /// The access that made the one legal that a process waited for until `time`.
 PathSweep::Position PathSweep::origin(TrailEvent const& event, Cycles time) {
     ++sums_.turns(event.process, event.region, event.port);
@@ -192,7 +221,8 @@ PathSweep::Position PathSweep::origin(TrailEvent const& event, Cycles time) {
     if (core_.processes()[event.process].writes(event.port))
         return {static_cast<unsigned>(ends.reader), time - 1};
     FifoShape const& shape = core_.processes()[event.process].fifo(event.port).shape();
-    return {static_cast<unsigned>(ends.writer), time - shape.read_latency - shape.issue_latency};
+    return {static_cast<unsigned>(ends.writer), time - shape.read_latency - shape.issue_latency,
+            shape.flushing_stages > 0};
 }
 
 void PathSweep::add_own(unsigned process, Region region, Cycles step, Cycles cycles) {

@@ -13,10 +13,12 @@ namespace faster::timing {
 /// program order.
 class PathSweep {
   public:
-    /// Stands at an access of a process, or after everything it has done.
+    /// Stands at an access of a process, or after everything it has done; or at a token that leaves its flushing
+    /// pipeline, of which it is not the process's own time that decides.
     struct Position {
         unsigned process = 0;
         Cycles time = 0;
+        bool flies = false;
     };
     static constexpr Cycles everything = ~Cycles{0};
 
@@ -39,8 +41,11 @@ class PathSweep {
 
   private:
     using Events = std::vector<TrailEvent>;
-    using Standing = std::vector<std::vector<Cycles>>;  // by process, ascending
+    using Standing = std::vector<std::vector<Cycles>>;  // by process, ascending; then those that fly
 
+    std::size_t place(Position const& position) const {
+        return position.process + (position.flies ? standing_.size() / 2 : 0);
+    }
     void stand(Position position);
     void pass_next();
     void pass(Events const& events, std::size_t from, std::size_t until, Cycles later);
@@ -51,6 +56,7 @@ class PathSweep {
     std::uint32_t periods_to_pass(Events const& events, std::size_t i, Cycles later) const;
     void pass_followed(TrailEvent const& event);
     void turn(TrailEvent const& event, Cycles time);
+    void land(TrailEvent const& event, Cycles time);
     Position origin(TrailEvent const& event, Cycles time);
     void add_own(unsigned process, Region region, Cycles step, Cycles cycles);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/timing/fifo_rules.hpp"
+#include "kernel/timing/flushing_pipeline.hpp"
 #include "kernel/timing/operation.hpp"
 #include "kernel/timing/ports.hpp"
 #include "kernel/timing/process_shape.hpp"
@@ -33,6 +34,7 @@ template <class Time> struct ProcessState {
     PipelinePosition pipeline;
     std::vector<Ports::Number> delay_line;  ///< ports of the last iterations of a loop that is not aligned, a ring
     std::vector<Time> setups_done;          ///< when those begun, and not awaited yet, will be
+    FlushingPipeline<Time> flushing;
 
     /// What an iteration of a loop accesses, `lag` iterations before the one at hand.
     Ports::Number delayed(std::uint64_t lag) const { return delay_line[place(pipeline.iteration - lag)]; }
@@ -42,9 +44,9 @@ template <class Time> struct ProcessState {
     std::size_t place(std::uint64_t iteration) const { return iteration & (delay_line.size() - 1); }
 };
 
-/// The rules of time of a process (SPEC section 3): the step, the pipelined loop with its delay line, the setup. This
-/// is the only place that states them. The local time moves by what an operation takes and by waiting for accesses to
-/// become legal; nothing else.
+/// The rules of time of a process (SPEC section 3): the step, the pipelined loop with its delay line, the setup, the
+/// steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
+/// takes and by waiting for accesses to become legal; nothing else.
 ///
 /// `Process`, which derives from this, knows the FIFOs at its ports and counts what happens. `Port` has a number and an
 /// end of a FIFO, and so decides how cycles are held (see FifoRules), and with them the local time. `Process` has
@@ -61,6 +63,9 @@ template <class Time> struct ProcessState {
 ///     void iterates(std::uint64_t first, std::uint64_t count)  they begin at the local time
 ///     void entered(), count_end(), left()           a loop
 ///     void awaited_setup(Time cycles), stamped()
+///     void let_bubbles_in(Port const&, Time bubbles, Time from)  a flushing pipeline, instead of what a port reads
+///     void lets_out(Port const&, Time due, Time cycle)  a token, which may have waited; told before the access
+///     void waits_for_room(Port const&)  for a token in a flushing pipeline, whatever else it waits for
 template <class Process, class Port> class ProcessRules {
   public:
     using Line = typename Port::Line;
@@ -71,7 +76,9 @@ template <class Process, class Port> class ProcessRules {
 
     ProcessState<Time> const& state() const { return state_; }
     OperationLog const& log() const { return log_; }
-    bool finished() const { return log_.exhausted(); }
+    /// Nothing is left to be done, nor in its flushing pipeline.
+    bool finished() const { return log_.exhausted() && !state_.flushing.is_waiting(); }
+    bool flushes() const { return shape_->flushing_stages > 0; }
     bool in_loop() const { return state_.in_loop; }
     LoopPlan const& plan() const { return *plan_; }
     /// No access to come is before this cycle: the local time, less what the process goes back when it leaves a loop
@@ -93,6 +100,10 @@ template <class Process, class Port> class ProcessRules {
         state_.pipeline.iteration = plan_->longest_lag;
     }
     void restore_delayed(std::uint64_t lag, Ports::Number ports) { state_.delayed(lag) = ports; }
+    FlushingPipeline<Time>& restored_flushing() {
+        state_.flushing.clear();
+        return state_.flushing;
+    }
     void put_back(Operation const& operation) { log_.put_back(operation); }
 
   protected:
@@ -107,6 +118,8 @@ template <class Process, class Port> class ProcessRules {
     void go_on() {
         while (!log_.exhausted() && take()) {
         }
+        if (flushes())
+            flush();
     }
 
     /// Does what it can of the front operation. True: that is done, or part of it, and the log is to be looked at
@@ -115,9 +128,16 @@ template <class Process, class Port> class ProcessRules {
         Operation const operation = log_.whole_front();
         switch (operation.kind()) {
             case Kind::wait:
-                operation.is_setup() ? prepare(operation) : pass(operation.count());
+                if (operation.is_setup())
+                    prepare(operation);
+                else if (!flushes())
+                    pass(operation.count());
+                else if (!pass_flushing(operation))
+                    return false;
                 break;
             case Kind::step:
+                if (flushes())
+                    return perform_flushing(operation);
                 if (!perform(operation.ports()))
                     return false;
                 pass(operation.count());
@@ -165,6 +185,32 @@ template <class Process, class Port> class ProcessRules {
                         static_cast<Cycles>(state_.time));
     }
 
+    /// To a step of the flushing pipeline; those before it took in bubbles instead of what a port reads.
+    void go_to(typename FlushingPipeline<Time>::Step const& step, Port const& port) {
+        Time const from = state_.time;
+        state_.flushing.go_to(step);
+        state_.time = step.cycle;
+        if (step.steps > 0)
+            self().let_bubbles_in(port, step.steps, from);
+    }
+
+    Port const& flushing_port() const { return self().ports_[shape_->flushing_port]; }
+    /// Of tokens in the pipeline, those for which there is known to be room.
+    void let_out() {
+        if (!state_.flushing.is_waiting())
+            return;
+        Port const& out = flushing_port();
+        state_.flushing.let_out(
+            state_.time, [&out] { return out.end.known() > 0; }, [&out] { return out.end.earliest(); },
+            [this, &out](auto const& token, Time due, Time cycle) {
+                self().lets_out(out, due, cycle);
+                if (trail_ != nullptr)
+                    trail_->flown(index_, out.number, static_cast<Cycles>(token.flight), token.was_frozen,
+                                  static_cast<Cycles>(cycle));
+                out.end.access(cycle);
+                self().note(out, 1);
+            });
+    }
     /// All of an iteration that is split off an operation, which may become its tail; or the next is the front one.
     void take_off(Operation& operation, std::uint32_t count) {
         operation.subtract(count);
@@ -240,6 +286,72 @@ template <class Process, class Port> class ProcessRules {
             self().note(port, 1);
         }
         return true;
+    }
+
+    // The flushing pipeline.
+
+    /// Reads happen in a step of the pipeline; what is written to the FIFO behind it begins its way there.
+    bool perform_flushing(Operation const& operation) {
+        PortSet const& set = port_set(operation.ports());
+        let_out();
+        Port const* last = nullptr;  // that can be read
+        for (Port const& port : set) {
+            if (port.number == shape_->flushing_port)
+                continue;
+            if (port.end.known() == 0) {
+                self().wait_for(port);
+                return false;
+            }
+            if (last == nullptr || port.end.earliest() > last->end.earliest())
+                last = &port;
+        }
+        if (last != nullptr && !read_flushing(operation.ports(), *last))
+            return false;
+        for (Port const& port : set) {
+            if (port.number == shape_->flushing_port) {
+                state_.flushing.take_in(static_cast<Time>(shape_->flushing_stages));
+                continue;
+            }
+            port.end.access(state_.time);
+            self().note(port, 1);
+        }
+        log_.whole_front() = Operation(Kind::wait, 0, 0, operation.count());
+        return true;
+    }
+
+    /// Goes to the step in which it can.
+    bool read_flushing(Ports::Number ports, Port const& last) {
+        auto const step = state_.flushing.step_from(state_.time, last.end.earliest());
+        if (step.is_open) {
+            self().wait_for(flushing_port());
+            return false;
+        }
+        if (!self().may_access(ports))
+            return false;
+        Time const arrival = state_.time;
+        go_to(step, last);
+        if (trail_ != nullptr && state_.time > arrival)
+            leave_trail(step.ends_freeze ? shape_->flushing_port : last.number);
+        self().performs(ports, arrival);
+        return true;
+    }
+
+    /// So many steps of the pipeline, as far as it is known when tokens leave in them.
+    bool pass_flushing(Operation const& wait) {
+        let_out();
+        auto const step = state_.flushing.step_after(state_.time, static_cast<Time>(wait.count()));
+        state_.flushing.go_to(step);
+        state_.time = step.cycle;
+        log_.whole_front().subtract(static_cast<std::uint32_t>(step.steps));
+        if (step.is_open)
+            self().wait_for(flushing_port());
+        return !step.is_open;
+    }
+
+    void flush() {
+        let_out();
+        if (state_.flushing.is_waiting())
+            self().waits_for_room(flushing_port());
     }
 
     // Setups.

@@ -70,6 +70,8 @@ struct ProcessShape {
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
     Cycles stamps_back = 0;       ///< cycles between what a stamp notes and the local time
+    Cycles flushing_stages = 0;   ///< of its FlushingPipeline; 0: it has none
+    unsigned flushing_port = 0;   ///< by which tokens leave that
 };
 
 }  // namespace faster::timing

@@ -13,6 +13,10 @@ ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<P
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
     auto const number = static_cast<unsigned>(ports_.size());
     ports_.push_back({fifo.end(writes), number, &fifo, writes});
+    if (writes && fifo.shape().flushing_stages > 0) {
+        shape_->flushing_stages = fifo.shape().flushing_stages;
+        shape_->flushing_port = number;
+    }
     port_sites_.emplace_back();
     forget_port_sets();
     return number;
@@ -35,13 +39,16 @@ ProcessTiming::Status ProcessTiming::front() {
     stops_ = true;
     go_on();
     stops_ = false;
-    return finished() ? Status::exhausted : status_;
+    return log_.exhausted() ? Status::exhausted : status_;
 }
 
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = state_.time;
-    front_ports_.each([&](unsigned number) { cycle = std::max(cycle, ports_[number].end.earliest()); });
-    return cycle;
+    front_ports_.each([&](unsigned number) {
+        if (!flushes() || number != flushing_port())
+            cycle = std::max(cycle, ports_[number].end.earliest());
+    });
+    return flushes() ? state_.flushing.step_from(state_.time, cycle).cycle : cycle;
 }
 
 void ProcessTiming::commit_front() {
@@ -67,9 +74,47 @@ bool ProcessTiming::may_access(Ports::Number ports) {
     return true;
 }
 
-void ProcessTiming::charge(ProcessPort const& port, Cycles stall) {
+void ProcessTiming::add_stall(ProcessPort const& port, Cycles stall) {
     port.fifo->add_stall(port.writes, stall);
     (port.writes ? figures_.full_stall_cycles : figures_.empty_stall_cycles) += stall;
+}
+
+void ProcessTiming::let_bubbles_in(ProcessPort const& port, Cycles bubbles, Cycles from) {
+    add_stall(port, bubbles);
+    if (observer_ != nullptr)
+        observer_->stalled(*this, port.number, from, state_.time);
+}
+
+void ProcessTiming::lets_out(ProcessPort const& port, Cycles due, Cycles cycle) {
+    add_stall(port, cycle - due);
+    if (observer_ != nullptr)
+        observer_->let_out(*this, port.number, due, cycle);
+}
+
+std::vector<ProcessTiming::Flight> ProcessTiming::flights() const {
+    std::vector<Flight> flights;
+    Cycles time = state_.time;
+    for (std::size_t i = 0; i < state_.flushing.tokens().size(); ++i) {
+        auto const& token = state_.flushing.tokens()[i];
+        if (i >= state_.flushing.left())
+            flights.push_back({time + token.steps - token.flight, token.was_frozen});
+        time += token.frozen;
+    }
+    return flights;
+}
+
+Cycles ProcessTiming::due(Cycles left) const {
+    Cycles time = state_.time;
+    for (auto const& token : state_.flushing.tokens()) {
+        if (time + token.steps + token.frozen == left)
+            return time + token.steps;
+        time += token.frozen;
+    }
+    return left;
+}
+
+void ProcessTiming::charge(ProcessPort const& port, Cycles stall) {
+    add_stall(port, stall);
     if (observer_ != nullptr)
         observer_->stalled(*this, port.number, state_.time - stall, state_.time);
 }

@@ -63,6 +63,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
   public:
     using Rules = ProcessRules<ProcessTiming, ProcessPort>;
     using Rules::finished;
+    using Rules::flushes;
     using Rules::in_loop;
     using Rules::long_count;
     using Rules::not_before;
@@ -122,6 +123,21 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
     Cycles local_time() const { return state_.time; }
+    /// The first cycle in which it has nothing to do any more, of what is known.
+    Cycles end() const { return flushes() ? state_.flushing.end(state_.time) : state_.time; }
+    /// For each token in a flushing pipeline that has no room yet: what has decided so far when it leaves.
+    struct Flight {
+        Cycles since = 0;
+        bool is_room = false;  ///< that another token got; otherwise, that it was taken in
+    };
+    std::vector<Flight> flights() const;
+    /// When a token was due that left a flushing pipeline in a cycle that is not over.
+    Cycles due(Cycles left) const;
+    /// The port by which the flushing pipeline writes, and whether a token waits there for room.
+    unsigned flushing_port() const { return shape_->flushing_port; }
+    bool waits_for_room() const { return state_.flushing.is_waiting(); }
+    /// Lets tokens out of the flushing pipeline for which there is room now.
+    void let_out() { Rules::let_out(); }
     /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
     Cycles waiting_since() const { return state_.time == charged_until_ ? arrival_ : state_.time; }
     std::vector<Cycles> const& stamps() const { return figures_.stamps; }
@@ -204,6 +220,10 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     void left();
     void awaited_setup(Cycles cycles) { figures_.awaited_setup_cycles += cycles; }
     void stamped();
+    void let_bubbles_in(ProcessPort const& port, Cycles bubbles, Cycles from);
+    void lets_out(ProcessPort const& port, Cycles due, Cycles cycle);
+    void waits_for_room(ProcessPort const& /*port*/) const {}
+    void add_stall(ProcessPort const& port, Cycles stall);
 
     std::string name_;
     std::vector<ProcessPort> ports_;

@@ -8,8 +8,8 @@ namespace faster::timing {
 
 class ProcessTiming;
 
-/// Sees everything that a process does, in the order of its local time. For recordings: an observed process goes step
-/// by step.
+/// Sees everything that a process does, in the order of its local time but for let_out(). For recordings: an observed
+/// process goes step by step.
 class StepObserver {
   public:
     virtual ~StepObserver() = default;
@@ -22,6 +22,9 @@ class StepObserver {
     /// Waited for the access of a port in [from, until).
     virtual void stalled(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) = 0;
     virtual void accessed(ProcessTiming const& process, Ports ports, Cycles cycle) = 0;
+    /// A token left the process's flushing pipeline by a port in `cycle`, and was due in `due`: between them, the
+    /// pipeline stood still. May be told before things that happen earlier, also in a stall for a token to come.
+    virtual void let_out(ProcessTiming const& process, unsigned port, Cycles due, Cycles cycle) = 0;
     virtual void stamped(ProcessTiming const& process, Cycles cycle) = 0;
 };
 

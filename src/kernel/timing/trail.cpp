@@ -25,6 +25,17 @@ void Trail::marked(unsigned process, Region region, Cycles from) {
     events_.push_back(event);
 }
 
+void Trail::flown(unsigned process, unsigned port, Cycles flight, bool was_frozen, Cycles cycle) {
+    TrailEvent event;
+    event.time = cycle;
+    event.count = static_cast<std::uint32_t>(flight);
+    event.distance = was_frozen ? 1 : 0;
+    event.kind = Kind::flown;
+    event.process = static_cast<std::uint16_t>(process);
+    event.port = static_cast<std::uint16_t>(port);
+    events_.push_back(event);
+}
+
 /// The stalls may be far apart in the trail, between those of others: they are put down once more, side by side.
 void Trail::repeated(std::uint64_t since, ProcessMask mask, std::uint64_t count, Cycles cycles) {
     std::size_t const end = events_.size();

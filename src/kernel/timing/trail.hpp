@@ -18,6 +18,8 @@ struct TrailEvent {
         repeated,  ///< the `distance` stalls before this one happened again `count` times, each time `time` cycles
                    ///< later
         followed,  ///< the next `count` transitions of the automaton, which ended in `time`
+        flown,     ///< a token left the flushing pipeline of `process` by `port` in `time`; that was decided `count`
+                   ///< cycles before: it was taken in, or (`distance` 1) a place behind `port` became free
     };
     Cycles time = 0;
     std::uint32_t count = 0;  ///< of a stall: steps since its iteration's first
@@ -41,6 +43,7 @@ class Trail {
 
     void stalled(unsigned process, unsigned port, Region region, Cycles step, Cycles until);
     void marked(unsigned process, Region region, Cycles from);
+    void flown(unsigned process, unsigned port, Cycles flight, bool was_frozen, Cycles cycle);
     /// What the processes of a mask waited for since a mark happened again `count` times, each time
     /// `cycles` later. They did nothing else.
     void repeated(std::uint64_t since, ProcessMask mask, std::uint64_t count, Cycles cycles);

@@ -166,6 +166,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["path_causes"] = path_cause_names;
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();
     data["sensitivities"] = sensitivities_json(input.run);
+    data["alternatives"] = alternatives_json(input.run);
     data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));
     data["loops"] = json_table(loop_columns, loop_rows(input.run));
     data["latency"] = latency(input.run);

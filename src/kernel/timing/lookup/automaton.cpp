@@ -26,6 +26,14 @@ bool is_regular(LoopShape const& loop) {
     return true;
 }
 
+/// A flushing pipeline in the group has both its ends there.
+bool can_flush(Group::Member const& member, Group const& group) {
+    if (!member.process->flushes())
+        return true;
+    auto const all = static_cast<Ports::Number>((1U << member.process->port_count()) - 1U);
+    return &member != &group.members().front() && member.process->port_count() == 2 && member.inner_ports == all;
+}
+
 bool can_follow(Group const& group) {
     std::uint64_t room = 0;
     for (Group::Inner const& inner : group.fifos())
@@ -33,7 +41,7 @@ bool can_follow(Group const& group) {
     if (room > most_room || group.fifos().size() > TransitionBench::most_fifos || group.members().size() == 1)
         return false;
     for (Group::Member const& member : group.members()) {
-        if (member.process->loops().size() > TransitionBench::most_loops)
+        if (member.process->loops().size() > TransitionBench::most_loops || !can_flush(member, group))
             return false;
         for (LoopShape const& loop : member.process->loops())
             if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))

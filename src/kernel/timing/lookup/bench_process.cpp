@@ -14,7 +14,7 @@ BenchProcess::BenchProcess(ProcessTiming const& process, FigureBlock* figures, T
 }
 
 StateWord const* BenchProcess::load(StateWord const* words) {
-    if (!finished())
+    if (!log_.exhausted())
         log_.clear();
     ProcessFlags flags;
     words = load_process<Rules>(*this, 0, words, flags);
@@ -36,7 +36,8 @@ std::size_t BenchProcess::most_words() const {
     std::uint64_t longest_lag = 0;
     for (LoopPlan const& plan : shape_->plans)
         longest_lag = std::max(longest_lag, plan.longest_lag);
-    return 1 + ProcessFlags::words + longest_lag + words_of_operation * log_.pending();
+    return 1 + ProcessFlags::words + longest_lag + (flushes() ? words_of(state_.flushing) : 0) +
+           words_of_operation * log_.pending();
 }
 
 void BenchProcess::count_end() {

@@ -29,6 +29,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
   public:
     using Rules = ProcessRules<BenchProcess, BenchPort>;
     using Rules::finished;
+    using Rules::flushes;
     using Rules::leave_trail;
     using Rules::log;
     using Rules::not_before;
@@ -56,16 +57,16 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     void append(Operation const& operation) { log_.append(operation); }
     /// Takes steps as long as it can. The FIFOs that it accessed, a bit each.
     std::uint32_t advance() {
-        accessed_ = 0;
+        accessed_ = blocked_at_ = 0;
         go_on();
         log_.compact();
         return accessed_;
     }
-    /// After advance(), if it is not finished: a FIFO that it cannot access, as a bit.
+    /// After advance(), if it is not finished: FIFOs that it cannot access, a bit each.
     std::uint32_t blocked_at() const { return blocked_at_; }
 
     std::int64_t time() const { return state_.time; }
-    Ports::Number next_ports() const { return finished() ? outlook_ports_ : log_.begin()->ports(); }
+    Ports::Number next_ports() const { return log_.exhausted() ? outlook_ports_ : log_.begin()->ports(); }
     BenchPort const& port(unsigned number) const { return ports_[number]; }
     bool is_known(unsigned number) const { return ports_[number].end.known() > 0; }
     /// Waits at a port until a cycle, if that is later.
@@ -74,6 +75,18 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
             return;
         charge(ports_[number], cycle - state_.time);
         state_.time = cycle;
+    }
+
+    /// Of a flushing pipeline: whether it holds tokens, or one for which there is not known to be room; its port; and
+    /// lets it take in bubbles as long as nothing can be read from `port` before a cycle, and it does not stand still.
+    /// Whether it does, then.
+    bool holds_tokens() const { return !state_.flushing.is_empty(); }
+    bool awaits_room() const { return state_.flushing.is_waiting(); }
+    unsigned flushing_port() const { return shape_->flushing_port; }
+    bool idle_until(std::int64_t cycle, unsigned number) {
+        auto const step = state_.flushing.step_from(state_.time, cycle);
+        go_to(step, ports_[number]);
+        return step.is_open;
     }
 
     bool is_frozen() const { return frozen_; }
@@ -108,7 +121,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     bool goes_by_steps() const { return false; }
     bool may_go_on() const { return true; }
     bool may_access(Ports::Number /*ports*/) const { return true; }
-    void wait_for(BenchPort const& port) { blocked_at_ = port.fifo; }
+    void wait_for(BenchPort const& port) { blocked_at_ |= port.fifo; }
     void charge(BenchPort const& port, std::int64_t stall) {
         *port.stalls += static_cast<std::uint32_t>(stall);
         waited_ |= port.fifo;
@@ -125,6 +138,12 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     void left() const {}
     void awaited_setup(std::int64_t /*cycles*/) const {}  // in no phrase
     void stamped() const {}                               // in no phrase
+    void let_bubbles_in(BenchPort const& port, std::int64_t bubbles, std::int64_t /*from*/) { charge(port, bubbles); }
+    void lets_out(BenchPort const& port, std::int64_t due, std::int64_t cycle) {
+        if (cycle > due)
+            charge(port, cycle - due);
+    }
+    void waits_for_room(BenchPort const& port) { wait_for(port); }
 
     std::vector<BenchPort> ports_;
     std::vector<LoopFigures> figures_;  ///< by loop

@@ -18,6 +18,11 @@ void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
 
 void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since) {
     ProcessTiming& p = process(member);
+    if (p.flushes()) {  // its bubbles are over, whatever comes
+        p.charged_until_ = port != no_port ? p.state_.time : ProcessTiming::never;
+        p.arrival_ = arrival;
+        return;
+    }
     if (port != no_port) {
         charge(member, port, since - p.state_.time);  // in two's complement: what was charged ahead is taken back
         // What the step has found already was there when the waiting began; the state only knows that it is there now.
@@ -61,6 +66,8 @@ std::size_t RelativeState::most_words() const {
     std::size_t words = 0;
     for (Group::Member const& member : group_->members()) {
         words += 1 + ProcessFlags::words + words_of_operation * member.process->log().pending();
+        if (member.process->flushes())
+            words += words_of(member.process->state_.flushing);
         for (LoopPlan const& plan : member.process->shape()->plans)
             words += plan.longest_lag;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/timing/fifo_rules.hpp"
+#include "kernel/timing/flushing_pipeline.hpp"
 #include "kernel/timing/operation.hpp"
 
 namespace faster::timing {
@@ -140,6 +141,32 @@ class StatePage {
     std::int64_t earliest_ = 0, latest_ = 0;
 };
 
+/// A token in a flushing pipeline is three words, behind one that tells how many there are, and have left.
+constexpr unsigned words_of_flight = 3;
+template <class Time> std::size_t words_of(FlushingPipeline<Time> const& flushing) {
+    return 1 + words_of_flight * flushing.tokens().size();
+}
+template <class Time> void save_flushing(FlushingPipeline<Time> const& flushing, StatePage& page) {
+    page.put(static_cast<StateWord>(flushing.tokens().size() | flushing.left() << 16U));
+    for (auto const& token : flushing.tokens()) {
+        page.put(static_cast<StateWord>(token.steps));
+        page.put_time(page.base() + static_cast<std::int64_t>(token.frozen));
+        page.put(static_cast<StateWord>(2 * token.flight + (token.was_frozen ? 1 : 0)));
+    }
+}
+template <class Time> StateWord const* load_flushing(FlushingPipeline<Time>& flushing, StateWord const* words) {
+    auto const counts = static_cast<std::uint32_t>(*words++);
+    for (std::uint32_t i = 0; i < (counts & 0xFFFFU); ++i, words += words_of_flight) {
+        typename FlushingPipeline<Time>::Token token;
+        token.steps = static_cast<Time>(words[0]);
+        token.frozen = static_cast<Time>(words[1]);
+        token.flight = static_cast<Time>(words[2] >> 1U);
+        token.was_frozen = (words[2] & 1) != 0;
+        flushing.restore(token, i < counts >> 16U);
+    }
+    return words;
+}
+
 /// What the words of a process say besides where it stands: `flags` has what the process itself does not know.
 template <class Process> void save_process(Process const& process, ProcessFlags flags, bool with_log, StatePage& page) {
     auto const& state = process.state();
@@ -151,6 +178,8 @@ template <class Process> void save_process(Process const& process, ProcessFlags 
     page.put_flags(flags);
     for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
         page.put(state.pipeline.iteration < lag ? 0 : state.delayed(lag));
+    if (process.flushes())
+        save_flushing(state.flushing, page);
     for (std::size_t i = 0; i < flags.left; ++i)
         page.put_operation(process.log().begin()[i].code());
 }
@@ -166,6 +195,8 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
     bool const has_delay_line = flags.loop != 0 && !process.plan().aligned;
     for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
         process.restore_delayed(lag, static_cast<Ports::Number>(*words++));
+    if (process.flushes())
+        words = load_flushing(process.restored_flushing(), words);
     for (std::size_t i = flags.left; i > 0; --i)
         process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
     return words + words_of_operation * flags.left;

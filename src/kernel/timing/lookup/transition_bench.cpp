@@ -96,6 +96,8 @@ unsigned TransitionBench::blocked_port(unsigned member) const {
     BenchProcess const& process = members_[member].process;
     if (member == 0 || process.is_frozen())
         return BenchProcess::no_port;
+    if (process.awaits_room())
+        return process.flushing_port();
     for (std::uint32_t mask = process.next_ports(); mask != 0; mask &= mask - 1) {
         auto const port = static_cast<unsigned>(__builtin_ctz(mask));
         if (!process.is_known(port))
@@ -112,13 +114,30 @@ bool TransitionBench::waits_for_driver(unsigned member, unsigned port, unsigned 
     return other == 0 || waits_for_driver(other, blocked_port(other), depth + 1);
 }
 
+/// Of a member with a flushing pipeline: lets that take in bubbles until the driver's local time, before which there is
+/// nothing to read, or until it stands still. The port it waits at then.
+unsigned TransitionBench::port_that_freezes(unsigned member) {
+    BenchProcess& process = members_[member].process;
+    std::uint32_t const reads = process.next_ports() & ~(1U << process.flushing_port());
+    if (reads == 0)
+        return BenchProcess::no_port;
+    auto const port = static_cast<unsigned>(__builtin_ctz(reads));
+    bool const is_known = process.is_known(port);
+    if (is_known ? !process.awaits_room() : !waits_for_driver(member, port))
+        return BenchProcess::no_port;
+    std::int64_t const until = is_known ? process.port(port).end.earliest() : members_.front().process.not_before();
+    if (process.idle_until(until, port))
+        return process.flushing_port();
+    return is_known ? BenchProcess::no_port : port;
+}
+
 /// Charges a follower that waits for the driver with the cycles up to the driver's local time: whatever it waits for
 /// cannot come earlier.
 TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     BenchProcess& process = members_[member].process;
     Waiting waiting;
     waiting.arrival = waiting.since = process.time();
-    unsigned const port = blocked_port(member);
+    unsigned const port = process.flushes() ? port_that_freezes(member) : blocked_port(member);
     if (!waits_for_driver(member, port)) {
         process.set_parked_at(BenchProcess::no_port);
         return waiting;
@@ -126,6 +145,10 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
     waiting.waits = true;
     waiting.port = port;
     process.set_parked_at(port);
+    if (process.flushes()) {
+        process.wait(port, members_.front().process.not_before());
+        return waiting;
+    }
     for_each_bit(process.next_ports() & ((1U << port) - 1U), [&](unsigned before) {
         std::int64_t const arrival = process.time();
         process.wait(before, process.port(before).end.earliest());
@@ -211,7 +234,7 @@ bool TransitionBench::describe(Transition& transition) {
 bool TransitionBench::goes_on_waiting(unsigned member) {
     BenchProcess& process = members_[member].process;
     unsigned const port = process.parked_at();
-    if (port == BenchProcess::no_port || process.time() != members_[member].time_before ||
+    if (port == BenchProcess::no_port || process.holds_tokens() || process.time() != members_[member].time_before ||
         process.port(port).other != 0 || process.is_known(port))
         return false;
     process.wait(port, members_.front().process.not_before());

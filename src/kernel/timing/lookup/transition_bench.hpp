@@ -65,6 +65,7 @@ class TransitionBench {
     void tell(Task const& task, Transition& transition);
     unsigned blocked_port(unsigned member) const;
     bool waits_for_driver(unsigned member, unsigned port, unsigned depth = 0) const;
+    unsigned port_that_freezes(unsigned member);
     Waiting park_follower(unsigned member);
     bool goes_on_waiting(unsigned member);
     void save();

@@ -134,12 +134,18 @@ function step_column(title, side) {
   return figure(title, change, text);
 }
 
+function alternative_text(row) {
+  const outcome = row.outcome === "finished" ? `${(row.change_cycles > 0 ? "+" : "") + whole(row.change_cycles)} cycles` : row.outcome;
+  return ` ${row.key} ${row.other}: ${outcome}.`;
+}
+
 function show_sensitivities() {
   if (data.sensitivities.length === 0) return leave_out("sensitivities");
   const moves = (step) => step.outcome === "deadlock" || (step.outcome === "finished" && step.change_cycles !== 0);
   const rows = data.sensitivities.filter((row) => moves(row.down) || moves(row.up));
   by_id("sensitivity-note").textContent =
-    `${count_of(rows.length, "key")} of ${data.sensitivities.length} change something by a step; cycles of the total.`;
+    `${count_of(rows.length, "key")} of ${data.sensitivities.length} change something by a step; cycles of the total.` +
+    data.alternatives.map(alternative_text).join("");
   const best = (row) => Math.min(...[row.down, row.up].map((step) => (step.outcome === "finished" ? step.change_cycles : Number.MAX_VALUE)));
   new SortableTable(by_id("sensitivity-table"), "Sensitivities", [
     { title: "key", value: (row) => row.key },

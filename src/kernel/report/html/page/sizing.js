@@ -13,6 +13,14 @@ function after_all(cycles) {
   return cycles === null ? Number.MAX_SAFE_INTEGER : cycles;
 }
 
+function proof() {
+  if (data.proven) return "Proven: no depths within the bound cost less.";
+  const least = `othing within the bound costs less than ${decimal(data.least_cost_luts, 1)} LUTs`;
+  if (data.unproven_because === "given_up") return `Not proven to be the cheapest, as the search was given up: n${least}.`;
+  return `N${least}: that would be too slow even if tokens in front of a full ${data.freezing_fifos.join(", ")} closed up.`
+    + " They freeze, so that more room may cost time: not proven that nothing in between is within.";
+}
+
 function show_headline() {
   by_id("machine").textContent =
     `${count_of(data.raster_cores, "core")} at ${data.clock_mhz} MHz, within ${data.within_percent} % of unbounded FIFOs`;
@@ -24,9 +32,7 @@ function show_headline() {
     ["RAMB36, answer", decimal(data.answer.ramb36, 1)],
     ["cost in LUTs, answer", decimal(data.answer.cost_luts, 1)],
   ]);
-  by_id("proof").textContent = data.proven
-    ? "Proven: no depths within the bound cost less."
-    : `Not proven to be the cheapest: nothing within the bound costs less than ${decimal(data.least_cost_luts, 1)} LUTs.`;
+  by_id("proof").textContent = proof();
 }
 
 function point_of(row) {

@@ -1,0 +1,21 @@
+#include "kernel/sizing/relaxation.hpp"
+
+#include <utility>
+
+namespace faster::sizing {
+
+std::vector<std::size_t> freezing_fifos(Machine const& machine) {
+    std::vector<std::size_t> freezing;
+    for (std::size_t const i : fifos_of(machine))
+        if (machine.fifos[i].shape().flushing_stages > 0)
+            freezing.push_back(i);
+    return freezing;
+}
+
+Machine relaxed(Machine machine) {
+    for (std::size_t const i : freezing_fifos(machine))
+        machine.fifos[i].when_full = WhenFull::squeeze;
+    return machine;
+}
+
+}  // namespace faster::sizing

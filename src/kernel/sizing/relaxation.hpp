@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "kernel/machine/machine.hpp"
+
+namespace faster::sizing {
+
+/// FIFOs behind a flushing pipeline that freezes while they are full. With one of them, more room or less latency
+/// somewhere may make a run longer: a token that reaches the full FIFO sooner freezes the pipeline for longer, and
+/// with it those behind it.
+std::vector<std::size_t> freezing_fifos(Machine const& machine);
+
+/// The same machine with pipelines whose tokens close up instead (WhenFull::squeeze). It is a relaxation: what the
+/// machine does is possible there too, and the relaxed machine does everything as soon as possible, so it takes no
+/// longer with the same FIFOs. It takes just as long where no such FIFO is ever full. And more room or less latency
+/// never makes it take longer.
+Machine relaxed(Machine machine);
+
+}  // namespace faster::sizing

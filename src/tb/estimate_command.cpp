@@ -114,7 +114,7 @@ class EstimateRun {
         report.pose = scene_.own(estimated_pose());
         report.weight = estimate_.weight;
         report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
-        report.verdict = verdict();
+        report.verdict = verdict_of(scene_, estimate_.weight, estimator_of(loaded_.config));
         if (scene_.truth)
             report.truth = scene_.own(*scene_.truth);
         report.distances = distances_from_truth(scene_, estimated_pose());
@@ -158,15 +158,6 @@ class EstimateRun {
         estimate.pose = report.pose;
         estimate.time_s = report.total_ms() ? *report.total_ms() / 1000 : -1;
         return estimate;
-    }
-
-    Verdict verdict() const {
-        bool const is_blind = std::all_of(scene_.boxes.begin(), scene_.boxes.end(), [this](DetectionConfig const& box) {
-            return estimation::readings_in(box, scene_.observed.observed_depth) == 0;
-        });
-        if (!scene_.boxes.empty() && is_blind)
-            return Verdict::no_readings;
-        return estimate_.weight < estimator_of(loaded_.config).least_weight ? Verdict::weak : Verdict::found;
     }
 
     void write_pictures(std::filesystem::path const& folder) const {

@@ -12,18 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-char const* name_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::weak:
-            return "weak";
-        case Verdict::no_readings:
-            return "no_readings";
-        case Verdict::found:
-            break;
-    }
-    return "found";
-}
-
 std::string sentence_on(EstimateReport const& report) {
     switch (report.verdict) {
         case Verdict::weak:
@@ -116,6 +104,18 @@ Json keys_json(std::vector<ResolvedKey> const& keys) {
 }
 
 }  // namespace
+
+char const* name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::weak:
+            return "weak";
+        case Verdict::no_readings:
+            return "no_readings";
+        case Verdict::found:
+            break;
+    }
+    return "found";
+}
 
 std::optional<double> EstimateReport::total_ms() const {
     double total = 0;

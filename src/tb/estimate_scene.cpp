@@ -67,64 +67,84 @@ bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const&
     return *image;
 }
 
-DetectionConfig with_confidence(bop::ImageBox const& box, double confidence) {
-    return {box.left, box.top, box.width, box.height, confidence};
-}
-
-/// The annotation of what is visible, or of all of it, or else what the pose says.
-bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
-    if (object.visible_box)
-        return *object.visible_box;
-    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
-}
-
-std::vector<DetectionConfig> detected_boxes(BopRequest const& request) {
-    std::vector<DetectionConfig> boxes;
+/// All detections of the object in the image, or the annotated boxes.
+std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, Mesh const& mesh, Camera const& camera,
+                                     BopRequest const& request, double confidence) {
+    std::vector<bop::Detection> boxes;
+    if (request.detections.empty()) {
+        for (bop::GroundTruth const& object : image.objects)
+            if (object.obj_id == request.obj_id)
+                boxes.push_back({image.id, object.obj_id, annotated_box(object, mesh, camera), confidence, -1});
+        return boxes;
+    }
     for (bop::Detection const& detection : bop::read_detections(request.detections))
-        if (detection.obj_id == request.obj_id && detection.image == bop::ImageId{request.scene_id, request.im_id})
-            boxes.push_back(with_confidence(detection.box, detection.score));
+        if (detection.obj_id == request.obj_id && detection.image == image.id)
+            boxes.push_back(detection);
     return boxes;
 }
 
-void require_overlap(DetectionConfig const& box, Camera const& camera, BopRequest const& request) {
-    if (estimation::overlaps(box, camera.width, camera.height))
+void require_overlap(bop::ImageBox const& box, Camera const& camera, BopRequest const& request) {
+    if (estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height))
         return;
     throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
                                  request.detections.empty() ? request.folder : request.detections, box.left, box.top,
                                  box.width, box.height, camera.width, camera.height));
 }
 
-}  // namespace
-
-estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
-    require_mesh_and_samples(loaded);
+/// What estimate looks at, without boxes and truth.
+estimation::Scene observed_scene(LoadedConfig const& loaded, Mesh const& mesh, bop::Observation const& seen) {
     AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
     WorkloadConfig const& workload = workload_of(loaded.config);
-    bop::Dataset const dataset = bop::read_dataset(request.folder);
-    bop::DatasetImage const& image = image_of(dataset, request);
-    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
-    bop::Observation const seen = bop::load_observation(image);
     int const n = workload.scene.downscale;
     estimation::Scene scene;
     scene.observed =
         workload::observed_stimulus(mesh, workload::downscaled(seen.depth, n), workload::downscaled(seen.camera, n),
                                     workload, accelerator.window, accelerator.fraction_bits);
     estimation::centre_mesh(scene);
-    double const confidence = estimator_of(loaded.config).box.confidence;
-    for (bop::GroundTruth const& object : image.objects) {
-        if (object.obj_id != request.obj_id)
-            continue;
-        if (!scene.truth)
+    return scene;
+}
+
+void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& image, int obj_id,
+                         std::vector<bop::Detection> const& boxes, int downscale) {
+    for (bop::GroundTruth const& object : image.objects)
+        if (object.obj_id == obj_id && !scene.truth)
             scene.truth = scene.centred(object.pose);
-        if (request.detections.empty())
-            scene.boxes.push_back(with_confidence(annotated_box(object, mesh, seen.camera), confidence));
+    for (bop::Detection const& detection : boxes) {
+        bop::ImageBox const& box = detection.box;
+        scene.boxes.push_back({box.left / downscale, box.top / downscale, box.width / downscale, box.height / downscale,
+                               detection.score});
     }
-    if (!request.detections.empty())
-        scene.boxes = detected_boxes(request);
-    for (DetectionConfig& box : scene.boxes) {
-        require_overlap(box, seen.camera, request);
-        box = {box.left / n, box.top / n, box.width / n, box.height / n, box.confidence};
-    }
+}
+
+}  // namespace
+
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
+    if (object.visible_box)
+        return *object.visible_box;
+    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
+}
+
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
+                                int obj_id, std::vector<bop::Detection> const& boxes) {
+    require_mesh_and_samples(loaded);
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, obj_id, dataset.folder.string()));
+    estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(image));
+    add_truth_and_boxes(scene, image, obj_id, boxes, workload_of(loaded.config).scene.downscale);
+    return scene;
+}
+
+estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
+    require_mesh_and_samples(loaded);
+    bop::Dataset const dataset = bop::read_dataset(request.folder);
+    bop::DatasetImage const& image = image_of(dataset, request);
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
+    bop::Observation const seen = bop::load_observation(image);
+    std::vector<bop::Detection> const boxes =
+        boxes_in(image, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence);
+    for (bop::Detection const& detection : boxes)
+        require_overlap(detection.box, seen.camera, request);
+    estimation::Scene scene = observed_scene(loaded, mesh, seen);
+    add_truth_and_boxes(scene, image, request.obj_id, boxes, workload_of(loaded.config).scene.downscale);
     return scene;
 }
 

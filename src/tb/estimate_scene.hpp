@@ -3,6 +3,7 @@
 
 #include "estimation/scene.hpp"
 #include "kernel/config/load_config.hpp"
+#include "workload/bop/detections.hpp"
 
 namespace faster {
 
@@ -20,6 +21,13 @@ struct BopRequest {
 /// `estimator.box.confidence`; an object that nobody detected has none. Throws InputError for what the dataset does not
 /// have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
+
+/// The same of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
+                                int obj_id, std::vector<bop::Detection> const& boxes);
+
+/// The annotated box of what is visible, or of all of it, or else what the pose says.
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);
 
 /// The scene of a configuration: its workload without samples, whose pose is the truth, and the box of
 /// `estimator.box.*`. Throws InputError for a trace, no samples, and a box outside the image.

@@ -1,5 +1,7 @@
 #include "tb/estimate_scorers.hpp"
 
+#include <algorithm>
+
 #include "estimation/counter_scorer.hpp"
 #include "faster/enum_names.hpp"
 #include "faster/faster_config.hpp"
@@ -112,6 +114,15 @@ std::string scorer_name(RunConfig const& config) {
         return "grip";
     AcceleratorConfig const& accelerator = accelerator_of(config);
     return accelerator.flow == Flow::faster ? accelerator.architecture : choice_name(accelerator.flow);
+}
+
+Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config) {
+    bool const is_blind = std::all_of(scene.boxes.begin(), scene.boxes.end(), [&](DetectionConfig const& box) {
+        return estimation::readings_in(box, scene.observed.observed_depth) == 0;
+    });
+    if (!scene.boxes.empty() && is_blind)
+        return Verdict::no_readings;
+    return weight < config.least_weight ? Verdict::weak : Verdict::found;
 }
 
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose) {

@@ -27,6 +27,9 @@ std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation
 /// What people call it: the preset, or the flow that was chosen on its own, or grip.
 std::string scorer_name(RunConfig const& config);
 
+/// What an estimate of that weight is worth.
+Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config);
+
 /// ADD and ADD-S of a pose, by the vertices of the scene's mesh; nothing if the truth is not known.
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose);
 

@@ -32,8 +32,9 @@ std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, bop::Im
                                               std::vector<bop::ImageBox> const& others, DetectorModel const& model,
                                               std::uint64_t seed) {
     constexpr std::uint32_t stream_of_boxes = 0xb0b0;
-    CounterRandom random(seed, (std::uint64_t{static_cast<std::uint32_t>(target.image.scene_id)} << 32U) +
-                                   static_cast<std::uint32_t>(target.image.im_id),
+    CounterRandom random(seed,
+                         (std::uint64_t{static_cast<std::uint32_t>(target.image.scene_id)} << 32U) +
+                             static_cast<std::uint32_t>(target.image.im_id),
                          stream_of_boxes + static_cast<std::uint32_t>(target.obj_id));
     bool const is_missing = random.uniform() < model.missing, has_wrong = random.uniform() < model.wrong;
     std::vector<bop::Detection> boxes;

@@ -18,9 +18,9 @@ struct DetectorModel {
 /// Scenes of one kind: made, or a dataset that is there.
 struct Setting {
     std::string name;
-    std::filesystem::path dataset;     ///< empty: scenes are made
-    std::vector<std::string> objects;  ///< classes to look for, each in images of its own
-    int images = 0;                    ///< per class
+    std::filesystem::path dataset;            ///< empty: scenes are made
+    std::vector<std::string> objects;         ///< classes to look for, each in images of its own
+    int images = 0;                           ///< per class
     std::array<double, 2> visible{0.3, 0.9};  ///< share of the object that is to be seen, drawn between these
     DetectorModel boxes;
 };

@@ -161,8 +161,7 @@ class ExperimentReader {
                 reject_name(entry, names);
         }
         if (setting.dataset.empty() == (setting.objects.empty() || setting.images == 0))
-            faults_.push_back({map.line, map.name, std::nullopt,
-                               "expected either dataset, or objects and images"});
+            faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
         experiment_.scenes.push_back(std::move(setting));
     }
 
@@ -174,9 +173,9 @@ class ExperimentReader {
             for (YAML::Node const& item : list.value) {
                 std::string const name = item.IsScalar() ? item.Scalar() : "";
                 if (obj_id_of(name) == 0 || std::count(names.begin(), names.end(), name) > 0)
-                    faults_.push_back({list.line, list.name, shown(item),
-                                       "expected each of the built-in classes at most once" +
-                                           did_you_mean(name, ycb_classes())});
+                    faults_.push_back(
+                        {list.line, list.name, shown(item),
+                         "expected each of the built-in classes at most once" + did_you_mean(name, ycb_classes())});
                 names.push_back(name);
             }
         return names;

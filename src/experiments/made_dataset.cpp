@@ -23,9 +23,12 @@ constexpr char const* recipe_file = "scenes.json";
 
 /// What the images depend on; of another version of the generator as well.
 std::string recipe_of(Setting const& setting, std::uint64_t seed) {
-    Json const recipe{{"format", "faster-scenes"}, {"version", 1},
-                      {"seed", seed},              {"objects", setting.objects},
-                      {"images", setting.images},  {"visible", setting.visible}};
+    Json const recipe{{"format", "faster-scenes"},
+                      {"version", 1},
+                      {"seed", seed},
+                      {"objects", setting.objects},
+                      {"images", setting.images},
+                      {"visible", setting.visible}};
     return recipe.dump(1) + "\n";
 }
 
@@ -82,8 +85,8 @@ class DatasetMaker {
     }
 
     bop::DatasetImage made_image(int obj_id, int number) const {
-        MadeScene scene = made_scene({obj_id, setting_.visible, seed_, static_cast<std::uint64_t>(number)}, meshes_,
-                                     camera_);
+        MadeScene scene =
+            made_scene({obj_id, setting_.visible, seed_, static_cast<std::uint64_t>(number)}, meshes_, camera_);
         bop::DatasetImage image;
         image.id = {obj_id, number};
         image.camera = camera_;
@@ -106,9 +109,8 @@ class DatasetMaker {
     }
 
     void write_camera_and_targets() const {
-        Json const camera{{"cx", camera_.cx},         {"cy", camera_.cy},        {"depth_scale", 0.1},
-                          {"fx", camera_.fx},         {"fy", camera_.fy},        {"height", camera_.height},
-                          {"width", camera_.width}};
+        Json const camera{{"cx", camera_.cx}, {"cy", camera_.cy},         {"depth_scale", 0.1},    {"fx", camera_.fx},
+                          {"fy", camera_.fy}, {"height", camera_.height}, {"width", camera_.width}};
         io::write_file(folder_ / "camera.json", camera.dump(1) + "\n");
         std::vector<bop::Target> targets;
         for (bop::DatasetImage const& image : images_)
@@ -132,8 +134,8 @@ void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t 
     std::string const recipe = recipe_of(setting, seed);
     if (holds(folder, recipe))
         return;
-    io::AtomicFolder target(folder, {"made scenes", recipe_file, {"test", "models", "camera.json",
-                                                                 "test_targets_bop19.json"}});
+    io::AtomicFolder target(folder,
+                            {"made scenes", recipe_file, {"test", "models", "camera.json", "test_targets_bop19.json"}});
     DatasetMaker(target.path(), setting, seed).make(jobs, progress);
     io::write_file(target.path() / recipe_file, recipe);
     target.commit();

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double pi = 3.14159265358979323846;
 constexpr int most_tries = 2000;
 constexpr double near_enough = 0.03;
-constexpr int coarse = 4;            ///< tries look at every fourth pixel
+constexpr int coarse = 4;               ///< tries look at every fourth pixel
 constexpr double half_spread_m = 0.16;  ///< of the objects on the table
 constexpr double apart = 0.6;           ///< of the radii of two objects: corners may touch
 
@@ -158,8 +158,7 @@ struct Seen {
     Silhouette whole;
     Silhouette visible;
     double share() const {
-        return whole.pixels() == 0 ? 0
-                                   : static_cast<double>(visible.pixels()) / static_cast<double>(whole.pixels());
+        return whole.pixels() == 0 ? 0 : static_cast<double>(visible.pixels()) / static_cast<double>(whole.pixels());
     }
 };
 

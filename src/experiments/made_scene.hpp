@@ -19,7 +19,7 @@ struct MadeScene {
 
 /// What a scene is made from.
 struct SceneWish {
-    int obj_id = 1;                      ///< of the object to look for
+    int obj_id = 1;                       ///< of the object to look for
     std::array<double, 2> visible{0, 1};  ///< its share that is to be seen, drawn between these
     std::uint64_t seed = 1;
     std::uint64_t number = 0;  ///< of the scene; another seed and number, another scene

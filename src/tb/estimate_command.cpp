@@ -15,6 +15,7 @@
 #include "kernel/base/portable_math.hpp"
 #include "kernel/config/load_config.hpp"
 #include "tb/estimate_pictures.hpp"
+#include "tb/estimate_plots.hpp"
 #include "tb/estimate_report.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/estimate_scorers.hpp"
@@ -25,6 +26,7 @@
 #include "tool/progress_line.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/build_stimulus.hpp"
+#include "workload/files/colour_png.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
@@ -92,7 +94,8 @@ class EstimateRun {
     bool find_times() {
         if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
             return true;
-        IterationCycles const times = simulate_iterations(loaded_.config, scene_.observed, scored_, jobs_);
+        IterationCycles const times =
+            simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(), jobs_);
         if (!times.deadlock.empty()) {
             fmt::print(stderr, "{}", times.deadlock);
             return false;
@@ -140,6 +143,16 @@ class EstimateRun {
     }
 
   private:
+    /// Nothing if there is nothing to record.
+    std::optional<IterationRecording> recorded_iteration() const {
+        if (!request_.records())
+            return std::nullopt;
+        if (request_.recorded_iteration >= scored_.size())
+            throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
+                                         request_.recorded_iteration, scored_.size()));
+        return IterationRecording{request_.recorded_iteration, request_.events, request_.recording};
+    }
+
     /// Of the frame of the scene's mesh.
     Pose estimated_pose() const { return pose_of(estimate_.particle, scene_.size); }
 
@@ -173,6 +186,7 @@ class EstimateRun {
             drawn.push_back(std::move(iteration));
         }
         EstimatePictures(scene_.observed, accelerator_of(loaded_.config), estimated_pose()).write(folder, drawn);
+        io::write_colour_png(folder / "course.png", estimate_plots(rows_));
     }
 
     EstimateRequest const& request_;
@@ -197,6 +211,8 @@ int estimate_pose(EstimateRequest const& request) {
     LoadedConfig const loaded = load_config(request.config, overrides_of(request));
     if (!request.traces.empty() && request.out.empty())
         throw InputError("--traces: expected --out DIR as well");
+    if (request.records() && (request.untimed || estimator_of(loaded.config).backend == EstimatorBackend::grip))
+        throw InputError("--events, --vcd and --timeline: expected neither --untimed nor the backend grip with them");
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
@@ -246,6 +262,14 @@ Subcommand estimate_command() {
                 ->delimiter(',')
                 ->allow_extra_args(false)
                 ->type_name("LIST");
+            command
+                .add_option("--iteration", request->recorded_iteration,
+                            "The one that --events, --vcd and --timeline record (0)")
+                ->type_name("N");
+            command
+                .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
+                ->type_name("FILE");
+            add_recording_options(command, request->recording);
             return [request] { return estimate_pose(*request); };
         }};
 }

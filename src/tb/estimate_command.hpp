@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tb/estimate_scene.hpp"
+#include "tool/recording_options.hpp"
 #include "tool/subcommand.hpp"
 
 namespace faster {
@@ -19,6 +20,11 @@ struct EstimateRequest {
     std::int64_t jobs = 0;                ///< threads and processes; 0: the host's cores
     BopRequest bop;                       ///< instead of the configured workload
     bool untimed = false;                 ///< without the accelerator's cycles
+    std::uint64_t recorded_iteration = 0;
+    std::string events;          ///< file of that iteration's events; empty: none
+    RecordingRequest recording;  ///< of that iteration
+
+    bool records() const { return !events.empty() || !recording.vcd.empty() || !recording.timeline.empty(); }
 };
 
 /// Looks for an object's pose by the thesis's second stage. Throws InputError on bad input. Exit code 3 if the

@@ -96,8 +96,7 @@ SettingData data_of(experiments::Setting const& setting, fs::path const& folder,
         bop::DatasetImage const& image = *data.dataset.find(target.image);
         std::vector<bop::ImageBox> const others = annotated.of(image, target.obj_id, true);
         for (bop::ImageBox const& box : annotated.of(image, target.obj_id, false))
-            for (bop::Detection const& seen :
-                 experiments::boxes_of_detector(target, box, others, setting.boxes, seed))
+            for (bop::Detection const& seen : experiments::boxes_of_detector(target, box, others, setting.boxes, seed))
                 data.boxes[{target.image, target.obj_id}].push_back(seen);
     }
     return data;
@@ -295,7 +294,8 @@ int experiment(ExperimentRequest const& request) {
 }
 
 Subcommand experiment_command() {
-    return {"experiment", "Look for many objects in many scenes by several methods, and judge the poses; goes on where it was",
+    return {"experiment",
+            "Look for many objects in many scenes by several methods, and judge the poses; goes on where it was",
             [](CLI::App& command) {
                 auto const request = std::make_shared<ExperimentRequest>();
                 command.add_option("experiment", request->file, "Experiment file (YAML)")

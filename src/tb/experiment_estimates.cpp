@@ -54,9 +54,9 @@ std::string target_text(SettingData const& setting, bop::Target const& target, C
     bop::DatasetImage const& image = *setting.dataset.find(target.image);
     bop::ObjectModel const& model = setting.dataset.models.at(target.obj_id);
     Camera const& c = image.camera;
-    std::string text = fmt::format("{} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth),
-                                   contents.hash_of(model.mesh), model.unit_m, image.depth_unit_m, c.fx, c.fy, c.cx,
-                                   c.cy);
+    std::string text =
+        fmt::format("{} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),
+                    model.unit_m, image.depth_unit_m, c.fx, c.fy, c.cx, c.cy);
     for (bop::GroundTruth const& object : image.objects)
         if (object.obj_id == target.obj_id)
             text += pose_text(object.pose) + "\n";
@@ -104,17 +104,15 @@ experiments::EstimateResult estimated(WantedEstimate const& wanted) {
     LoadedConfig const& loaded = wanted.method->loaded;
     EstimatorConfig const& config = estimator_of(loaded.config);
     SettingData const& setting = *wanted.setting;
-    estimation::Scene scene =
-        dataset_scene(loaded, setting.dataset, *setting.dataset.find(wanted.target.image), wanted.target.obj_id,
-                      setting.boxes_of(wanted.target));
+    estimation::Scene scene = dataset_scene(loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
+                                            wanted.target.obj_id, setting.boxes_of(wanted.target));
     std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded.config, scene, 1);
     experiments::EstimateResult result;
     estimation::Estimate const estimate = estimation::estimate(
         scene, config, workload_of(loaded.config).samples.count,
         [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
         [&](estimation::Iteration const& iteration) {
-            if (auto const off =
-                    distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size)))
+            if (auto const off = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size)))
                 result.adds_mm.push_back(1000 * off->adds_m);
         });
     result.pose = scene.own(pose_of(estimate.particle, scene.size));

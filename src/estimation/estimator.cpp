@@ -40,14 +40,12 @@ void add_spread(Iteration& iteration) {
 
 Iteration scored(std::uint64_t number, std::vector<Particle> particles, EstimatorConfig const& config,
                  Score const& score) {
-    WeightCoefficients const& coefficients =
-        config.backend == EstimatorBackend::grip ? config.grip_weights : config.accelerator_weights;
     Iteration iteration;
     iteration.number = number;
     iteration.particles = std::move(particles);
     double sum = 0;
     for (WeightTerms const& terms : score(iteration.particles)) {
-        iteration.weights.push_back(terms.weight(coefficients));
+        iteration.weights.push_back(terms.weight(config.coefficients()));
         sum += iteration.weights.back();
     }
     iteration.best = static_cast<std::size_t>(std::max_element(iteration.weights.begin(), iteration.weights.end()) -

@@ -38,6 +38,7 @@ Json to_json(EstimateResult const& result) {
     return {{"R", rotation},
             {"t", {t.x(), t.y(), t.z()}},
             {"weight", result.weight},
+            {"truth_weight", result.truth_weight},
             {"verdict", result.verdict},
             {"seconds", result.seconds},
             {"adds_mm", result.adds_mm}};
@@ -50,6 +51,7 @@ EstimateResult estimate_result_from_json(Json const& json) {
     for (Eigen::Index i = 0; i < 3; ++i)
         result.pose.translation(i) = json.at("t").at(static_cast<std::size_t>(i)).get<double>();
     result.weight = json.at("weight").get<double>();
+    result.truth_weight = json.at("truth_weight").get<double>();
     result.verdict = json.at("verdict").get<std::string>();
     result.seconds = json.at("seconds").get<double>();
     result.adds_mm = json.at("adds_mm").get<std::vector<double>>();

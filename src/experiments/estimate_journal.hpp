@@ -15,6 +15,7 @@ namespace faster::experiments {
 struct EstimateResult {
     Pose pose;
     double weight = 0;
+    double truth_weight = 0;      ///< of the true pose: if it is more, the search failed, not the score
     std::string verdict;          ///< found, weak, no_readings
     double seconds = 0;           ///< of the host
     std::vector<double> adds_mm;  ///< ADD-S of the best sample, per iteration

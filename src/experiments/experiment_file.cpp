@@ -30,6 +30,7 @@ class ExperimentReader {
                                          shown(root), fmt::join(top_names(), ", ")));
         for (MapEntry const& entry : read_entries(root, "", faults_))
             read_entry(entry);
+        throw_faults();
         for (char const* const needed : {"format", "version", "scenes", "methods"})
             if (given_.count(needed) == 0)
                 faults_.push_back({1, needed, std::nullopt, "missing, expected it at the top of the file"});

@@ -58,7 +58,7 @@ struct EstimatorConfig {
     double least_weight = 0.3;
     EstimateKind estimate = EstimateKind::best;
     std::uint64_t seed = 3;
-    WeightCoefficients accelerator_weights{0.1, 0.4, 0.4, 0.1, 0};
+    WeightCoefficients accelerator_weights{0.1, 0.7, 0.1, 0.1, 0};
     WeightCoefficients grip_weights{0.1, 0.2, 0.3, 0.2, 0.2};
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
@@ -68,6 +68,10 @@ struct EstimatorConfig {
     double cluster_translation_m = 0.01;
     double cluster_rotation_deg = 10;
     DetectionConfig box;
+
+    WeightCoefficients const& coefficients() const {
+        return backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+    }
 };
 
 /// What the host needs per iteration besides the accelerator; keys `host.*`.

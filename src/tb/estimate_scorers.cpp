@@ -46,20 +46,9 @@ class AcceleratorScorer final : public IterationScorer {
         workload::set_poses(last_.poses, scene_.observed);
         last_.counters = scorer_.score();
         std::vector<estimation::WeightTerms> terms;
-        for (std::size_t i = 0; i < particles.size(); ++i) {
+        for (std::size_t i = 0; i < particles.size(); ++i)
             terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
                                                  overlap_with_box(scene_, particles[i], last_.poses[i]), least_drawn_));
-            static char const* hack = getenv("FASTER_IB");
-            if (hack && !scene_.boxes.empty() && terms.back().raw > 0) {
-                auto const& b = scene_.boxes[particles[i].box];
-                double const fill = std::min(1.0, static_cast<double>(last_.counters[i].inlier) / (b.width * b.height));
-                double r = terms.back().raw;
-                terms.back().in_box = *hack == 'f'   ? fill
-                                      : *hack == 'm' ? r * fill
-                                      : *hack == 'h' ? (fill + r > 0 ? 2 * fill * r / (fill + r) : 0)
-                                                     : terms.back().in_box;
-            }
-        }
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }

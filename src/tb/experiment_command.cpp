@@ -238,12 +238,13 @@ std::string convergence_csv(std::vector<WantedEstimate> const& wanted, experimen
 
 /// A row per estimate.
 std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal) {
-    std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,verdict,adds_mm\n";
+    std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,truth_weight,verdict,adds_mm\n";
     for (WantedEstimate const& each : wanted)
         if (experiments::EstimateResult const* const result = journal.find(each.id))
-            fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{},{}\n", each.setting->name,
+            fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", each.setting->name,
                            each.method->name, each.target.image.scene_id, each.target.image.im_id, each.target.obj_id,
-                           each.setting->boxes_of(each.target).size(), result->weight, result->verdict,
+                           each.setting->boxes_of(each.target).size(), result->weight, result->truth_weight,
+                           result->verdict,
                            result->adds_mm.empty() ? "" : fmt::format("{:.4f}", result->adds_mm.back()));
     return text;
 }

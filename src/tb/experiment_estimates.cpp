@@ -72,6 +72,19 @@ std::string id_of(std::string const& keys, std::string const& target) {
     return fmt::format("{:016x}", hash.value());
 }
 
+/// What the true pose would weigh, in the best of the boxes; 0 if it is not known.
+double truth_weight(estimation::Scene const& scene, EstimatorConfig const& config, IterationScorer& scorer) {
+    if (!scene.truth)
+        return 0;
+    std::vector<estimation::Particle> particles(std::max<std::size_t>(1, scene.boxes.size()));
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        particles[i] = {estimation::rotation_of(scene.truth->rotation), scene.truth->translation, i};
+    double most = 0;
+    for (estimation::WeightTerms const& terms : scorer.score(particles))
+        most = std::max(most, terms.weight(config.coefficients()));
+    return most;
+}
+
 }  // namespace
 
 std::vector<bop::Detection> const& SettingData::boxes_of(bop::Target const& target) const {
@@ -115,6 +128,7 @@ experiments::EstimateResult estimated(WantedEstimate const& wanted) {
             if (auto const off = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size)))
                 result.adds_mm.push_back(1000 * off->adds_m);
         });
+    result.truth_weight = truth_weight(scene, config, *scorer);
     result.pose = scene.own(pose_of(estimate.particle, scene.size));
     result.weight = estimate.weight;
     result.verdict = name_of(verdict_of(scene, estimate.weight, config));

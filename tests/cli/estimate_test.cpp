@@ -91,7 +91,7 @@ TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]")
         CHECK(row[11].empty());  // cycles
         weight = std::stod(row[2]);
     }
-    for (char const* const picture : {"iteration_0000", "iteration_0001", "iteration_0024", "convergence"})
+    for (char const* const picture : {"iteration_0000", "iteration_0001", "iteration_0024", "convergence", "course"})
         CHECK(workspace.has(std::string("out/images/") + picture + ".png"));
 }
 
@@ -138,6 +138,25 @@ TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's
     // The loop goes by the same counters, timed or not.
     require_done(workspace.estimate({"--out", "untimed", "--set", "estimator.iterations=3", "--untimed"}));
     CHECK(workspace.json("untimed/estimate.json")["pose"] == found["pose"]);
+}
+
+TEST_CASE("Any iteration of an estimate can be recorded", "[estimate]") {
+    Workspace const workspace;
+    Words const common{"--set", "estimator.iterations=3", "--out", "out", "--iteration"};
+    auto const record = [&](Words words) {
+        words.insert(words.begin(), common.begin(), common.end());
+        return workspace.estimate(words);
+    };
+    require_done(record({"2", "--events", "two.events", "--vcd", "two.vcd", "--vcd-samples", "5"}));
+    CHECK(workspace.has("two.gtkw"));
+    CHECK_THAT(workspace.text("two.vcd"), Contains("rasterizer"));
+    require_done(workspace.run({"whatif", "two.events", "--out", "again"}));
+    CHECK(workspace.json("again/summary.json")["total_cycles"] ==
+          workspace.json("out/estimate.json")["iterations"][2]["cycles"]);
+    check_bad_input(record({"2", "--events", "x.events", "--untimed"}), {"--events", "--untimed"});
+    check_bad_input(record({"2", "--events", "config.yaml/x.events"}), {"config.yaml/x.events"});
+    check_bad_input(record({"3", "--timeline", "x.json"}), {"--iteration 3", "3 iterations"});
+    CHECK_FALSE(workspace.has("x.events"));
 }
 
 TEST_CASE("estimate scores with any design, and with grip without cycles", "[estimate]") {

@@ -1,9 +1,9 @@
-// How many samples of a workload the scorers without time score per second on one host core, the shortest of ROUNDS
-// goes in turns.
+// How many samples of a workload the scorers without time score per second of one host core's time, the shortest of
+// ROUNDS goes in turns.
 //
 //   faster_scorer_bench [CONFIG] [ROUNDS]
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fmt/format.h>
 #include <limits>
 #include <systemc>
@@ -22,15 +22,13 @@ namespace {
 // The configuration's keys come with the modules, and those with libsystemc and its main().
 [[maybe_unused]] bool const banner_is_off = setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1) == 0;
 
-using HostClock = std::chrono::steady_clock;
-
-/// Shortest of several goes [s], as others on the machine only ever add to it.
+/// Least processor time of several goes [s], as others on the machine only ever add to it.
 class Shortest {
   public:
     template <class Work> void time(Work work) {
-        auto const start = HostClock::now();
+        std::clock_t const start = std::clock();
         work();
-        seconds_ = std::min(seconds_, std::chrono::duration<double>(HostClock::now() - start).count());
+        seconds_ = std::min(seconds_, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     }
     double per_second(std::size_t samples) const { return static_cast<double>(samples) / seconds_; }
 

@@ -249,3 +249,13 @@ TEST_CASE("What is wrong with an experiment file is said with its line", "[exper
     says("{dataset: frames}", "{dataset: frames, images: 3, objects: [mug]}", {":7: ", "either dataset, or objects"});
     says("methods:", "method:", {":8: method", "did you mean methods?"});
 }
+
+TEST_CASE("The shipped experiments can be read", "[experiments]") {
+    std::size_t files = 0;
+    for (auto const& entry : std::filesystem::directory_iterator(FASTER_SOURCE_DIR "/configs/experiments")) {
+        CAPTURE(entry.path());
+        CHECK_FALSE(read_experiment_file(entry.path()).methods.empty());
+        ++files;
+    }
+    CHECK(files >= 2);
+}

@@ -89,6 +89,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         ProgressLine progress("samples");
         SimulationOptions options;
         options.critical_path = request.critical_path || outputs.report;
+        options.hazards = request.hazards;
         options.recorded = request.sensitivities || outputs.events ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, machine, samples);
         if (outputs.report)
@@ -139,6 +140,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
+            command.add_flag("--hazards", request->hazards,
+                             "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

@@ -26,7 +26,10 @@ constexpr std::uint16_t far_depth_code = 2047;
 /// x = y of the vertices of a triangle that the rasterizer must reject (SPEC section 2, vertex transform).
 constexpr std::int16_t rejected_vertex_code = -32768;
 
-/// The code of `value` with `fraction_bits` bits after the point, truncated towards minus infinity (HLS AP_TRN).
-inline double truncated_code(double value, int fraction_bits) { return std::floor(std::ldexp(value, fraction_bits)); }
+/// The code of `value` with `fraction_bits` bits after the point, 0 to 62, truncated towards minus infinity (HLS
+/// AP_TRN). Multiplying by a power of two is exact.
+inline double truncated_code(double value, int fraction_bits) {
+    return std::floor(value * static_cast<double>(std::int64_t{1} << fraction_bits));
+}
 
 }  // namespace faster

@@ -34,6 +34,11 @@ class DepthUnit {
         return wide_fragment_depth(z_sum, reciprocal);
     }
 
+    /// For fragments side by side: their depths by adding to z_sum * reciprocal, of which shift() bits are dropped.
+    /// False where fragment_depth() needs more bits.
+    bool adds_up() const { return fits_ && shift_ >= 0; }
+    int shift() const { return shift_; }
+
     /// Thesis A.3: draws a fragment that is at most 2 m away and not behind what is drawn. True if it was drawn.
     bool draw(std::uint64_t depth, std::uint16_t& buffer) const {
         if (depth > farthest_drawn_ || depth > move_point(buffer, buffer_fraction_, fragment_fraction_))

@@ -215,6 +215,7 @@ Keys faster_keys(CoreDescription const& core) {
     append(keys, memory_placement_keys());
     append(keys, machine_keys(core));
     append(keys, workload_keys());
+    append(keys, estimator_keys());
     return keys;
 }
 

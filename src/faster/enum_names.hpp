@@ -1,5 +1,6 @@
 #pragma once
 #include "faster/accelerator_config.hpp"
+#include "faster/estimator_config.hpp"
 #include "kernel/config/enum_names.hpp"
 
 namespace faster {
@@ -54,6 +55,22 @@ template <> struct EnumNames<EdgeTokens> {
 template <> struct EnumNames<ScanPolicy> {
     static constexpr std::array<std::pair<ScanPolicy, char const*>, 3> all{
         {{ScanPolicy::zigzag, "zigzag"}, {ScanPolicy::early_exit, "early_exit"}, {ScanPolicy::spans, "spans"}}};
+};
+
+template <> struct EnumNames<EstimatorBackend> {
+    static constexpr std::array<std::pair<EstimatorBackend, char const*>, 2> all{
+        {{EstimatorBackend::accelerator, "accelerator"}, {EstimatorBackend::grip, "grip"}}};
+};
+
+template <> struct EnumNames<Resampling> {
+    static constexpr std::array<std::pair<Resampling, char const*>, 3> all{{{Resampling::systematic, "systematic"},
+                                                                            {Resampling::stratified, "stratified"},
+                                                                            {Resampling::multinomial, "multinomial"}}};
+};
+
+template <> struct EnumNames<EstimateKind> {
+    static constexpr std::array<std::pair<EstimateKind, char const*>, 2> all{
+        {{EstimateKind::best, "best"}, {EstimateKind::mean, "mean"}}};
 };
 
 }  // namespace faster

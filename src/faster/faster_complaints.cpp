@@ -1,5 +1,6 @@
 #include "faster/faster_complaints.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 #include "faster/faster_config.hpp"
@@ -112,6 +113,19 @@ void check_observation_copies(LoadedConfig const& loaded, std::vector<std::strin
                                        fmt::format("at most {}", with_value(loaded, "accelerator.raster_cores"))));
 }
 
+/// Eq. 2.4: the coefficients add up to 1. Decimal fractions hardly do so exactly.
+void check_weights(LoadedConfig const& loaded, char const* backend, WeightCoefficients const& weights,
+                   std::vector<std::string>& complaints) {
+    constexpr double tolerance = 1e-9;
+    double const sum = weights.box + weights.in_box + weights.raw + weights.edge + weights.planar;
+    if (std::abs(sum - 1) <= tolerance)
+        return;
+    std::string const key = fmt::format("estimator.weights.{}.raw", backend);
+    complaints.push_back(
+        complaint(loaded, key,
+                  fmt::format("coefficients of estimator.weights.{} that add up to 1, not to {:.6g}", backend, sum)));
+}
+
 }  // namespace
 
 std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
@@ -127,6 +141,9 @@ std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
     check_observation_copies(loaded, complaints);
     for (std::string const& complaint : external_memory_complaints(loaded))
         complaints.push_back(complaint);
+    EstimatorConfig const& estimator = estimator_of(loaded.config);
+    check_weights(loaded, "accelerator", estimator.accelerator_weights, complaints);
+    check_weights(loaded, "grip", estimator.grip_weights, complaints);
     return complaints;
 }
 

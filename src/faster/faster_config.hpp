@@ -2,15 +2,18 @@
 #include <memory>
 
 #include "faster/accelerator_config.hpp"
+#include "faster/estimator_config.hpp"
 #include "faster/workload_config.hpp"
 #include "kernel/config/run_config.hpp"
 
 namespace faster {
 
-/// What the keys of FASTER say: `accelerator.*` and `workload.*`.
+/// What the keys of FASTER say: `accelerator.*`, `workload.*`, `estimator.*` and `host.*`.
 struct FasterConfig final : DesignConfig {
     AcceleratorConfig accelerator;
     WorkloadConfig workload;
+    EstimatorConfig estimator;
+    HostConfig host;
 
     std::unique_ptr<DesignConfig> clone() const override { return std::make_unique<FasterConfig>(*this); }
     MachineSettings& machine() override { return accelerator; }
@@ -24,5 +27,7 @@ inline AcceleratorConfig const& accelerator_of(RunConfig const& config) {
 }
 inline WorkloadConfig& workload_of(RunConfig& config) { return config.as<FasterConfig>().workload; }
 inline WorkloadConfig const& workload_of(RunConfig const& config) { return config.as<FasterConfig>().workload; }
+inline EstimatorConfig const& estimator_of(RunConfig const& config) { return config.as<FasterConfig>().estimator; }
+inline HostConfig const& host_of(RunConfig const& config) { return config.as<FasterConfig>().host; }
 
 }  // namespace faster

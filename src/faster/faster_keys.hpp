@@ -11,4 +11,7 @@ Keys faster_keys(CoreDescription const& core);
 Keys memory_placement_keys();
 Keys workload_keys();
 
+/// Part of faster_keys(): the loop around the machine. A run does not look at them.
+Keys estimator_keys();
+
 }  // namespace faster

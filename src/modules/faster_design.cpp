@@ -63,6 +63,8 @@ std::string FasterDesign::why_not_retimable(std::string const& key) const {
         return "was ideal in the recorded run, of which nobody knows what it would fetch";
     if (starts_with(key, "accelerator.memory."))
         return "decides what is fetched, which was recorded";
+    if (starts_with(key, "estimator.") || starts_with(key, "host."))
+        return "is a key of estimate";
     if (starts_with(key, "workload."))
         return "is part of the workload, which was recorded";
     if (starts_with(key, "accelerator.rasterizer.") || key == "accelerator.inlier_unit.fragment_loop")

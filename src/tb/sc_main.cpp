@@ -2,7 +2,9 @@
 
 #include "tb/compare_architectures_command.hpp"
 #include "tb/edge_quality_command.hpp"
+#include "tb/estimate_command.hpp"
 #include "tb/evaluate_command.hpp"
+#include "tb/experiment_command.hpp"
 #include "tb/faster_run_extras.hpp"
 #include "tb/grip_command.hpp"
 #include "tb/record_command.hpp"
@@ -23,6 +25,6 @@ int sc_main(int argc, char** argv) {
                     {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
                      whatif_command(), sensitivities_command(), size_fifos_command(), compare_command(),
                      compare_architectures_command(), sweep_command(), edge_quality_command(), grip_command(),
-                     evaluate_command(), show_command(), keys_command()},
+                     estimate_command(), evaluate_command(), experiment_command(), show_command(), keys_command()},
                     argc, argv);
 }

@@ -77,26 +77,40 @@ SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t ind
 
 }  // namespace
 
-Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction) {
+Stimulus observed_stimulus(Mesh const& mesh, DepthImage const& depth, Camera const& camera,
+                           WorkloadConfig const& config, int window, FractionBits const& fraction) {
+    Stimulus stimulus;
+    stimulus.posed.camera = camera;
+    stimulus.posed.mesh = simplified(mesh, config.max_triangles);
+    stimulus.width = camera.width;
+    stimulus.height = camera.height;
+    stimulus.window = window;
+    stimulus.fraction = fraction;
+    stimulus.observed_depth = depth_codes(depth, fraction.depth_buffer);
+    stimulus.observed_edges = observed_edges(depth, camera, config.observed_edges);
+    return stimulus;
+}
+
+Stimulus build_observation(WorkloadConfig const& config, int window, FractionBits const& fraction) {
     Pose const target = configured_pose(config.target);
     require_in_front(target.translation.z(), "workload.pose.translation_m: the object", "");
     Mesh const mesh = object_mesh(config.target.object, "workload.object");
     DepthImage const depth = observed_scene(config, mesh, target);
+    return observed_stimulus(mesh, depth, downscaled(config.camera, config.scene.downscale), config, window, fraction);
+}
 
-    Stimulus stimulus;
-    stimulus.posed.camera = downscaled(config.camera, config.scene.downscale);
-    stimulus.posed.mesh = simplified(mesh, config.max_triangles);
-    stimulus.posed.poses = sample_poses(target, config.samples);
-    stimulus.width = stimulus.posed.camera.width;
-    stimulus.height = stimulus.posed.camera.height;
-    stimulus.window = window;
-    stimulus.fraction = fraction;
-    for (std::size_t index = 0; index < stimulus.posed.poses.size(); ++index) {
+void set_poses(std::vector<Pose> poses, Stimulus& stimulus) {
+    stimulus.samples.clear();
+    for (std::size_t index = 0; index < poses.size(); ++index) {
         stimulus.samples.push_back(
-            sample_input(stimulus.posed.poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size()));
+            sample_input(poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size()));
     }
-    stimulus.observed_depth = depth_codes(depth, fraction.depth_buffer);
-    stimulus.observed_edges = observed_edges(depth, stimulus.posed.camera, config.observed_edges);
+    stimulus.posed.poses = std::move(poses);
+}
+
+Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction) {
+    Stimulus stimulus = build_observation(config, window, fraction);
+    set_poses(sample_poses(configured_pose(config.target), config.samples), stimulus);
     return stimulus;
 }
 

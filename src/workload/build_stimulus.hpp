@@ -1,6 +1,7 @@
 #pragma once
 #include "common/stimulus.hpp"
 #include "faster/workload_config.hpp"
+#include "workload/depth_image.hpp"
 
 namespace faster::workload {
 
@@ -8,5 +9,15 @@ namespace faster::workload {
 /// its edges, and the pose samples. The result is posed: the vertex transform is still to be done. `config.trace` is
 /// not looked at. Throws InputError naming the key or file.
 Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction);
+
+/// The same without samples.
+Stimulus build_observation(WorkloadConfig const& config, int window, FractionBits const& fraction);
+
+/// The same of a depth image at hand: of the workload, only the limit of triangles and the edges' keys matter.
+Stimulus observed_stimulus(Mesh const& mesh, DepthImage const& depth, Camera const& camera,
+                           WorkloadConfig const& config, int window, FractionBits const& fraction);
+
+/// Replaces the samples of what build_observation() made. Throws InputError if a pose has its origin nearer than 0.1 m.
+void set_poses(std::vector<Pose> poses, Stimulus& stimulus);
 
 }  // namespace faster::workload

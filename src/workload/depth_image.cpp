@@ -17,17 +17,21 @@ Camera downscaled(Camera const& camera, int n) {
             camera.cy / n};
 }
 
+DepthImage downscaled(DepthImage const& depth, int n) {
+    DepthImage kept((depth.height() + n - 1) / n, (depth.width() + n - 1) / n);
+    for (int row = 0; row < kept.height(); ++row)
+        for (int column = 0; column < kept.width(); ++column)
+            kept.at(row, column) = depth.at(row * n, column * n);
+    return kept;
+}
+
 DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale) {
     Image<std::uint16_t> const raw = io::read_png16(path);
     io::require_size(path, raw.width(), raw.height(), camera.width, camera.height, "workload.camera");
-    Camera const kept = downscaled(camera, downscale);
-    DepthImage depth(kept.height, kept.width);
-    for (int row = 0; row < kept.height; ++row) {
-        for (int column = 0; column < kept.width; ++column) {
-            depth.at(row, column) = unit_m * raw.at(row * downscale, column * downscale);
-        }
-    }
-    return depth;
+    DepthImage depth(raw.height(), raw.width());
+    std::transform(raw.pixels().begin(), raw.pixels().end(), depth.pixels().begin(),
+                   [unit_m](std::uint16_t count) { return unit_m * count; });
+    return downscaled(depth, downscale);
 }
 
 Image<std::uint16_t> depth_codes(DepthImage const& depth, int fraction_bits) {

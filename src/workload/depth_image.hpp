@@ -14,6 +14,9 @@ using DepthImage = Image<double>;
 /// The camera of an image of which only every n-th row and column is kept, starting with 0.
 Camera downscaled(Camera const& camera, int n);
 
+/// Those rows and columns of an image.
+DepthImage downscaled(DepthImage const& depth, int n);
+
 /// Reads a 16-bit PNG of the camera's size and keeps every `downscale`-th row and column. Throws InputError.
 DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale);
 

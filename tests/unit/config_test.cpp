@@ -410,9 +410,10 @@ TEST_CASE("A section is a map and a key is not", "[config][errors]") {
     CHECK(file_error("accelerator:\n  window: {size: 3}\n") ==
           "test.yaml:2: accelerator.window = a map, expected an integer from 1 to 4096");
     CHECK(file_error("- accelerator\n") ==
-          "test.yaml:1: the file is a list, expected a map with accelerator, workload, simulation");
-    CHECK(file_error("accelerator\n") ==
-          "test.yaml:1: the file is accelerator, expected a map with accelerator, workload, simulation");
+          "test.yaml:1: the file is a list, expected a map with accelerator, workload, estimator, host, simulation");
+    CHECK(
+        file_error("accelerator\n") ==
+        "test.yaml:1: the file is accelerator, expected a map with accelerator, workload, estimator, host, simulation");
 }
 
 TEST_CASE("A file that is no YAML text is an error", "[config][errors]") {

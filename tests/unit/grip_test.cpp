@@ -5,6 +5,7 @@
 
 #include "common/fixed_point.hpp"
 #include "reference/grip/rank_correlation.hpp"
+#include "reference/grip/rendered_object.hpp"
 #include "reference/grip/score_poses.hpp"
 
 namespace faster::grip {
@@ -45,12 +46,12 @@ Stimulus scene_of(Mesh const& mesh, std::vector<Pose> const& poses) {
     stimulus.posed = {mesh, small_camera(), poses};
     stimulus.width = stimulus.posed.camera.width;
     stimulus.height = stimulus.posed.camera.height;
-    PointCloud const seen =
-        render(surface_points(mesh, half_pixel_spacing(stimulus.posed)), poses.at(0), stimulus.posed.camera);
+    RenderedObject const seen = render(mesh, poses.at(0), stimulus.posed.camera);
     stimulus.observed_depth = Image<std::uint16_t>(stimulus.height, stimulus.width);
-    for (std::size_t i = 0; i < seen.pixels().size(); ++i)
-        if (has_point(seen.pixels()[i]))
-            stimulus.observed_depth.pixels()[i] = static_cast<std::uint16_t>(seen.pixels()[i].z() * 512);
+    for (int row = 0; row < seen.depth.height(); ++row)
+        for (int col = 0; col < seen.depth.width(); ++col)
+            stimulus.observed_depth.at(row + seen.first_row, col + seen.first_col) =
+                static_cast<std::uint16_t>(seen.depth.at(row, col) * 512);
     return stimulus;
 }
 
@@ -93,36 +94,75 @@ TEST_CASE("Eq. 2.2: a lone point has no curvature", "[grip]") {
 TEST_CASE("Eq. 2.3: ratios of raw, edge and planar points, by hand", "[grip]") {
     // Four rendered points: an edge that is one, an edge that is observed as planar, a planar one 1 cm off, and one
     // where nothing is observed.
-    FeatureCloud rendered{cloud_of({{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}), Image<Feature>(2, 2)};
-    rendered.features.pixels() = {Feature::edge, Feature::edge, Feature::planar, Feature::planar};
-    FeatureCloud observed{cloud_of({{0, 0, 1}, {0, 0, 1}, {0, 0, 1.01}, {0, 0, 0}}), Image<Feature>(2, 2)};
-    observed.features.pixels() = {Feature::edge, Feature::planar, Feature::planar, Feature::none};
-    PoseScore const score = grip::score(rendered, observed, 0.008);
+    Eigen::Vector3d const point(0, 0, 1);
+    PoseScore score;
+    score.count(Feature::edge, point, Feature::edge, {0, 0, 1}, 0.008, true);
+    score.count(Feature::edge, point, Feature::planar, {0, 0, 1}, 0.008, true);
+    score.count(Feature::planar, point, Feature::planar, {0, 0, 1.01}, 0.008, true);
+    score.count(Feature::planar, point, Feature::none, {0, 0, 0}, 0.008, false);
     CHECK(score.raw.ratio() == 0.5);
     CHECK(score.edge.ratio() == 0.5);
     CHECK(score.planar.points == 2);
     CHECK(score.planar.ratio() == 0);
+    CHECK(score.in_box.points == 3);
+    CHECK(score.in_box.inliers == 2);
     CHECK(score.weight() == Approx(1.0 / 3));
     CHECK(InlierCount{}.ratio() == 0);
 }
 
-TEST_CASE("Of the points in a pixel the nearest counts, and every covered pixel has one", "[grip]") {
+TEST_CASE("Of the surfaces at a pixel the nearest counts, where its centre is covered", "[grip]") {
     Camera const camera = small_camera();
-    std::vector<Eigen::Vector3d> const points = surface_points(plate(0.1), 0.5 * 0.9 / camera.fx);
-    PointCloud const cloud = render(points, at_distance(1), camera);
+    RenderedObject const object = render(plate(0.1), at_distance(1), camera);
     for (int row = 0; row < camera.height; ++row)
         for (int col = 0; col < camera.width; ++col) {
             CAPTURE(row, col);
             // 0.4 m at 1 m: 20 px around the centre; 0.2 m at 0.9 m: 11.1 px
             bool const far = std::abs(col - 20) <= 10 && std::abs(row - 15) <= 10;
             bool const near = std::abs(col - 20) <= 5 && std::abs(row - 15) <= 5;
-            bool const border = std::max(std::abs(col - 20), std::abs(row - 15)) == 6;  // 5.56 px: rounds either way
-            double const z = cloud.at(row, col).z();
-            if (!border)
-                CHECK(z == Approx(near ? 0.9 : far ? 1.0 : 0.0));
+            int const r = row - object.first_row, c = col - object.first_col;
+            double const z = object.depth.contains(r, c) ? object.depth.at(r, c) : 0;
+            CHECK(z == Approx(near ? 0.9 : far ? 1.0 : 0.0));
         }
-    CHECK(has_point(cloud.at(15, 20)));
-    CHECK_FALSE(has_point(render(points, at_distance(-1), camera).at(15, 20)));
+    CHECK(render(plate(0.1), at_distance(-1), camera).depth.empty());
+}
+
+/// The whole image as a cloud, for the formula as it stands.
+PointCloud cloud_of(RenderedObject const& object, Camera const& camera) {
+    PointCloud cloud(camera.height, camera.width, Eigen::Vector3d::Zero());
+    for (int row = 0; row < object.depth.height(); ++row)
+        for (int col = 0; col < object.depth.width(); ++col)
+            if (double const z = object.depth.at(row, col); z > 0)
+                cloud.at(row + object.first_row, col + object.first_col) =
+                    back_projected(camera, row + object.first_row, col + object.first_col, z);
+    return cloud;
+}
+
+TEST_CASE("Features by sliding sums are those of eq. 2.2 point by point, at the image's border too", "[grip]") {
+    std::uint32_t const seed = GENERATE(range(1U, 13U));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Camera const camera = small_camera();
+    Pose pose = at_distance(1 + 0.3 * uniform(random));
+    pose.translation.x() = 0.4 * uniform(random);
+    pose.translation.y() = 0.3 * uniform(random);
+    pose.rotation = Eigen::AngleAxisd(0.9 * uniform(random), Eigen::Vector3d::UnitX()).toRotationMatrix() *
+                    Eigen::AngleAxisd(0.9 * uniform(random), Eigen::Vector3d::UnitY()).toRotationMatrix();
+    int const neighbourhood = 3 + 2 * static_cast<int>(seed % 3);
+    double const threshold = 0.02 * (seed % 5);
+    RenderedObject const object = render(plate(0.1), pose, camera);
+    Image<Feature> const found = features(object, camera, neighbourhood, threshold, 3);
+    PointCloud const background = background_cloud(camera, 3);
+    Image<Feature> const expected =
+        features(cloud_of(object, camera), Curvature(neighbourhood, &background), threshold);
+    int points = 0;
+    for (int row = 0; row < found.height(); ++row)
+        for (int col = 0; col < found.width(); ++col) {
+            CAPTURE(row, col);
+            REQUIRE(found.at(row, col) == expected.at(row + object.first_row, col + object.first_col));
+            points += found.at(row, col) != Feature::none ? 1 : 0;
+        }
+    CHECK(points > 20);
 }
 
 TEST_CASE("A pose that is the scene agrees with all of it, wherever it is", "[grip]") {

@@ -8,6 +8,7 @@
 #include "workload/pictures/depth_map.hpp"
 #include "workload/pictures/depth_scale.hpp"
 #include "workload/pictures/drawing.hpp"
+#include "workload/pictures/line_plot.hpp"
 #include "workload/pictures/overlay.hpp"
 #include "workload/pictures/palette.hpp"
 
@@ -216,4 +217,24 @@ TEST_CASE("No side of a contact sheet exceeds 4000 px, legend included", "[pictu
         CHECK(sheet.picture().width() <= 4000);
         CHECK(sheet.picture().height() <= 4000);
     }
+}
+
+TEST_CASE("The axis of a plot ends at five round steps, at or above the largest value", "[pictures]") {
+    CHECK(axis_end(0) == 1);
+    CHECK(axis_end(0.72) == Approx(1));
+    CHECK(axis_end(1) == Approx(1));
+    CHECK(axis_end(1.01) == Approx(2.5));
+    CHECK(axis_end(117) == Approx(250));
+    CHECK(axis_end(620) == Approx(1000));
+}
+
+TEST_CASE("Plots stand two in a row, each line in its colour", "[pictures]") {
+    LinePlot const plot{"weight", "iteration", {{"best", {0.1, 0.5}}, {"mean", {0.2, 0.3}}}};
+    Image<Colour> const one = drawn_plots({plot}), three = drawn_plots({plot, plot, plot});
+    CHECK(three.width() == 2 * one.width());
+    CHECK(three.height() == 2 * one.height());
+    CHECK(has_colour(one, palette::lines[0]));
+    CHECK(has_colour(one, palette::lines[1]));
+    CHECK_FALSE(has_colour(one, palette::lines[2]));
+    CHECK(has_colour(drawn_plots({{"one value", "iteration", {{"best", {0.4}}}}}), palette::lines[0]));
 }

@@ -16,6 +16,13 @@ class DualMap final : public EdgeMapPolicy {
         return take_each(first, rest, count, [this](EdgeToken const& token) { return maps_.mark(token); });
     }
 
+    void take_run(int row, int first_col, int end_col, bool /*rightwards*/) override {
+        set_run(row, first_col, end_col, maps_.marked_objects());
+    }
+
+    /// take() of an edge token if `is_sent`.
+    void take_edge_if(bool is_sent, int row, int col) { maps_.mark_edge_if(is_sent, row, col); }
+
     bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
         maps_.take(token, watch);
         return take_second_if(maps_.needs_second(token), token, watch);

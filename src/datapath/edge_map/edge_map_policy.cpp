@@ -9,6 +9,13 @@
 
 namespace faster::datapath {
 
+void EdgeMapPolicy::take_run(int row, int first_col, int end_col, bool rightwards) {
+    for (int i = 0; i < end_col - first_col; ++i) {
+        int const col = rightwards ? first_col + i : end_col - 1 - i;
+        take({static_cast<std::int16_t>(row), static_cast<std::int16_t>(col), EdgeTokenKind::Object}, nullptr, 1);
+    }
+}
+
 std::unique_ptr<EdgeMapPolicy> make_edge_map_policy(EdgeMapAlgorithm algorithm, int window) {
     switch (algorithm) {
         case EdgeMapAlgorithm::threshold:

@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 
 #include "common/edge_map_config.hpp"
@@ -27,6 +29,9 @@ class EdgeMapPolicy {
     /// All iterations of `count` tokens, 1 to 32: `first`, then rest[0] to rest[count - 2]. Bit i of the result says
     /// that the i-th token took a second iteration, one that consumes no token.
     virtual std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) = 0;
+
+    /// take() of object tokens side by side: columns [first_col, end_col) of a row, from the left if `rightwards`.
+    virtual void take_run(int row, int first_col, int end_col, bool rightwards);
 
     /// The iterations of the last token. The end token is read while it is consumed, and thesis A.2 leaves the loop
     /// with it: a second iteration only runs with `flush_last`. True if there was one.
@@ -64,6 +69,20 @@ class EdgeMapPolicy {
         for (unsigned i = 1; i < count; ++i)
             seconds |= take_one(rest[i - 1]) << i;
         return seconds;
+    }
+
+    /// Sets those pixels of a map that lie in the window.
+    void set_run(int row, int first_col, int end_col, std::uint8_t* map) const {
+        int const from = std::max(first_col, 0);
+        int const to = std::min(end_col, side());
+        if (!is_inside(row) || from >= to)
+            return;
+        std::uint8_t* next = map + index(row, from);
+        std::uint8_t* const end = next + (to - from);
+        for (; end - next >= 8; next += 8)  // runs are short: no call
+            std::memcpy(next, "\1\1\1\1\1\1\1\1", 8);
+        for (; next != end; ++next)
+            *next = 1;
     }
 
   private:

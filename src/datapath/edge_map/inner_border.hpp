@@ -23,6 +23,12 @@ class InnerBorder final : public EdgeMapPolicy {
         });
     }
 
+    void take_run(int row, int first_col, int end_col, bool /*rightwards*/) override {
+        set_run(row, first_col, end_col, object_.data());
+    }
+
+    void take_edge_if(bool /*is_sent*/, int /*row*/, int /*col*/) {}
+
     bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
         take_one(token, watch);
         return false;

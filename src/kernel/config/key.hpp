@@ -68,6 +68,8 @@ struct Key {
     std::vector<ItemField> fields;     ///< KeyKind::items, in the order in which they are written
     /// May be changed without running the function again, unless Design::decides_function() says otherwise.
     bool decides_time = false;
+    /// Whether a run looks at it. Others are of another command: what is written of a run leaves them out.
+    bool of_runs = true;
     /// A whole number of a time or size that the sensitivities change by one.
     bool is_step = false;
     /// A choice about the whole machine, of which the sensitivities try every other value.

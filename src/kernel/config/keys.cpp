@@ -114,6 +114,13 @@ bool is_retimable(Key const& key, RunConfig const& config) {
     return key.decides_time && !design().decides_function(key.name(), config);
 }
 
+Keys run_keys() {
+    Keys keys;
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
+                 [](Key const& key) { return key.of_runs; });
+    return keys;
+}
+
 Key const* find_key(std::string_view name) {
     auto const found =
         std::find_if(all_keys().begin(), all_keys().end(), [&](Key const& key) { return key.name() == name; });

@@ -22,6 +22,9 @@ Keys timing_keys(RunConfig const& config);
 /// RAMs, how many cores share the samples, the clock.
 Keys retiming_keys();
 
+/// Those that a run looks at.
+Keys run_keys();
+
 /// Whether a key may be changed without running the function again: one of retiming_keys(), unless `config` makes it
 /// decide about more.
 bool is_retimable(Key const& key, RunConfig const& config);

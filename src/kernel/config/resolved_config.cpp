@@ -35,10 +35,13 @@ std::string headings(std::vector<std::string> const& parts, std::vector<std::str
 
 }  // namespace
 
-std::vector<ResolvedKey> resolved_keys(RunConfig const& config) {
+std::vector<ResolvedKey> resolved_keys(RunConfig const& config, KeyScope scope) {
     RunConfig const defaults;
     std::vector<ResolvedKey> resolved;
     for (Key const& key : all_keys()) {
+        if (scope == KeyScope::of_runs && !key.of_runs) {
+            continue;
+        }
         KeyValue value = key.read(config);
         bool const is_default = json_text(value) == json_text(key.read(defaults));
         resolved.push_back({key.name(), std::move(value), is_default});

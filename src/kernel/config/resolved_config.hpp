@@ -14,8 +14,11 @@ struct ResolvedKey {
     bool is_default = true;  ///< the value equals the default, whether it was written out or not
 };
 
+/// Which keys: those that a run looks at, or all.
+enum class KeyScope { of_runs, all };
+
 /// Every key with its value, in the order of all_keys().
-std::vector<ResolvedKey> resolved_keys(RunConfig const& config);
+std::vector<ResolvedKey> resolved_keys(RunConfig const& config, KeyScope scope = KeyScope::of_runs);
 
 /// Those of `keys`, in their order, as a configuration file.
 std::string to_yaml(std::vector<ResolvedKey> const& keys);

@@ -110,7 +110,8 @@ class Reader {
 
     void read_configuration(Json const& values, LoadedConfig& loaded) {
         RunConfig const defaults;
-        for (Key const& key : all_keys()) {
+        Keys const keys = run_keys();
+        for (Key const& key : keys) {
             if (key.name() == "simulation.engine")
                 continue;
             Json const& value = values.at(key.name());
@@ -120,7 +121,7 @@ class Reader {
             bool const is_default = json_text(key.read(loaded.config)) == json_text(key.read(defaults));
             loaded.origins.record(key.name(), is_default ? KeyOrigin{} : KeyOrigin{KeySource::file, path_.string()});
         }
-        if (values.size() != all_keys().size() - 1)
+        if (values.size() != keys.size() - 1)
             throw std::invalid_argument("it has other keys");
     }
 

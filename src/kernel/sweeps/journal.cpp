@@ -1,47 +1,15 @@
 #include "kernel/sweeps/journal.hpp"
 
-#include <fmt/format.h>
-#include <string_view>
-
 #include "kernel/base/files/durable_file.hpp"
 #include "kernel/base/files/text_file.hpp"
-#include "kernel/base/fnv1a.hpp"
-#include "kernel/base/json.hpp"
+#include "kernel/sweeps/journal_rows.hpp"
 
 namespace faster::sweeps {
 
 namespace {
 
-constexpr std::size_t checksum_letters = 16;
-
-std::string checksum_of(std::string_view text) {
-    Fnv1a hash;
-    hash.add(text);
-    return fmt::format("{:016x}", hash.value());
-}
-
 std::string row_of(std::string const& id, PointResult const& result) {
-    Json const json{{"point", id}, {"result", to_json(result)}};
-    std::string const text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return checksum_of(text) + " " + text + "\n";
-}
-
-bool is_whole(std::string_view row) {
-    return row.size() > checksum_letters && row[checksum_letters] == ' ' &&
-           row.substr(0, checksum_letters) == checksum_of(row.substr(checksum_letters + 1));
-}
-
-/// A row without its line end.
-void read_row(std::string_view row, JournalContent& content) {
-    try {
-        if (is_whole(row)) {
-            Json const json = Json::parse(row.substr(checksum_letters + 1));
-            content.results[json.at("point").get<std::string>()] = result_from_json(json.at("result"));
-            return;
-        }
-    } catch (Json::exception const&) {  // of another version, as its checksum is right
-    }
-    ++content.damaged;
+    return journal_row({{"point", id}, {"result", to_json(result)}});
 }
 
 JournalContent without(JournalContent content, bool (*unwanted)(PointResult const&)) {
@@ -64,16 +32,9 @@ JournalContent read_journal(std::filesystem::path const& path) {
     JournalContent content;
     if (!std::filesystem::exists(path))
         return content;
-    std::string const text = io::read_file(path);
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        std::size_t const end = rest.find('\n');
-        if (end == std::string_view::npos)
-            ++content.damaged;
-        else
-            read_row(rest.substr(0, end), content);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
+    content.damaged = read_journal_rows(io::read_file(path), [&](Json const& row) {
+        content.results[row.at("point").get<std::string>()] = result_from_json(row.at("result"));
+    });
     return content;
 }
 

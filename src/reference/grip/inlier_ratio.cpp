@@ -2,21 +2,13 @@
 
 namespace faster::grip {
 
-PoseScore score(FeatureCloud const& rendered, FeatureCloud const& observed, double distance) {
-    PoseScore score;
-    for (std::size_t i = 0; i < rendered.points.pixels().size(); ++i) {
-        Feature const feature = rendered.features.pixels()[i];
-        if (feature == Feature::none)
-            continue;
-        Eigen::Vector3d const& seen = observed.points.pixels()[i];
-        bool const agrees = has_point(seen) && is_inlier(rendered.points.pixels()[i], seen, distance);
-        InlierCount& of_feature = feature == Feature::edge ? score.edge : score.planar;
-        ++score.raw.points;
-        ++of_feature.points;
-        score.raw.inliers += agrees ? 1U : 0U;
-        of_feature.inliers += agrees && feature == observed.features.pixels()[i] ? 1U : 0U;
-    }
-    return score;
+void PoseScore::count(Feature feature, Eigen::Vector3d const& point, Feature seen_feature, Eigen::Vector3d const& seen,
+                      double distance, bool is_in_box) {
+    bool const agrees = has_point(seen) && is_inlier(point, seen, distance);
+    raw.count(agrees);
+    (feature == Feature::edge ? edge : planar).count(agrees && feature == seen_feature);
+    if (is_in_box)
+        in_box.count(agrees);
 }
 
 }  // namespace faster::grip

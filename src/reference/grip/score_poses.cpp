@@ -1,46 +1,40 @@
 #include "reference/grip/score_poses.hpp"
 
 #include "kernel/base/on_threads.hpp"
+#include "reference/grip/rendered_object.hpp"
 
 namespace faster::grip {
 
-namespace {
+PoseScorer::PoseScorer(Stimulus const& stimulus, Settings const& settings) : stimulus_(stimulus), settings_(settings) {
+    observed_.points = observed_cloud(stimulus);
+    observed_.features = features(observed_.points, Curvature(settings.neighbourhood, nullptr), settings.threshold);
+}
 
-/// All that the poses have in common.
-class Scene {
-  public:
-    Scene(Stimulus const& stimulus, Settings const& settings)
-        : camera_(stimulus.posed.camera),
-          settings_(settings),
-          points_(surface_points(stimulus.posed.mesh, half_pixel_spacing(stimulus.posed))),
-          background_(background_cloud(camera_, settings.background)) {
-        observed_.points = observed_cloud(stimulus);
-        observed_.features = features(observed_.points, Curvature(settings.neighbourhood, nullptr), settings.threshold);
-    }
-
-    PoseScore score(Pose const& pose) const {
-        FeatureCloud rendered;
-        rendered.points = render(points_, pose, camera_);
-        rendered.features =
-            features(rendered.points, Curvature(settings_.neighbourhood, &background_), settings_.threshold);
-        return grip::score(rendered, observed_, settings_.inlier_distance);
-    }
-
-  private:
-    Camera camera_;
-    Settings settings_;
-    std::vector<Eigen::Vector3d> points_;
-    PointCloud background_;
-    FeatureCloud observed_;
-};
-
-}  // namespace
+PoseScore PoseScorer::score(Pose const& pose, PixelArea const& box) const {
+    Camera const& camera = stimulus_.posed.camera;
+    RenderedObject const object = render(stimulus_.posed.mesh, pose, camera);
+    Image<Feature> const of_object =
+        features(object, camera, settings_.neighbourhood, settings_.threshold, settings_.background);
+    PoseScore score;
+    for (int row = 0; row < of_object.height(); ++row)
+        for (int col = 0; col < of_object.width(); ++col) {
+            Feature const feature = of_object.at(row, col);
+            if (feature == Feature::none)
+                continue;
+            int const image_row = row + object.first_row, image_col = col + object.first_col;
+            Eigen::Vector3d const point = back_projected(camera, image_row, image_col, object.depth.at(row, col));
+            score.count(feature, point, observed_.features.at(image_row, image_col),
+                        observed_.points.at(image_row, image_col), settings_.inlier_distance,
+                        box.contains(image_row, image_col));
+        }
+    return score;
+}
 
 std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs) {
-    Scene const scene(stimulus, settings);
+    PoseScorer const scorer(stimulus, settings);
     std::vector<Pose> const& poses = stimulus.posed.poses;
     std::vector<PoseScore> scores(poses.size());
-    on_threads(poses.size(), jobs, [&](std::size_t i) { scores[i] = scene.score(poses[i]); });
+    on_threads(poses.size(), jobs, [&](std::size_t i) { scores[i] = scorer.score(poses[i]); });
     return scores;
 }
 

@@ -14,9 +14,24 @@ struct Settings {
     double background = 3.998;       ///< depth of what the rendered object stands before [m]
 };
 
-/// Scores every pose of a posed stimulus by the method of the thesis's baseline GRIP (chapter 2): renders the object as
-/// a point cloud, finds its features, and compares them with those of the observation. Over the whole image, without
-/// windows. `jobs` threads, at least one.
+/// Scores poses by the method of the thesis's baseline GRIP (chapter 2): renders the object as a point cloud, finds its
+/// features, and compares them with those of the observation. Over the whole image, without windows. May be used by
+/// several threads at once.
+class PoseScorer {
+  public:
+    /// `stimulus`: a posed one, held by reference; its mesh, camera and observation must not change.
+    PoseScorer(Stimulus const& stimulus, Settings const& settings);
+
+    /// `box`: what PoseScore::in_box is counted in.
+    PoseScore score(Pose const& pose, PixelArea const& box = {}) const;
+
+  private:
+    Stimulus const& stimulus_;
+    Settings settings_;
+    FeatureCloud observed_;
+};
+
+/// Every pose of a posed stimulus, on `jobs` threads, at least one.
 std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs);
 
 }  // namespace faster::grip

@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "common/stimulus.hpp"
+#include "faster/accelerator_config.hpp"
+
+namespace faster::estimation {
+
+/// The counters of poses as the configured accelerator finds them, bit by bit, without its time.
+class CounterScorer {
+  public:
+    /// `jobs`: threads, at least one. `stimulus`: a posed one, held by reference; its samples may change.
+    CounterScorer(Stimulus const& stimulus, AcceleratorConfig const& config, std::size_t jobs);
+    ~CounterScorer();
+    CounterScorer(CounterScorer const&) = delete;
+    CounterScorer& operator=(CounterScorer const&) = delete;
+
+    /// Of the stimulus's samples as they are now.
+    std::vector<SampleCounters> score();
+
+  private:
+    class Worker;
+
+    Stimulus const& stimulus_;
+    std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+}  // namespace faster::estimation

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "estimation/diffusion.hpp"
+#include "estimation/particle.hpp"
+#include "estimation/scene.hpp"
+#include "estimation/weight_terms.hpp"
+
+namespace faster::estimation {
+
+/// Scores all samples of an iteration, one result per particle.
+using Score = std::function<std::vector<WeightTerms>(std::vector<Particle> const&)>;
+
+/// An iteration as it was scored.
+struct Iteration {
+    std::uint64_t number = 0;
+    std::vector<Particle> particles;
+    std::vector<double> weights;
+    std::size_t best = 0;  ///< the first sample of the largest weight
+    double mean_weight = 0;
+    double effective_samples = 0;  ///< of weight^sharpness
+    double spread_m = 0;           ///< root mean square of the middles' distances from their mean
+    double spread_rad = 0;         ///< root mean square of the angles to the best sample
+    NoiseLevel noise;              ///< that made its samples; 0 in the first
+
+    double best_weight() const { return weights[best]; }
+};
+
+/// Why the loop ended.
+enum class Ending { iterations, stop_weight };
+
+struct Estimate {
+    Particle particle;
+    double weight = 0;
+    Ending ending = Ending::iterations;
+    std::uint64_t iterations = 0;  ///< that were scored
+};
+
+/// The loop of SYSTEM section 7: score, stop or resample, diffuse. The best sample stays sample 0, unchanged, and the
+/// other samples are drawn. `count` >= 1. `done` is told of every iteration.
+Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
+                  std::function<void(Iteration const&)> const& done = {});
+
+/// The weighted mean of the particles close to `best`: of middles, and of quaternions, turned to its side and
+/// normalized. Weights as in resampling.
+Particle cluster_mean(Iteration const& iteration, EstimatorConfig const& config);
+
+}  // namespace faster::estimation

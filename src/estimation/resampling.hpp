@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "faster/estimator_config.hpp"
+#include "kernel/base/counter_random.hpp"
+
+namespace faster::estimation {
+
+/// weight^sharpness of each, divided by their sum; all alike if they are all 0. At least one weight, none negative.
+std::vector<double> shares_of(std::vector<double> const& weights, double sharpness);
+
+/// 1 / sum of squares: how many samples of equal share would be as good.
+double effective_sample_size(std::vector<double> const& shares);
+
+/// `count` indices, drawn in proportion to `shares`, which add up to 1. In ascending order but for multinomial.
+///   systematic   one u: the index in whose stretch of the running sum (i + u) / count lies, for i = 0, 1, ...
+///   stratified   the same with a u of its own for every i
+///   multinomial  count times the index in whose stretch u lies
+std::vector<std::size_t> resampled(std::vector<double> const& shares, std::size_t count, Resampling method,
+                                   CounterRandom& random);
+
+}  // namespace faster::estimation

@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "experiments/experiment.hpp"
+#include "workload/bop/detections.hpp"
+
+namespace faster::experiments {
+
+/// The boxes in which a first stage would see a target, by the model of docs/poses.md: at most the right one, shifted
+/// and scaled, and a wrong one around another object of the image. `truth`: the annotated box of the target; `others`:
+/// those of other objects. The same seed and target, the same boxes.
+std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, bop::ImageBox const& truth,
+                                              std::vector<bop::ImageBox> const& others, DetectorModel const& model,
+                                              std::uint64_t seed);
+
+}  // namespace faster::experiments

@@ -1,0 +1,233 @@
+#include "experiments/experiment_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+#include "experiments/ycb_classes.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/nearest_name.hpp"
+#include "kernel/config/plain_text.hpp"
+#include "kernel/config/value_reader.hpp"
+#include "kernel/config/yaml_document.hpp"
+#include "kernel/sweeps/key_cells.hpp"
+
+namespace faster::experiments {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+class ExperimentReader {
+  public:
+    explicit ExperimentReader(std::filesystem::path const& file) : cells_(file.parent_path(), faults_) {
+        experiment_.file = file.string();
+    }
+
+    Experiment experiment(YAML::Node const& root) {
+        if (!root.IsMap())
+            throw InputError(fmt::format("{}:1: {}, expected an experiment: a map with {}", experiment_.file,
+                                         shown(root), fmt::join(top_names(), ", ")));
+        for (MapEntry const& entry : read_entries(root, "", faults_))
+            read_entry(entry);
+        throw_faults();
+        for (char const* const needed : {"format", "version", "scenes", "methods"})
+            if (given_.count(needed) == 0)
+                faults_.push_back({1, needed, std::nullopt, "missing, expected it at the top of the file"});
+        throw_faults();
+        return experiment_;
+    }
+
+  private:
+    static Names const& top_names() {
+        static Names const names{"format", "version", "base", "set", "seed", "scenes", "methods"};
+        return names;
+    }
+
+    void reject(MapEntry const& entry, std::string const& expected) {
+        faults_.push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
+    }
+    void reject_name(MapEntry const& entry, Names const& names) {
+        faults_.push_back({entry.line, shortened(entry.name), std::nullopt,
+                           fmt::format("unknown key, expected one of {}{}", fmt::join(names, ", "),
+                                       did_you_mean(entry.name, names))});
+    }
+
+    void read_entry(MapEntry const& entry) {
+        given_.insert(entry.name);
+        if (entry.name == "format")
+            require_word(entry, "faster-experiment");
+        else if (entry.name == "version")
+            require_word(entry, "1");
+        else if (entry.name == "base")
+            read_path(entry, experiment_.base);
+        else if (entry.name == "set")
+            experiment_.settings = settings(entry, "set.");
+        else if (entry.name == "seed")
+            experiment_.seed = static_cast<std::uint64_t>(integer(entry, 0, 1'000'000'000));
+        else if (entry.name == "scenes")
+            read_scenes(entry);
+        else if (entry.name == "methods")
+            read_methods(entry);
+        else
+            reject_name(entry, top_names());
+    }
+
+    void require_word(MapEntry const& entry, std::string const& word) {
+        if (!entry.value.IsScalar() || entry.value.Scalar() != word)
+            reject(entry, word);
+    }
+
+    void read_path(MapEntry const& entry, std::filesystem::path& path) {
+        if (auto const read = cells_.path(entry.name, entry.value, entry.line))
+            path = *read;
+    }
+
+    std::int64_t integer(MapEntry const& entry, std::int64_t least, std::int64_t most) {
+        auto const value = entry.value.IsScalar() ? parse_integer(entry.value.Scalar()) : std::nullopt;
+        if (value && *value >= least && *value <= most)
+            return *value;
+        reject(entry, fmt::format("an integer from {} to {}", least, most));
+        return least;
+    }
+
+    double number(MapEntry const& entry, double least, double most) {
+        auto const value = entry.value.IsScalar() ? parse_number(entry.value.Scalar()) : std::nullopt;
+        if (value && *value >= least && *value <= most)
+            return *value;
+        reject(entry, fmt::format("a number from {} to {}", least, most));
+        return least;
+    }
+
+    std::vector<std::string> settings(MapEntry const& map, std::string const& prefix) {
+        std::vector<std::string> list;
+        if (map.value.IsNull())
+            return list;
+        if (!map.value.IsMap()) {
+            reject(map, "a map of dotted keys, e.g. {estimator.backend: grip}");
+            return list;
+        }
+        for (MapEntry const& entry : read_entries(map.value, prefix, faults_))
+            if (Key const* const key = cells_.key(entry.name, entry.line))
+                if (auto const cell = cells_.cell(*key, entry.value, entry.line))
+                    list.push_back(cell->setting);
+        return list;
+    }
+
+    /// Names become names of files and folders.
+    bool is_name(MapEntry const& entry) {
+        bool const is_fine = !entry.name.empty() && std::all_of(entry.name.begin(), entry.name.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+        });
+        if (!is_fine)
+            faults_.push_back({entry.line, shortened(entry.name), std::nullopt,
+                               "is no name, expected letters, digits, _ and - only"});
+        return is_fine;
+    }
+
+    void read_methods(MapEntry const& map) {
+        if (!map.value.IsMap() || map.value.size() == 0)
+            return reject(map, "a map of names to settings, e.g. {grip: {estimator.backend: grip}}");
+        for (MapEntry const& entry : read_entries(map.value, "methods.", faults_))
+            if (is_name(entry))
+                experiment_.methods.push_back({entry.name, settings(entry, "methods." + entry.name + ".")});
+    }
+
+    void read_scenes(MapEntry const& map) {
+        if (!map.value.IsMap() || map.value.size() == 0)
+            return reject(map, "a map of names to settings, e.g. {dark: {objects: [banana], images: 40}}");
+        for (MapEntry const& entry : read_entries(map.value, "scenes.", faults_))
+            if (is_name(entry))
+                read_setting(entry);
+    }
+
+    void read_setting(MapEntry const& map) {
+        if (!map.value.IsMap())
+            return reject(map, "a map with dataset, or with objects and images");
+        Setting setting;
+        setting.name = map.name;
+        static Names const names{"dataset", "objects", "images", "visible", "boxes"};
+        for (MapEntry const& entry : read_entries(map.value, "scenes." + map.name + ".", faults_)) {
+            if (entry.name == "dataset")
+                read_path(entry, setting.dataset);
+            else if (entry.name == "objects")
+                setting.objects = objects(entry);
+            else if (entry.name == "images")
+                setting.images = static_cast<int>(integer(entry, 1, 100'000));
+            else if (entry.name == "visible")
+                read_visible(entry, setting);
+            else if (entry.name == "boxes")
+                read_boxes(entry, setting.boxes);
+            else
+                reject_name(entry, names);
+        }
+        if (setting.dataset.empty() == (setting.objects.empty() || setting.images == 0))
+            faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
+        experiment_.scenes.push_back(std::move(setting));
+    }
+
+    std::vector<std::string> objects(MapEntry const& list) {
+        std::vector<std::string> names;
+        if (!list.value.IsSequence())
+            reject(list, "a list of classes, e.g. [banana, mug]");
+        else
+            for (YAML::Node const& item : list.value) {
+                std::string const name = item.IsScalar() ? item.Scalar() : "";
+                if (obj_id_of(name) == 0 || std::count(names.begin(), names.end(), name) > 0)
+                    faults_.push_back(
+                        {list.line, list.name, shown(item),
+                         "expected each of the built-in classes at most once" + did_you_mean(name, ycb_classes())});
+                names.push_back(name);
+            }
+        return names;
+    }
+
+    void read_visible(MapEntry const& list, Setting& setting) {
+        auto const bound = [&](std::size_t i) { return number({list.name, list.line, list.value[i]}, 0, 1); };
+        if (!list.value.IsSequence() || list.value.size() != 2)
+            return reject(list, "two shares, e.g. [0.3, 0.9]");
+        setting.visible = {bound(0), bound(1)};
+        if (setting.visible[0] > setting.visible[1])
+            reject(list, "the smaller share first");
+    }
+
+    void read_boxes(MapEntry const& map, DetectorModel& boxes) {
+        static Names const names{"shift", "scale", "missing", "wrong"};
+        if (!map.value.IsMap())
+            return reject(map, "a map with shift, scale, missing, wrong");
+        for (MapEntry const& entry : read_entries(map.value, map.name + ".", faults_)) {
+            if (entry.name == "shift")
+                boxes.shift = number(entry, 0, 10);
+            else if (entry.name == "scale")
+                boxes.scale = number(entry, 0, 3);
+            else if (entry.name == "missing")
+                boxes.missing = number(entry, 0, 1);
+            else if (entry.name == "wrong")
+                boxes.wrong = number(entry, 0, 1);
+            else
+                reject_name(entry, names);
+        }
+    }
+
+    void throw_faults() {
+        std::stable_sort(faults_.begin(), faults_.end(),
+                         [](KeyFault const& a, KeyFault const& b) { return a.line < b.line; });
+        std::vector<std::string> messages;
+        for (KeyFault const& fault : faults_)
+            messages.push_back(fmt::format("{}:{}: {}", experiment_.file, fault.line, fault.text()));
+        throw_first(messages);
+    }
+
+    KeyFaults faults_;
+    sweeps::KeyCells cells_;
+    Experiment experiment_;
+    std::set<std::string> given_;
+};
+
+}  // namespace
+
+Experiment read_experiment_file(std::filesystem::path const& path) {
+    return ExperimentReader(path).experiment(load_document(path));
+}
+
+}  // namespace faster::experiments

@@ -1,0 +1,84 @@
+#pragma once
+#include <cstdint>
+
+namespace faster {
+
+/// Who scores the samples.
+enum class EstimatorBackend {
+    accelerator,  ///< the configured design
+    grip,         ///< the thesis's CPU and GPU baseline, in software
+};
+
+/// How samples are drawn in proportion to their weights. All keep the expected number of copies.
+enum class Resampling {
+    systematic,   ///< one number places a comb of equal steps
+    stratified,   ///< a number in each of the equal steps
+    multinomial,  ///< each draw on its own
+};
+
+/// What an estimate is when the loop is over.
+enum class EstimateKind {
+    best,  ///< the pose of the largest weight
+    mean,  ///< the weighted mean of the poses close to it
+};
+
+/// Coefficients of thesis eq. 2.4, which add up to 1.
+struct WeightCoefficients {
+    double box = 0;     ///< a_box, of the box's confidence
+    double in_box = 0;  ///< a_b, of the inlier ratio of what lies in the box
+    double raw = 0;     ///< a_r, of all inliers
+    double edge = 0;    ///< a_e, of the edges' inliers
+    double planar = 0;  ///< a_p, of the planar points' inliers
+};
+
+/// Noise that is added after resampling: sigma of iteration k = max(sigma_min, sigma * decay^k).
+struct DiffusionConfig {
+    double translation_sigma_m = 0.02;
+    double translation_sigma_min_m = 0.001;
+    double rotation_sigma_deg = 25;
+    double rotation_sigma_min_deg = 1;
+    double decay = 0.9;
+};
+
+/// What the first stage of the thesis found: where the object is in the image, with the confidence w_box. Pixels [left,
+/// left + width) x [top, top + height).
+struct DetectionConfig {
+    double left = 0;
+    double top = 0;
+    double width = 0;  ///< 0: the box around the object under the configured pose
+    double height = 0;
+    double confidence = 1;
+};
+
+/// The second stage of the thesis (2.1, 4.2.1): keys `estimator.*`.
+struct EstimatorConfig {
+    EstimatorBackend backend = EstimatorBackend::accelerator;
+    std::uint64_t iterations = 50;  ///< thesis 4.2.1
+    double stop_weight = 1;
+    double least_weight = 0.3;
+    EstimateKind estimate = EstimateKind::best;
+    std::uint64_t seed = 3;
+    WeightCoefficients accelerator_weights{0.1, 0.7, 0.1, 0.1, 0};
+    WeightCoefficients grip_weights{0.1, 0.2, 0.3, 0.2, 0.2};
+    std::uint64_t least_drawn_px = 100;
+    double grip_inlier_distance_m = 0.008;
+    Resampling resampling = Resampling::systematic;
+    double sharpness = 5;
+    DiffusionConfig diffusion;
+    double cluster_translation_m = 0.01;
+    double cluster_rotation_deg = 10;
+    DetectionConfig box;
+
+    WeightCoefficients const& coefficients() const {
+        return backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+    }
+};
+
+/// What the host needs per iteration besides the accelerator; keys `host.*`.
+struct HostConfig {
+    double start_us = 20;
+    double collect_us = 30;
+    double resample_us = 2000;
+};
+
+}  // namespace faster

@@ -1,0 +1,54 @@
+#include "kernel/sweeps/journal_rows.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/fnv1a.hpp"
+
+namespace faster::sweeps {
+
+namespace {
+
+constexpr std::size_t checksum_letters = 16;
+
+std::string checksum_of(std::string_view text) {
+    Fnv1a hash;
+    hash.add(text);
+    return fmt::format("{:016x}", hash.value());
+}
+
+bool is_whole(std::string_view row) {
+    return row.size() > checksum_letters && row[checksum_letters] == ' ' &&
+           row.substr(0, checksum_letters) == checksum_of(row.substr(checksum_letters + 1));
+}
+
+/// A row without its line end. One of another version has a right checksum, and is of no use either.
+bool read_row(std::string_view row, std::function<void(Json const&)> const& take) {
+    try {
+        if (!is_whole(row))
+            return false;
+        take(Json::parse(row.substr(checksum_letters + 1)));
+        return true;
+    } catch (Json::exception const&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::string journal_row(Json const& json) {
+    std::string const text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return checksum_of(text) + " " + text + "\n";
+}
+
+std::size_t read_journal_rows(std::string_view text, std::function<void(Json const&)> const& take) {
+    std::size_t damaged = 0;
+    while (!text.empty()) {
+        std::size_t const end = text.find('\n');
+        if (end == std::string_view::npos || !read_row(text.substr(0, end), take))
+            ++damaged;
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return damaged;
+}
+
+}  // namespace faster::sweeps

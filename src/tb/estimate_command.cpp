@@ -1,0 +1,277 @@
+#include "tb/estimate_command.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <set>
+
+#include "estimation/estimator.hpp"
+#include "faster/enum_names.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/base/portable_math.hpp"
+#include "kernel/config/load_config.hpp"
+#include "tb/estimate_pictures.hpp"
+#include "tb/estimate_plots.hpp"
+#include "tb/estimate_report.hpp"
+#include "tb/estimate_scene.hpp"
+#include "tb/estimate_scorers.hpp"
+#include "tb/timed_iterations.hpp"
+#include "tb/workload_source.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "workload/bop/pose_results.hpp"
+#include "workload/build_stimulus.hpp"
+#include "workload/files/colour_png.hpp"
+#include "workload/files/trace.hpp"
+
+namespace faster {
+
+namespace {
+
+constexpr double degrees_per_radian = 180 / portable::pi;
+
+io::FolderKind const estimate_folder{
+    "results of an estimate", "estimate.json", {"iterations.csv", "images", "traces", "bop.csv"}};
+
+/// Which iterations are wanted: those asked for, or else a few of all.
+std::set<std::uint64_t> chosen_iterations(std::vector<std::uint64_t> const& asked, std::uint64_t count) {
+    std::set<std::uint64_t> chosen;
+    if (asked.empty()) {
+        for (std::uint64_t k = 0; k < count; k = k < 2 ? k + 1 : 2 * k + 1)
+            chosen.insert(k);
+        chosen.insert(count - 1);
+    }
+    for (std::uint64_t const k : asked)
+        if (k < count)
+            chosen.insert(k);
+    return chosen;
+}
+
+IterationRow row_of(estimation::Iteration const& iteration, estimation::Scene const& scene) {
+    IterationRow row;
+    row.number = iteration.number;
+    row.best_sample = iteration.best;
+    row.best_weight = iteration.best_weight();
+    row.mean_weight = iteration.mean_weight;
+    row.effective_samples = iteration.effective_samples;
+    row.spread_mm = 1000 * iteration.spread_m;
+    row.spread_deg = degrees_per_radian * iteration.spread_rad;
+    row.translation_sigma_mm = 1000 * iteration.noise.translation_m;
+    row.rotation_sigma_deg = degrees_per_radian * iteration.noise.rotation_rad;
+    row.best = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size));
+    return row;
+}
+
+/// The loop, and all that is kept of it.
+class EstimateRun {
+  public:
+    EstimateRun(EstimateRequest const& request, LoadedConfig const& loaded)
+        : request_(request),
+          loaded_(loaded),
+          jobs_(jobs_or_host_cores(request.jobs)),
+          scene_(request.bop.folder.empty() ? configured_scene(loaded) : bop_scene(loaded, request.bop)) {}
+
+    void find_pose() {
+        EstimatorConfig const& config = estimator_of(loaded_.config);
+        std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded_.config, scene_, jobs_);
+        ProgressLine progress("iterations");
+        estimate_ = estimation::estimate(
+            scene_, config, workload_of(loaded_.config).samples.count,
+            [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
+            [&](estimation::Iteration const& iteration) {
+                rows_.push_back(row_of(iteration, scene_));
+                scored_.push_back(scorer->last());
+                progress.show(iteration.number + 1, config.iterations);
+            });
+    }
+
+    /// False: the accelerator got stuck.
+    bool find_times() {
+        if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
+            return true;
+        IterationCycles const times =
+            simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(), jobs_);
+        if (!times.deadlock.empty()) {
+            fmt::print(stderr, "{}", times.deadlock);
+            return false;
+        }
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            set_time(rows_[i], times.cycles[i]);
+        return true;
+    }
+
+    EstimateReport report() const {
+        EstimatorConfig const& config = estimator_of(loaded_.config);
+        EstimateReport report;
+        report.object = request_.bop.folder.empty() ? workload_of(loaded_.config).target.object
+                                                    : fmt::format("object {}", request_.bop.obj_id);
+        report.scorer = scorer_name(loaded_.config);
+        report.samples = workload_of(loaded_.config).samples.count;
+        report.seed = config.seed;
+        report.boxes = scene_.boxes;
+        report.pose = scene_.own(estimated_pose());
+        report.weight = estimate_.weight;
+        report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
+        report.verdict = verdict_of(scene_, estimate_.weight, estimator_of(loaded_.config));
+        if (scene_.truth)
+            report.truth = scene_.own(*scene_.truth);
+        report.distances = distances_from_truth(scene_, estimated_pose());
+        report.iterations = rows_;
+        report.host = host_of(loaded_.config);
+        report.keys = resolved_keys(loaded_.config, KeyScope::all);
+        return report;
+    }
+
+    void write(std::filesystem::path const& folder, EstimateReport const& report) const {
+        io::write_file(folder / "estimate.json", estimate_json(report));
+        io::write_file(folder / "iterations.csv", estimate_csv(report));
+        write_pictures(folder / "images");
+        if (!request_.bop.folder.empty())
+            io::write_file(folder / "bop.csv", bop::pose_results_csv({bop_estimate(report)}));
+        for (std::uint64_t const k : request_.traces)
+            if (k < scored_.size()) {
+                Stimulus stimulus = scene_.observed;
+                workload::set_poses(scored_[k].poses, stimulus);
+                io::write_trace(with_explicit_triangles(std::move(stimulus)),
+                                folder / "traces" / fmt::format("iteration_{:04}", k));
+            }
+    }
+
+  private:
+    /// Nothing if there is nothing to record.
+    std::optional<IterationRecording> recorded_iteration() const {
+        if (!request_.records())
+            return std::nullopt;
+        if (request_.recorded_iteration >= scored_.size())
+            throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
+                                         request_.recorded_iteration, scored_.size()));
+        return IterationRecording{request_.recorded_iteration, request_.events, request_.recording};
+    }
+
+    /// Of the frame of the scene's mesh.
+    Pose estimated_pose() const { return pose_of(estimate_.particle, scene_.size); }
+
+    void set_time(IterationRow& row, std::uint64_t cycles) const {
+        HostConfig const& host = host_of(loaded_.config);
+        row.cycles = cycles;
+        row.accelerator_ms = static_cast<double>(cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
+        row.iteration_ms = *row.accelerator_ms + (host.start_us + host.collect_us + host.resample_us) / 1000;
+    }
+
+    bop::PoseEstimate bop_estimate(EstimateReport const& report) const {
+        bop::PoseEstimate estimate;
+        estimate.image = {request_.bop.scene_id, request_.bop.im_id};
+        estimate.obj_id = request_.bop.obj_id;
+        estimate.score = report.weight;
+        estimate.pose = report.pose;
+        estimate.time_s = report.total_ms() ? *report.total_ms() / 1000 : -1;
+        return estimate;
+    }
+
+    void write_pictures(std::filesystem::path const& folder) const {
+        constexpr std::size_t contours = 12;
+        std::vector<DrawnIteration> drawn;
+        for (std::uint64_t const k : chosen_iterations(request_.pictures, rows_.size())) {
+            std::vector<Pose> const& poses = scored_[k].poses;
+            DrawnIteration iteration{
+                k, fmt::format("iteration {}: best weight {:.3f}", k, rows_[k].best_weight), {}, {}};
+            iteration.poses.assign(poses.begin(),
+                                   poses.begin() + static_cast<std::ptrdiff_t>(std::min(contours, poses.size())));
+            iteration.best = poses[rows_[k].best_sample];
+            drawn.push_back(std::move(iteration));
+        }
+        EstimatePictures(scene_.observed, accelerator_of(loaded_.config), estimated_pose()).write(folder, drawn);
+        io::write_colour_png(folder / "course.png", estimate_plots(rows_));
+    }
+
+    EstimateRequest const& request_;
+    LoadedConfig const& loaded_;
+    std::size_t jobs_;
+    estimation::Scene scene_;
+    estimation::Estimate estimate_;
+    std::vector<IterationRow> rows_;
+    std::vector<ScoredPoses> scored_;
+};
+
+std::vector<std::string> overrides_of(EstimateRequest const& request) {
+    std::vector<std::string> overrides = request.overrides;
+    if (!request.backend.empty())
+        overrides.push_back("estimator.backend=" + request.backend);
+    return overrides;
+}
+
+}  // namespace
+
+int estimate_pose(EstimateRequest const& request) {
+    LoadedConfig const loaded = load_config(request.config, overrides_of(request));
+    if (!request.traces.empty() && request.out.empty())
+        throw InputError("--traces: expected --out DIR as well");
+    if (request.records() && (request.untimed || estimator_of(loaded.config).backend == EstimatorBackend::grip))
+        throw InputError("--events, --vcd and --timeline: expected neither --untimed nor the backend grip with them");
+    std::unique_ptr<io::AtomicFolder> const folder =
+        request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
+    EstimateRun run(request, loaded);
+    run.find_pose();
+    if (!run.find_times())
+        return exit_deadlock;
+    EstimateReport const report = run.report();
+    if (folder != nullptr) {
+        run.write(folder->path(), report);
+        folder->commit();
+    }
+    fmt::print("{}", estimate_text(report));
+    if (folder != nullptr)
+        fmt::print("\nwritten: {}\n", request.out);
+    return exit_done;
+}
+
+Subcommand estimate_command() {
+    return {
+        "estimate", "Find the object's pose: score samples, resample, diffuse, until they agree (thesis 2.1, 4.2.1)",
+        [](CLI::App& command) {
+            auto const request = std::make_shared<EstimateRequest>();
+            command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
+            command.add_option("--out", request->out, "Write estimate.json, iterations.csv and images to this folder")
+                ->type_name("DIR");
+            add_overrides(command, request->overrides);
+            command.add_option("--bop", request->bop.folder, "Look for an object of this dataset (BOP)")
+                ->type_name("DIR");
+            command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N");
+            command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N");
+            command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N");
+            command
+                .add_option("--detections", request->bop.detections,
+                            "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
+                ->type_name("FILE");
+            add_jobs(command, request->jobs, "Threads, and simulations at once");
+            command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
+                ->type_name("NAME");
+            command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
+            command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->type_name("LIST");
+            command
+                .add_option("--traces", request->traces,
+                            "Write these iterations as stimulus traces, for run --trace with --vcd or --events")
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->type_name("LIST");
+            command
+                .add_option("--iteration", request->recorded_iteration,
+                            "The one that --events, --vcd and --timeline record (0)")
+                ->type_name("N");
+            command
+                .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
+                ->type_name("FILE");
+            add_recording_options(command, request->recording);
+            return [request] { return estimate_pose(*request); };
+        }};
+}
+
+}  // namespace faster

@@ -1,0 +1,76 @@
+#include "tb/estimate_pictures.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "reference/scorer.hpp"
+#include "workload/build_stimulus.hpp"
+#include "workload/files/colour_png.hpp"
+#include "workload/pictures/convergence_sheet.hpp"
+#include "workload/pictures/drawing.hpp"
+#include "workload/pictures/overlay.hpp"
+
+namespace faster {
+
+namespace {
+
+std::int64_t window_begin(std::int32_t centre, int window) { return std::int64_t{centre} - window / 2; }
+
+}  // namespace
+
+EstimatePictures::EstimatePictures(Stimulus observed, AcceleratorConfig const& config, Pose const& shown)
+    : stimulus_(std::move(observed)), config_(config) {
+    workload::set_poses({shown}, stimulus_);
+    top_ = window_begin(stimulus_.samples.front().centre_row, stimulus_.window);
+    left_ = window_begin(stimulus_.samples.front().centre_col, stimulus_.window);
+}
+
+void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Image<std::uint8_t>* object) {
+    workload::set_poses({pose}, stimulus_);
+    SampleInput const& sample = stimulus_.samples.front();
+    reference::Scorer scorer = config_.flow == Flow::fpga_grip ? reference::Scorer(stimulus_, config_.edge_extraction)
+                                                               : reference::Scorer(stimulus_, config_.edge_map);
+    scorer.run(0);
+    SampleMaps const& maps = scorer.maps();
+    std::int64_t const down = window_begin(sample.centre_row, stimulus_.window) - top_;
+    std::int64_t const right = window_begin(sample.centre_col, stimulus_.window) - left_;
+    for (int row = 0; row < maps.edge_map.height(); ++row)
+        for (int col = 0; col < maps.edge_map.width(); ++col) {
+            std::int64_t const r = row + down, c = col + right;
+            if (r < 0 || c < 0 || r >= contours.height() || c >= contours.width())
+                continue;
+            auto const at = std::pair(static_cast<int>(r), static_cast<int>(c));
+            contours.at(at.first, at.second) |= maps.edge_map.at(row, col);
+            if (object != nullptr)
+                object->at(at.first, at.second) |= maps.object_map.at(row, col);
+        }
+}
+
+Image<Colour> EstimatePictures::picture(DrawnIteration const& iteration) {
+    Image<std::uint8_t> contours(stimulus_.window, stimulus_.window), object = contours, observed = contours;
+    for (Pose const& pose : iteration.poses)
+        mark(pose, contours, nullptr);
+    mark(iteration.best, contours, &object);
+    for (int row = 0; row < observed.height(); ++row)
+        for (int col = 0; col < observed.width(); ++col)
+            if (std::int64_t const r = row + top_, c = col + left_;
+                r >= 0 && c >= 0 && r < stimulus_.height && c < stimulus_.width)
+                observed.at(row, col) = stimulus_.observed_edges.at(static_cast<int>(r), static_cast<int>(c));
+    return pictures::overlay(contours, object, observed);
+}
+
+void EstimatePictures::write(std::filesystem::path const& folder, std::vector<DrawnIteration> const& iterations) {
+    constexpr int usual_side = 600;
+    std::filesystem::create_directories(folder);
+    pictures::ConvergenceSheet sheet(iterations.size());
+    for (DrawnIteration const& iteration : iterations) {
+        Image<Colour> const drawn = picture(iteration);
+        io::write_colour_png(folder / fmt::format("iteration_{:04}.png", iteration.number),
+                             pictures::enlarged(drawn, std::max(1, usual_side / drawn.width())));
+        sheet.add(iteration.label, drawn);
+    }
+    io::write_colour_png(folder / "convergence.png", sheet.picture());
+}
+
+}  // namespace faster

@@ -1,0 +1,151 @@
+#include "tb/estimate_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "faster/faster_config.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/config_sources.hpp"
+#include "workload/bop/detections.hpp"
+#include "workload/bop/read_dataset.hpp"
+#include "workload/build_stimulus.hpp"
+#include "workload/object_pose.hpp"
+
+namespace faster {
+
+namespace {
+
+/// A trace has triangles, but no mesh to move.
+void require_mesh_and_samples(LoadedConfig const& loaded) {
+    if (!workload_of(loaded.config).trace.empty())
+        throw InputError(
+            complaint(loaded, "workload.trace", "none: estimate moves a mesh, which a trace does not have"));
+    if (workload_of(loaded.config).samples.count == 0)
+        throw InputError(complaint(loaded, "workload.samples.count", "at least 1: estimate scores samples"));
+}
+
+/// The configured box, or the one around the object. An object that is not in the image has none.
+std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Scene const& scene) {
+    DetectionConfig box = estimator_of(loaded.config).box;
+    if (box.width == 0) {
+        double const confidence = box.confidence;
+        box = estimation::box_around(scene.observed.posed.mesh.vertices, *scene.truth, scene.observed.posed.camera);
+        box.confidence = confidence;
+        return box.width > 0 && box.height > 0 ? std::vector<DetectionConfig>{box} : std::vector<DetectionConfig>{};
+    }
+    if (box.height == 0)
+        box.height = box.width;
+    if (!estimation::overlaps(box, scene.observed.width, scene.observed.height))
+        throw InputError(complaint(
+            loaded,
+            box.left + box.width <= 0 || box.left >= scene.observed.width ? "estimator.box.left" : "estimator.box.top",
+            fmt::format("a box that overlaps the image of {} x {} pixels", scene.observed.width,
+                        scene.observed.height)));
+    return {box};
+}
+
+}  // namespace
+
+estimation::Scene configured_scene(LoadedConfig const& loaded) {
+    require_mesh_and_samples(loaded);
+    WorkloadConfig const& workload = workload_of(loaded.config);
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    estimation::Scene scene;
+    scene.observed = workload::build_observation(workload, accelerator.window, accelerator.fraction_bits);
+    estimation::centre_mesh(scene);
+    scene.truth = scene.centred(workload::configured_pose(workload.target));
+    scene.boxes = boxes_of(loaded, scene);
+    return scene;
+}
+
+namespace {
+
+bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const& request) {
+    bop::DatasetImage const* const image = dataset.find({request.scene_id, request.im_id});
+    if (image == nullptr)
+        throw InputError(fmt::format("--scene {} --image {}: no such image in {}, expected one of its {} images",
+                                     request.scene_id, request.im_id, request.folder, dataset.images.size()));
+    return *image;
+}
+
+/// All detections of the object in the image, or the annotated boxes.
+std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, Mesh const& mesh, Camera const& camera,
+                                     BopRequest const& request, double confidence) {
+    std::vector<bop::Detection> boxes;
+    if (request.detections.empty()) {
+        for (bop::GroundTruth const& object : image.objects)
+            if (object.obj_id == request.obj_id)
+                boxes.push_back({image.id, object.obj_id, annotated_box(object, mesh, camera), confidence, -1});
+        return boxes;
+    }
+    for (bop::Detection const& detection : bop::read_detections(request.detections))
+        if (detection.obj_id == request.obj_id && detection.image == image.id)
+            boxes.push_back(detection);
+    return boxes;
+}
+
+void require_overlap(bop::ImageBox const& box, Camera const& camera, BopRequest const& request) {
+    if (estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height))
+        return;
+    throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
+                                 request.detections.empty() ? request.folder : request.detections, box.left, box.top,
+                                 box.width, box.height, camera.width, camera.height));
+}
+
+/// What estimate looks at, without boxes and truth.
+estimation::Scene observed_scene(LoadedConfig const& loaded, Mesh const& mesh, bop::Observation const& seen) {
+    AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
+    WorkloadConfig const& workload = workload_of(loaded.config);
+    int const n = workload.scene.downscale;
+    estimation::Scene scene;
+    scene.observed =
+        workload::observed_stimulus(mesh, workload::downscaled(seen.depth, n), workload::downscaled(seen.camera, n),
+                                    workload, accelerator.window, accelerator.fraction_bits);
+    estimation::centre_mesh(scene);
+    return scene;
+}
+
+void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& image, int obj_id,
+                         std::vector<bop::Detection> const& boxes, int downscale) {
+    for (bop::GroundTruth const& object : image.objects)
+        if (object.obj_id == obj_id && !scene.truth)
+            scene.truth = scene.centred(object.pose);
+    for (bop::Detection const& detection : boxes) {
+        bop::ImageBox const& box = detection.box;
+        scene.boxes.push_back({box.left / downscale, box.top / downscale, box.width / downscale, box.height / downscale,
+                               detection.score});
+    }
+}
+
+}  // namespace
+
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
+    if (object.visible_box)
+        return *object.visible_box;
+    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
+}
+
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
+                                int obj_id, std::vector<bop::Detection> const& boxes) {
+    require_mesh_and_samples(loaded);
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, obj_id, dataset.folder.string()));
+    estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(image));
+    add_truth_and_boxes(scene, image, obj_id, boxes, workload_of(loaded.config).scene.downscale);
+    return scene;
+}
+
+estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
+    require_mesh_and_samples(loaded);
+    bop::Dataset const dataset = bop::read_dataset(request.folder);
+    bop::DatasetImage const& image = image_of(dataset, request);
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
+    bop::Observation const seen = bop::load_observation(image);
+    std::vector<bop::Detection> const boxes =
+        boxes_in(image, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence);
+    for (bop::Detection const& detection : boxes)
+        require_overlap(detection.box, seen.camera, request);
+    estimation::Scene scene = observed_scene(loaded, mesh, seen);
+    add_truth_and_boxes(scene, image, request.obj_id, boxes, workload_of(loaded.config).scene.downscale);
+    return scene;
+}
+
+}  // namespace faster

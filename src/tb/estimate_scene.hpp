@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+
+#include "estimation/scene.hpp"
+#include "kernel/config/load_config.hpp"
+#include "workload/bop/detections.hpp"
+
+namespace faster {
+
+/// An object in an image of a dataset in the format of BOP.
+struct BopRequest {
+    std::string folder;      ///< empty: none
+    std::string detections;  ///< JSON file; empty: the annotated boxes
+    int scene_id = 0;
+    int im_id = 0;
+    int obj_id = 0;
+};
+
+/// The scene of an image: the object's first annotated pose in it is the truth. Boxes: all detections of the object in
+/// the image or, without detections, the annotated ones of what is visible, with the confidence of
+/// `estimator.box.confidence`; an object that nobody detected has none. Throws InputError for what the dataset does not
+/// have.
+estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
+
+/// The same of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
+                                int obj_id, std::vector<bop::Detection> const& boxes);
+
+/// The annotated box of what is visible, or of all of it, or else what the pose says.
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);
+
+/// The scene of a configuration: its workload without samples, whose pose is the truth, and the box of
+/// `estimator.box.*`. Throws InputError for a trace, no samples, and a box outside the image.
+estimation::Scene configured_scene(LoadedConfig const& loaded);
+
+}  // namespace faster

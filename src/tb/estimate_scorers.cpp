@@ -1,0 +1,135 @@
+#include "tb/estimate_scorers.hpp"
+
+#include <algorithm>
+
+#include "estimation/counter_scorer.hpp"
+#include "faster/enum_names.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "poses/pose_error.hpp"
+#include "reference/grip/score_poses.hpp"
+#include "workload/build_stimulus.hpp"
+
+namespace faster {
+
+namespace {
+
+double confidence_of(estimation::Scene const& scene, estimation::Particle const& particle) {
+    return scene.boxes.empty() ? 0 : scene.boxes[particle.box].confidence;
+}
+
+/// How well what a pose covers in the image fills the box that the sample began in.
+double overlap_with_box(estimation::Scene const& scene, estimation::Particle const& particle, Pose const& pose) {
+    if (scene.boxes.empty())
+        return 0;
+    DetectionConfig const covered = estimation::box_around(scene.size.outline, pose, scene.observed.posed.camera);
+    return estimation::overlap_share(covered, scene.boxes[particle.box]);
+}
+
+std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {
+    std::vector<Pose> poses;
+    for (estimation::Particle const& particle : particles)
+        poses.push_back(pose_of(particle, scene.size));
+    return poses;
+}
+
+/// The accelerator's counters, without its time.
+class AcceleratorScorer final : public IterationScorer {
+  public:
+    AcceleratorScorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs)
+        : scene_(scene),
+          least_drawn_(estimator_of(config).least_drawn_px),
+          scorer_(scene.observed, accelerator_of(config), jobs) {}
+
+    std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
+        last_.poses = poses_of(scene_, particles);
+        workload::set_poses(last_.poses, scene_.observed);
+        last_.counters = scorer_.score();
+        std::vector<estimation::WeightTerms> terms;
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
+                                                 overlap_with_box(scene_, particles[i], last_.poses[i]), least_drawn_));
+        return terms;
+    }
+    ScoredPoses const& last() const override { return last_; }
+
+  private:
+    estimation::Scene& scene_;
+    std::uint64_t least_drawn_;
+    estimation::CounterScorer scorer_;
+    ScoredPoses last_;
+};
+
+class GripScorer final : public IterationScorer {
+  public:
+    GripScorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs)
+        : scene_(scene),
+          least_drawn_(estimator_of(config).least_drawn_px),
+          jobs_(jobs),
+          scorer_(scene.observed, settings_of(config)) {}
+
+    std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
+        last_.poses = poses_of(scene_, particles);
+        std::vector<estimation::WeightTerms> terms(particles.size());
+        on_threads(particles.size(), jobs_, [&](std::size_t i) {
+            terms[i] = estimation::terms_of(scorer_.score(last_.poses[i], area_of(particles[i])),
+                                            confidence_of(scene_, particles[i]), least_drawn_);
+        });
+        return terms;
+    }
+    ScoredPoses const& last() const override { return last_; }
+
+  private:
+    static grip::Settings settings_of(RunConfig const& config) {
+        grip::Settings settings;
+        settings.neighbourhood = workload_of(config).observed_edges.neighbourhood;
+        settings.threshold = workload_of(config).observed_edges.threshold;
+        settings.inlier_distance = estimator_of(config).grip_inlier_distance_m;
+        return settings;
+    }
+    grip::PixelArea area_of(estimation::Particle const& particle) const {
+        if (scene_.boxes.empty())
+            return {};
+        DetectionConfig const& box = scene_.boxes[particle.box];
+        return {box.left, box.top, box.left + box.width, box.top + box.height};
+    }
+
+    estimation::Scene& scene_;
+    std::uint64_t least_drawn_;
+    std::size_t jobs_;
+    grip::PoseScorer scorer_;
+    ScoredPoses last_;
+};
+
+}  // namespace
+
+std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs) {
+    if (estimator_of(config).backend == EstimatorBackend::grip)
+        return std::make_unique<GripScorer>(config, scene, jobs);
+    return std::make_unique<AcceleratorScorer>(config, scene, jobs);
+}
+
+std::string scorer_name(RunConfig const& config) {
+    if (estimator_of(config).backend == EstimatorBackend::grip)
+        return "grip";
+    AcceleratorConfig const& accelerator = accelerator_of(config);
+    return accelerator.flow == Flow::faster ? accelerator.architecture : choice_name(accelerator.flow);
+}
+
+Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config) {
+    bool const is_blind = std::all_of(scene.boxes.begin(), scene.boxes.end(), [&](DetectionConfig const& box) {
+        return estimation::readings_in(box, scene.observed.observed_depth) == 0;
+    });
+    if (!scene.boxes.empty() && is_blind)
+        return Verdict::no_readings;
+    return weight < config.least_weight ? Verdict::weak : Verdict::found;
+}
+
+std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose) {
+    if (!scene.truth)
+        return std::nullopt;
+    poses::Points const& points = scene.observed.posed.mesh.vertices;
+    return PoseDistances{poses::add(points, pose, *scene.truth), poses::add_s(points, pose, *scene.truth)};
+}
+
+}  // namespace faster

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimation/scene.hpp"
+#include "estimation/weight_terms.hpp"
+#include "kernel/config/run_config.hpp"
+#include "tb/estimate_report.hpp"
+#include "tb/timed_iterations.hpp"
+
+namespace faster {
+
+/// Scores the samples of one iteration after the other.
+class IterationScorer {
+  public:
+    virtual ~IterationScorer() = default;
+    virtual std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) = 0;
+    /// The last iteration's; without counters if nothing counts.
+    virtual ScoredPoses const& last() const = 0;
+};
+
+/// That of `estimator.backend`, on `jobs` threads. `scene` must outlive it; its samples change.
+std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs);
+
+/// What people call it: the preset, or the flow that was chosen on its own, or grip.
+std::string scorer_name(RunConfig const& config);
+
+/// What an estimate of that weight is worth.
+Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config);
+
+/// ADD and ADD-S of a pose, by the vertices of the scene's mesh; nothing if the truth is not known.
+std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose);
+
+}  // namespace faster

@@ -1,0 +1,311 @@
+#include "tb/experiment_command.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "experiments/boxes_of_detector.hpp"
+#include "experiments/experiment_file.hpp"
+#include "experiments/made_dataset.hpp"
+#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "kernel/config/layered_config.hpp"
+#include "tb/estimate_scene.hpp"
+#include "tb/evaluate_command.hpp"
+#include "tb/experiment_estimates.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "workload/bop/pose_results.hpp"
+#include "workload/bop/read_dataset.hpp"
+
+namespace faster {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char const* journal_file = "journal";
+
+/// A new or empty folder, or that of an experiment.
+void take_folder(fs::path const& folder) {
+    std::error_code error;
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw InputError(folder.string() + ": is a file, expected a folder for an experiment");
+    fs::create_directories(folder, error);
+    if (error)
+        throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+    if (!fs::exists(folder / journal_file) && !fs::is_empty(folder))
+        throw InputError(folder.string() +
+                         ": holds other files, expected a new or empty folder or that of an experiment");
+}
+
+std::vector<MethodData> methods_of(experiments::Experiment const& experiment) {
+    std::vector<fs::path> files;
+    if (!experiment.base.empty())
+        files.push_back(experiment.base);
+    std::vector<MethodData> methods;
+    for (experiments::Method const& method : experiment.methods) {
+        std::vector<std::string> settings = experiment.settings;
+        settings.insert(settings.end(), method.settings.begin(), method.settings.end());
+        try {
+            methods.push_back({method.name, layered_config(files, settings)});
+        } catch (InputError const& error) {
+            throw InputError(fmt::format("{}: methods.{}: {}", experiment.file, method.name, error.what()));
+        }
+    }
+    return methods;
+}
+
+/// Boxes of the objects of an image, as annotated.
+class AnnotatedBoxes {
+  public:
+    explicit AnnotatedBoxes(bop::Dataset const& dataset) : dataset_(dataset) {}
+
+    std::vector<bop::ImageBox> of(bop::DatasetImage const& image, int obj_id, bool of_others) {
+        std::vector<bop::ImageBox> boxes;
+        for (bop::GroundTruth const& object : image.objects)
+            if ((object.obj_id != obj_id) == of_others && object.visible_share.value_or(1) > 0)
+                boxes.push_back(annotated_box(object, mesh(object.obj_id), image.camera));
+        return boxes;
+    }
+
+  private:
+    Mesh const& mesh(int obj_id) {
+        auto const found = meshes_.find(obj_id);
+        if (found != meshes_.end())
+            return found->second;
+        return meshes_[obj_id] = bop::load_model(bop::model_of(dataset_, obj_id, dataset_.folder.string()));
+    }
+
+    bop::Dataset const& dataset_;
+    std::map<int, Mesh> meshes_;
+};
+
+SettingData data_of(experiments::Setting const& setting, fs::path const& folder, std::uint64_t seed) {
+    SettingData data;
+    data.name = setting.name;
+    data.dataset = bop::read_dataset(folder);
+    AnnotatedBoxes annotated(data.dataset);
+    for (bop::Target const& target : data.dataset.targets) {
+        bop::DatasetImage const& image = *data.dataset.find(target.image);
+        std::vector<bop::ImageBox> const others = annotated.of(image, target.obj_id, true);
+        for (bop::ImageBox const& box : annotated.of(image, target.obj_id, false))
+            for (bop::Detection const& seen : experiments::boxes_of_detector(target, box, others, setting.boxes, seed))
+                data.boxes[{target.image, target.obj_id}].push_back(seen);
+    }
+    return data;
+}
+
+std::vector<bop::Detection> all_boxes(SettingData const& setting) {
+    std::vector<bop::Detection> all;
+    for (auto const& [target, boxes] : setting.boxes)
+        all.insert(all.end(), boxes.begin(), boxes.end());
+    return all;
+}
+
+/// Scenes of all settings; those that are made are in folders of their names.
+std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs::path const& out, std::size_t jobs) {
+    std::vector<SettingData> settings;
+    for (experiments::Setting const& setting : experiment.scenes) {
+        fs::path const made = out / "scenes" / setting.name;
+        if (setting.dataset.empty()) {
+            fs::create_directories(out / "scenes");
+            ProgressLine progress("scenes");
+            experiments::make_dataset(made, setting, experiment.seed, jobs,
+                                      [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+        }
+        settings.push_back(data_of(setting, setting.dataset.empty() ? made : setting.dataset, experiment.seed));
+        fs::create_directories(out / "boxes");
+        io::write_file_atomically(out / "boxes" / (setting.name + ".json"),
+                                  bop::detections_json(all_boxes(settings.back())));
+    }
+    return settings;
+}
+
+/// Does what the journal does not have.
+class Worker {
+  public:
+    Worker(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal& journal) : journal_(journal) {
+        for (WantedEstimate const& each : wanted)
+            if (journal.find(each.id) == nullptr)
+                pending_.push_back(&each);
+    }
+
+    std::size_t pending() const { return pending_.size(); }
+    std::size_t failed() const { return failed_; }
+
+    void work(std::size_t jobs, std::size_t all) {
+        processes::SignalWatch const watch;
+        std::size_t done = all - pending_.size();
+        ProgressLine progress("estimates", done);
+        processes::TaskStream stream;
+        stream.next = [this](std::size_t number) { return task(number); };
+        stream.ended = [&](std::size_t number, processes::Outcome const& outcome) {
+            take(*pending_[number], outcome);
+            progress.show(++done, all);
+        };
+        processes::run_stream(stream, jobs, watch);
+    }
+
+  private:
+    static constexpr double time_limit_s = 3600;
+
+    std::optional<processes::Task> task(std::size_t number) const {
+        if (number >= pending_.size())
+            return std::nullopt;
+        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); },
+                               time_limit_s};
+    }
+
+    void take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
+        if (outcome.kind == processes::Outcome::Kind::done)
+            return journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
+        ++failed_;
+        fmt::print(stderr, "{}, {}: object {} in image {} of scene {}: the estimate crashed, failed or took too long\n",
+                   wanted.setting->name, wanted.method->name, wanted.target.obj_id, wanted.target.image.im_id,
+                   wanted.target.image.scene_id);
+    }
+
+    experiments::EstimateJournal& journal_;
+    std::vector<WantedEstimate const*> pending_;
+    std::size_t failed_ = 0;
+};
+
+/// Of the estimates of a method in a setting that are there.
+template <class Take>
+void for_each_result(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                     SettingData const& setting, MethodData const& method, Take take) {
+    for (WantedEstimate const& each : wanted)
+        if (each.setting == &setting && each.method == &method)
+            if (experiments::EstimateResult const* const result = journal.find(each.id))
+                take(each, *result);
+}
+
+std::string results_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                        SettingData const& setting, MethodData const& method) {
+    std::vector<bop::PoseEstimate> estimates;
+    for_each_result(wanted, journal, setting, method,
+                    [&](WantedEstimate const& each, experiments::EstimateResult const& result) {
+                        bop::PoseEstimate estimate;
+                        estimate.image = each.target.image;
+                        estimate.obj_id = each.target.obj_id;
+                        estimate.score = result.weight;
+                        estimate.pose = result.pose;
+                        estimates.push_back(estimate);
+                    });
+    return bop::pose_results_csv(estimates);
+}
+
+/// Of the largest number that a share of `values` does not exceed.
+double quantile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// A row per setting, method and iteration. Who stopped earlier stays where it was.
+std::string convergence_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                            std::vector<SettingData> const& settings, std::vector<MethodData> const& methods) {
+    std::string text = "setting,method,iteration,estimates,median_adds_mm,share_below_20_mm\n";
+    for (SettingData const& setting : settings)
+        for (MethodData const& method : methods) {
+            std::vector<std::vector<double>> all;
+            for_each_result(wanted, journal, setting, method,
+                            [&](WantedEstimate const&, experiments::EstimateResult const& result) {
+                                if (!result.adds_mm.empty())
+                                    all.push_back(result.adds_mm);
+                            });
+            std::size_t most = 0;
+            for (std::vector<double> const& each : all)
+                most = std::max(most, each.size());
+            for (std::size_t k = 0; k < most; ++k) {
+                std::vector<double> errors;
+                for (std::vector<double> const& each : all)
+                    errors.push_back(each[std::min(k, each.size() - 1)]);
+                auto const below = std::count_if(errors.begin(), errors.end(), [](double mm) { return mm < 20; });
+                fmt::format_to(std::back_inserter(text), "{},{},{},{},{:.3f},{:.4f}\n", setting.name, method.name, k,
+                               errors.size(), quantile(errors, 0.5),
+                               static_cast<double>(below) / static_cast<double>(errors.size()));
+            }
+        }
+    return text;
+}
+
+/// A row per estimate.
+std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal) {
+    std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,truth_weight,verdict,adds_mm\n";
+    for (WantedEstimate const& each : wanted)
+        if (experiments::EstimateResult const* const result = journal.find(each.id))
+            fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", each.setting->name,
+                           each.method->name, each.target.image.scene_id, each.target.image.im_id, each.target.obj_id,
+                           each.setting->boxes_of(each.target).size(), result->weight, result->truth_weight,
+                           result->verdict,
+                           result->adds_mm.empty() ? "" : fmt::format("{:.4f}", result->adds_mm.back()));
+    return text;
+}
+
+void judge(fs::path const& out, SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs) {
+    EvaluateRequest request;
+    for (MethodData const& method : methods)
+        request.files.push_back((out / "results" / setting.name / (method.name + ".csv")).string());
+    request.files.push_back(setting.dataset.folder.string());
+    request.out = (out / "evaluation" / setting.name).string();
+    request.jobs = static_cast<std::int64_t>(jobs);
+    fmt::print("\n# {}\n\n", setting.name);
+    evaluate(request);
+}
+
+void write_results(fs::path const& out, std::vector<WantedEstimate> const& wanted,
+                   experiments::EstimateJournal const& journal, std::vector<SettingData> const& settings,
+                   std::vector<MethodData> const& methods) {
+    for (SettingData const& setting : settings) {
+        fs::create_directories(out / "results" / setting.name);
+        for (MethodData const& method : methods)
+            io::write_file_atomically(out / "results" / setting.name / (method.name + ".csv"),
+                                      results_csv(wanted, journal, setting, method));
+    }
+    io::write_file_atomically(out / "convergence.csv", convergence_csv(wanted, journal, settings, methods));
+    io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal));
+}
+
+}  // namespace
+
+int experiment(ExperimentRequest const& request) {
+    experiments::Experiment const wish = experiments::read_experiment_file(request.file);
+    std::vector<MethodData> const methods = methods_of(wish);
+    fs::path const out = request.out;
+    std::size_t const jobs = jobs_or_host_cores(request.jobs);
+    take_folder(out);
+    experiments::EstimateJournal journal(out / journal_file);
+    std::vector<SettingData> const settings = prepared(wish, out, jobs);
+    std::vector<WantedEstimate> const wanted = wanted_estimates(settings, methods);
+    Worker worker(wanted, journal);
+    fmt::print("{} estimates, {} of them done already\n", wanted.size(), wanted.size() - worker.pending());
+    std::fflush(stdout);
+    worker.work(jobs, wanted.size());
+    write_results(out, wanted, journal, settings, methods);
+    for (SettingData const& setting : settings)
+        judge(out, setting, methods, jobs);
+    return worker.failed() == 0 ? exit_done : exit_failed_check;
+}
+
+Subcommand experiment_command() {
+    return {"experiment",
+            "Look for many objects in many scenes by several methods, and judge the poses; goes on where it was",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<ExperimentRequest>();
+                command.add_option("experiment", request->file, "Experiment file (YAML)")
+                    ->required()
+                    ->type_name("EXPERIMENT");
+                command.add_option("--out", request->out, "Folder of scenes and results")->required()->type_name("DIR");
+                add_jobs(command, request->jobs, "Processes at once");
+                return [request] { return experiment(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -1,0 +1,139 @@
+#include "tb/experiment_estimates.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <tuple>
+
+#include "estimation/estimator.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/fnv1a.hpp"
+#include "kernel/config/key_value.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "tb/estimate_scene.hpp"
+#include "tb/estimate_scorers.hpp"
+
+namespace faster {
+
+namespace {
+
+/// Of all keys, and of the program.
+std::string keys_text(LoadedConfig const& loaded) {
+    std::string text = FASTER_VERSION "\n";
+    for (ResolvedKey const& key : resolved_keys(loaded.config, KeyScope::all))
+        text += key.key + "=" + json_text(key.value) + "\n";
+    return text;
+}
+
+/// Contents of files by their path: each is read once.
+class Contents {
+  public:
+    std::string const& hash_of(std::filesystem::path const& path) {
+        std::string& hash = hashes_[path];
+        if (hash.empty()) {
+            Fnv1a content;
+            content.add(io::read_file(path));
+            hash = fmt::format("{:016x}", content.value());
+        }
+        return hash;
+    }
+
+  private:
+    std::map<std::filesystem::path, std::string> hashes_;
+};
+
+std::string pose_text(Pose const& pose) {
+    std::string text;
+    for (Eigen::Index i = 0; i < 9; ++i)
+        text += fmt::format("{} ", pose.rotation(i / 3, i % 3));
+    return text + fmt::format("{} {} {}", pose.translation.x(), pose.translation.y(), pose.translation.z());
+}
+
+std::string target_text(SettingData const& setting, bop::Target const& target, Contents& contents) {
+    bop::DatasetImage const& image = *setting.dataset.find(target.image);
+    bop::ObjectModel const& model = setting.dataset.models.at(target.obj_id);
+    Camera const& c = image.camera;
+    std::string text =
+        fmt::format("{} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),
+                    model.unit_m, image.depth_unit_m, c.fx, c.fy, c.cx, c.cy);
+    for (bop::GroundTruth const& object : image.objects)
+        if (object.obj_id == target.obj_id)
+            text += pose_text(object.pose) + "\n";
+    for (bop::Detection const& box : setting.boxes_of(target))
+        text += fmt::format("{} {} {} {} {}\n", box.box.left, box.box.top, box.box.width, box.box.height, box.score);
+    return text;
+}
+
+std::string id_of(std::string const& keys, std::string const& target) {
+    Fnv1a hash;
+    hash.add(keys);
+    hash.add(target);
+    return fmt::format("{:016x}", hash.value());
+}
+
+/// What the true pose would weigh, in the best of the boxes; 0 if it is not known.
+double truth_weight(estimation::Scene const& scene, EstimatorConfig const& config, IterationScorer& scorer) {
+    if (!scene.truth)
+        return 0;
+    std::vector<estimation::Particle> particles(std::max<std::size_t>(1, scene.boxes.size()));
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        particles[i] = {estimation::rotation_of(scene.truth->rotation), scene.truth->translation, i};
+    double most = 0;
+    for (estimation::WeightTerms const& terms : scorer.score(particles))
+        most = std::max(most, terms.weight(config.coefficients()));
+    return most;
+}
+
+}  // namespace
+
+std::vector<bop::Detection> const& SettingData::boxes_of(bop::Target const& target) const {
+    static std::vector<bop::Detection> const none;
+    auto const found = boxes.find({target.image, target.obj_id});
+    return found == boxes.end() ? none : found->second;
+}
+
+std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
+                                             std::vector<MethodData> const& methods) {
+    std::vector<std::string> keys;
+    for (MethodData const& method : methods)
+        keys.push_back(keys_text(method.loaded));
+    Contents contents;
+    std::vector<WantedEstimate> wanted;
+    for (SettingData const& setting : settings)
+        for (bop::Target const& target : setting.dataset.targets) {
+            std::string const text = target_text(setting, target, contents);
+            for (std::size_t i = 0; i < methods.size(); ++i)
+                wanted.push_back({&setting, &methods[i], target, id_of(keys[i], text)});
+        }
+    std::stable_sort(wanted.begin(), wanted.end(), [](WantedEstimate const& a, WantedEstimate const& b) {
+        return a.target.image.im_id < b.target.image.im_id;
+    });
+    return wanted;
+}
+
+experiments::EstimateResult estimated(WantedEstimate const& wanted) {
+    auto const start = std::chrono::steady_clock::now();
+    LoadedConfig const& loaded = wanted.method->loaded;
+    EstimatorConfig const& config = estimator_of(loaded.config);
+    SettingData const& setting = *wanted.setting;
+    estimation::Scene scene = dataset_scene(loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
+                                            wanted.target.obj_id, setting.boxes_of(wanted.target));
+    std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded.config, scene, 1);
+    experiments::EstimateResult result;
+    estimation::Estimate const estimate = estimation::estimate(
+        scene, config, workload_of(loaded.config).samples.count,
+        [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
+        [&](estimation::Iteration const& iteration) {
+            if (auto const off = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size)))
+                result.adds_mm.push_back(1000 * off->adds_m);
+        });
+    result.truth_weight = truth_weight(scene, config, *scorer);
+    result.pose = scene.own(pose_of(estimate.particle, scene.size));
+    result.weight = estimate.weight;
+    result.verdict = name_of(verdict_of(scene, estimate.weight, config));
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace faster

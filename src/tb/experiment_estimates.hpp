@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/estimate_journal.hpp"
+#include "experiments/experiment.hpp"
+#include "kernel/config/load_config.hpp"
+#include "workload/bop/dataset.hpp"
+#include "workload/bop/detections.hpp"
+
+namespace faster {
+
+/// The scenes of a setting, and where its first stage saw their objects.
+struct SettingData {
+    std::string name;
+    bop::Dataset dataset;
+    std::map<std::pair<bop::ImageId, int>, std::vector<bop::Detection>> boxes;  ///< by image and obj_id
+
+    std::vector<bop::Detection> const& boxes_of(bop::Target const& target) const;
+};
+
+/// A method with its configuration.
+struct MethodData {
+    std::string name;
+    LoadedConfig loaded;
+};
+
+/// One estimate that an experiment wants.
+struct WantedEstimate {
+    SettingData const* setting = nullptr;
+    MethodData const* method = nullptr;
+    bop::Target target;
+    std::string id;  ///< hash of all that decides about the result
+};
+
+/// Every method for every target; the first images of all objects first, so that whatever is done by some time is about
+/// the same share of everything. Throws InputError for a file that is not there.
+std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
+                                             std::vector<MethodData> const& methods);
+
+/// Does one, on this thread.
+experiments::EstimateResult estimated(WantedEstimate const& wanted);
+
+}  // namespace faster

@@ -1,0 +1,311 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/bop_folder.hpp"
+#include "support/command.hpp"
+#include "support/small_workspace.hpp"
+#include "support/tool_output.hpp"
+#include "workload/bop/read_dataset.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A soup can in a small image; an estimate of it takes a tenth of a second.
+class Workspace {
+  public:
+    Workspace() {
+        folder_.write("config.yaml",
+                      "accelerator: {raster_cores: 2, window: 60}\n"
+                      "workload:\n"
+                      "  object: tomato_soup_can\n"
+                      "  max_triangles: 300\n"
+                      "  pose: {translation_m: [0, 0, 0.65], rotation_deg: [120, 0, 0]}\n"
+                      "  camera: {width: 160, height: 120, fx: 140, fy: 140, cx: 79.5, cy: 59.5}\n"
+                      "  samples: {count: 60}\n"
+                      "estimator: {iterations: 6, weights: {least_drawn_px: 20}}\n");
+    }
+    CommandResult estimate(Words words) const {
+        words.insert(words.begin(), {"estimate", "config.yaml"});
+        return run_command(FASTER_SIM_BINARY, words, folder_.path());
+    }
+    CommandResult run(Words const& words) const { return run_command(FASTER_SIM_BINARY, words, folder_.path()); }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    Json json(std::string const& name) const { return Json::parse(text(name)); }
+    bool has(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
+
+  private:
+    TempFolder folder_;
+};
+
+Words cells_in(std::string const& line) {
+    Words cells;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        std::size_t const end = std::min(line.find(',', begin), line.size());
+        cells.push_back(line.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return cells;
+}
+
+/// A detection of an object of BopFolder, where it is in image 0 of scene 1.
+std::string true_box(int object) {
+    faster::bop::ImageBox const box =
+        faster::bop::projected_box(BopFolder::mesh_of(object), BopFolder::pose_of(object, 0), BopFolder::camera());
+    return R"([{"scene_id": 1, "image_id": 0, "category_id": )" + std::to_string(object) + R"(, "bbox": [)" +
+           std::to_string(box.left) + "," + std::to_string(box.top) + "," + std::to_string(box.width) + "," +
+           std::to_string(box.height) + R"(], "score": 0.9}])";
+}
+
+}  // namespace
+
+TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]") {
+    Workspace const workspace;
+    CommandResult const result =
+        workspace.estimate({"--untimed", "--out", "out", "--set", "estimator.iterations=25", "--set",
+                            "workload.samples.count=200", "--set", "estimator.seed=1"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("Found") && Contains("ADD-S") && Contains("25 iterations of 200 samples"));
+    Json const found = workspace.json("out/estimate.json");
+    CHECK(found["format"] == "faster-estimate");
+    CHECK(found["verdict"] == "found");
+    CHECK(found["adds_mm"].get<double>() < 15);
+    CHECK(found["add_mm"].get<double>() >= found["adds_mm"].get<double>());
+    CHECK(found["total_ms"].is_null());
+    CHECK(found["configuration"]["estimator.iterations"] == 25);
+    REQUIRE(found["iterations"].size() == 25);
+    CHECK(found["iterations"][24]["best_weight"] == found["weight"]);
+    Words const rows = lines_of(workspace.text("out/iterations.csv"));
+    REQUIRE(rows.size() == 26);
+    CHECK(cells_in(rows[0]).size() == 14);
+    double weight = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        Words const row = cells_in(rows[i]);
+        REQUIRE(row.size() == 14);
+        CHECK(std::stod(row[2]) >= weight);
+        CHECK(std::stod(row[4]) <= 200);
+        CHECK(row[11].empty());  // cycles
+        weight = std::stod(row[2]);
+    }
+    for (char const* const picture : {"iteration_0000", "iteration_0001", "iteration_0024", "convergence", "course"})
+        CHECK(workspace.has(std::string("out/images/") + picture + ".png"));
+}
+
+TEST_CASE("An estimate has the same bytes whatever the number of threads, and others with another seed", "[estimate]") {
+    Workspace const workspace;
+    for (char const* const backend : {"accelerator", "grip"}) {
+        CAPTURE(backend);
+        Words const common{"--untimed", "--backend", backend};
+        for (auto const& [folder, jobs] : {std::pair{"one", "1"}, {"three", "3"}, {"eight", "8"}}) {
+            Words words = common;
+            words.insert(words.end(), {"-j", jobs, "--out", folder});
+            require_done(workspace.estimate(words));
+        }
+        for (char const* const other : {"three", "eight"})
+            for (char const* const file : {"/estimate.json", "/iterations.csv", "/images/convergence.png"})
+                CHECK(workspace.text(std::string("one") + file) == workspace.text(other + std::string(file)));
+        require_done(
+            workspace.estimate({"--untimed", "--backend", backend, "--set", "estimator.seed=4", "--out", "x"}));
+        CHECK(workspace.text("one/iterations.csv") != workspace.text("x/iterations.csv"));
+    }
+}
+
+TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's time besides", "[estimate]") {
+    Workspace const workspace;
+    require_done(
+        workspace.estimate({"--out", "out", "--set", "estimator.iterations=3", "--traces", "0,2", "-j", "2", "--set",
+                            "host.start_us=100", "--set", "host.collect_us=200", "--set", "host.resample_us=700"}));
+    Json const found = workspace.json("out/estimate.json");
+    double total = 0;
+    for (int k : {0, 1, 2}) {
+        Json const& iteration = found["iterations"][static_cast<std::size_t>(k)];
+        double const cycles = iteration["cycles"].get<double>();
+        CHECK(iteration["accelerator_ms"].get<double>() == Approx(cycles / 200e3));
+        CHECK(iteration["iteration_ms"].get<double>() == Approx(cycles / 200e3 + 1));
+        total += iteration["iteration_ms"].get<double>();
+        if (k == 1)
+            continue;
+        std::string const trace = "out/traces/iteration_000" + std::to_string(k);
+        require_done(workspace.run({"run", "config.yaml", "--trace", trace, "--out", "run"}));
+        CHECK(workspace.json("run/summary.json")["total_cycles"] == iteration["cycles"]);
+    }
+    CHECK(found["total_ms"].get<double>() == Approx(total));
+    CHECK_FALSE(workspace.has("out/traces/iteration_0001"));
+    // The loop goes by the same counters, timed or not.
+    require_done(workspace.estimate({"--out", "untimed", "--set", "estimator.iterations=3", "--untimed"}));
+    CHECK(workspace.json("untimed/estimate.json")["pose"] == found["pose"]);
+}
+
+TEST_CASE("Any iteration of an estimate can be recorded", "[estimate]") {
+    Workspace const workspace;
+    Words const common{"--set", "estimator.iterations=3", "--out", "out", "--iteration"};
+    auto const record = [&](Words words) {
+        words.insert(words.begin(), common.begin(), common.end());
+        return workspace.estimate(words);
+    };
+    require_done(record({"2", "--events", "two.events", "--vcd", "two.vcd", "--vcd-samples", "5"}));
+    CHECK(workspace.has("two.gtkw"));
+    CHECK_THAT(workspace.text("two.vcd"), Contains("rasterizer"));
+    require_done(workspace.run({"whatif", "two.events", "--out", "again"}));
+    CHECK(workspace.json("again/summary.json")["total_cycles"] ==
+          workspace.json("out/estimate.json")["iterations"][2]["cycles"]);
+    check_bad_input(record({"2", "--events", "x.events", "--untimed"}), {"--events", "--untimed"});
+    check_bad_input(record({"2", "--events", "config.yaml/x.events"}), {"config.yaml/x.events"});
+    check_bad_input(record({"3", "--timeline", "x.json"}), {"--iteration 3", "3 iterations"});
+    CHECK_FALSE(workspace.has("x.events"));
+}
+
+TEST_CASE("estimate scores with any design, and with grip without cycles", "[estimate]") {
+    Workspace const workspace;
+    for (char const* const setting : {"accelerator.architecture=next", "accelerator.architecture=fpga_grip",
+                                      "accelerator.architecture=threshold"}) {
+        CAPTURE(setting);
+        require_done(workspace.estimate({"--set", setting, "--set", "estimator.iterations=2", "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["iterations"][1]["cycles"].get<double>() > 1000);
+    }
+    require_done(workspace.estimate({"--backend", "grip", "--out", "grip"}));
+    CHECK(workspace.json("grip/estimate.json")["scorer"] == "grip");
+    CHECK(workspace.json("grip/estimate.json")["total_ms"].is_null());
+}
+
+TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a result of BOP", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    Words const common{"--untimed",
+                       "--bop",
+                       dataset.path().string(),
+                       "--scene",
+                       "1",
+                       "--set",
+                       "estimator.iterations=25",
+                       "--set",
+                       "workload.samples.count=300",
+                       "--set",
+                       "estimator.weights.least_drawn_px=5"};
+    auto const estimate = [&](Words more, char const* image = "0") {
+        more.insert(more.end(), {"--image", image});
+        more.insert(more.begin(), common.begin(), common.end());
+        return workspace.estimate(more);
+    };
+    for (int const object : {BopFolder::box, BopFolder::cylinder}) {
+        std::string const number = std::to_string(object);
+        CAPTURE(number);
+        dataset.write("true.json", true_box(object));
+        require_done(estimate({"--object", number, "--detections", (dataset / "true.json").string(), "--out", number}));
+        CHECK(workspace.json(number + "/estimate.json")["adds_mm"].get<double>() < 25);
+        CHECK(lines_of(workspace.text(number + "/bop.csv"))[1].rfind("1,0," + number + ",", 0) == 0);
+        require_done(workspace.run({"evaluate", number + "/bop.csv", dataset.path().string(), "--out", "judged"}));
+        CHECK_THAT(workspace.text("judged/errors.csv"), Contains("bop,1,0," + number + ","));
+    }
+    SECTION("annotated boxes of what is visible, without a detector's") {
+        require_done(estimate({"--object", "1", "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"] ==
+              Json::parse(R"([{"left": 11, "top": 13, "width": 9, "height": 8, "confidence": 1}])"));
+    }
+    SECTION("boxes of a detector, of this object in this image only") {
+        dataset.write("boxes.json",
+                      R"([{"scene_id": 1, "image_id": 0, "category_id": 5, "bbox": [2, 3, 20, 30], "score": 0.75},)"
+                      R"({"scene_id": 1, "image_id": 0, "category_id": 5, "bbox": [9, 9, 9, 9], "score": 0.25},)"
+                      R"({"scene_id": 1, "image_id": 3, "category_id": 5, "bbox": [1, 1, 9, 9], "score": 0.5}])");
+        std::string const boxes = (dataset / "boxes.json").string();
+        require_done(estimate({"--object", "5", "--detections", boxes, "--out", "out"}));
+        Json const found = workspace.json("out/estimate.json");
+        REQUIRE(found["boxes"].size() == 2);
+        CHECK(found["boxes"][0]["confidence"] == 0.75);
+        CHECK(found["boxes"][0]["height"] == 30);
+        require_done(estimate({"--object", "1", "--detections", boxes, "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());  // nobody detected it
+        dataset.replace("boxes.json", "[9, 9, 9, 9]", "[90, 9, 9, 9]");
+        check_bad_input(estimate({"--object", "5", "--detections", boxes}),
+                        {"boxes.json", "overlaps the image of 64 x 48"});
+    }
+    SECTION("what the dataset does not have") {
+        check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
+        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image"});
+    }
+}
+
+TEST_CASE("A run does not know the keys of estimate", "[estimate]") {
+    Workspace const workspace;
+    require_done(workspace.run({"run", "config.yaml", "--out", "run"}));
+    CHECK_THAT(workspace.text("run/summary.json"), !Contains("estimator") && !Contains("host.start"));
+}
+
+TEST_CASE("What cannot be found is said clearly", "[estimate]") {
+    Workspace const workspace;
+    SECTION("an empty table in the place of the object") {
+        // The box is where the can would be; it stands outside the image.
+        Words const words{"--untimed",
+                          "--out",
+                          "out",
+                          "--set",
+                          "workload.pose.translation_m=[3,0,0.65]",
+                          "--set",
+                          "estimator.box.left=60",
+                          "--set",
+                          "estimator.box.top=40",
+                          "--set",
+                          "estimator.box.width=30",
+                          "--set",
+                          "estimator.least_weight=0.99"};
+        CommandResult const result = workspace.estimate(words);
+        require_done(result);
+        CHECK_THAT(result.out, Contains("Not found: the best weight is"));
+        CHECK(workspace.json("out/estimate.json")["verdict"] == "weak");
+    }
+    SECTION("an object outside the image, for which there is no box") {
+        require_done(
+            workspace.estimate({"--untimed", "--out", "out", "--set", "workload.pose.translation_m=[3,0,0.65]"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());
+    }
+    SECTION("a scene without readings") {
+        CommandResult const result =
+            workspace.estimate({"--untimed", "--out", "out", "--set", "workload.scene.noise.random_dropout=1"});
+        require_done(result);
+        CHECK_THAT(result.out, Contains("no readings in the box"));
+        CHECK(workspace.json("out/estimate.json")["verdict"] == "no_readings");
+    }
+    SECTION("half of the object is outside the image") {
+        require_done(workspace.estimate({"--out", "out", "--set", "workload.pose.translation_m=[0.37,0,0.65]"}));
+        Json const found = workspace.json("out/estimate.json");
+        CHECK(found["boxes"].size() == 1);
+        CHECK(found["boxes"][0]["left"].get<double>() + found["boxes"][0]["width"].get<double>() <= 159);
+        CHECK(found["iterations"].size() == 6);
+    }
+}
+
+TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing", "[estimate]") {
+    Workspace const workspace;
+    auto const refuses = [&](Words words, Words const& expected) {
+        words.insert(words.end(), {"--out", "out"});
+        check_bad_input(workspace.estimate(words), expected);
+    };
+    refuses({"--set", "estimator.box.left=160", "--set", "estimator.box.width=20"},
+            {"estimator.box.left", "a box that overlaps the image of 160 x 120 pixels"});
+    refuses({"--set", "estimator.box.top=-30", "--set", "estimator.box.width=20"}, {"estimator.box.top"});
+    refuses({"--set", "estimator.weights.accelerator.raw=0.5"}, {"estimator.weights.accelerator", "add up to 1"});
+    refuses({"--set", "workload.samples.count=0"}, {"workload.samples.count", "at least 1"});
+    refuses({"--set", "workload.trace=" + std::string(FASTER_SOURCE_DIR) + "/traces/one_triangle"},
+            {"workload.trace", "moves a mesh"});
+    refuses({"--backend", "gripp"}, {"estimator.backend", "grip"});
+    refuses({"--set", "estimator.iterations=0"}, {"estimator.iterations"});
+    refuses({"--set", "estimator.iteration=5"}, {"estimator.iterations"});
+    refuses({"-j", "0"}, {"--jobs"});
+    refuses({"--bop", "nowhere", "--object", "1"}, {"nowhere"});
+    check_bad_input(workspace.estimate({"--traces", "0"}), {"--traces", "--out"});
+    check_bad_input(workspace.estimate({"--out", "config.yaml"}), {"config.yaml"});
+    CHECK_FALSE(workspace.has("out"));
+}
+
+TEST_CASE("A deadlock of the accelerator ends an estimate with its report", "[estimate]") {
+    Workspace const workspace;
+    CommandResult const result =
+        workspace.estimate({"--out", "out", "--set", "accelerator.fifos.fragment_depth.depth=1"});
+    CHECK(result.exit_code == 3);
+    CHECK_THAT(result.err, Contains("fragment_depth"));
+    CHECK_FALSE(workspace.has("out"));
+}

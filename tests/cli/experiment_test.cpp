@@ -1,0 +1,75 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Words = std::vector<std::string>;
+
+namespace {
+
+/// A banana in one image, three methods that hardly look.
+class Workspace {
+  public:
+    Workspace() { write("methods: {faster: {}, grip: {estimator.backend: grip}}\n"); }
+
+    void write(std::string const& methods) const {
+        folder_.write("experiment.yaml",
+                      "format: faster-experiment\n"
+                      "version: 1\n"
+                      "set: {workload.samples.count: 12, estimator.iterations: 2, workload.max_triangles: 200}\n"
+                      "scenes:\n"
+                      "  dark: {objects: [banana], images: 2, visible: [0.8, 1], boxes: {shift: 0.1, wrong: 0.5}}\n" +
+                          methods);
+    }
+    CommandResult experiment(Words words) const {
+        words.insert(words.begin(), {"experiment", "experiment.yaml"});
+        return run_command(FASTER_SIM_BINARY, words, folder_.path());
+    }
+    std::string text(std::string const& name) const { return content_of(folder_ / name); }
+    TempFolder const& folder() const { return folder_; }
+
+  private:
+    TempFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("An experiment makes scenes, looks for objects, judges, and goes on where it was", "[experiment]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.experiment({"--out", "out", "-j", "2"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("4 estimates, 0 of them done already") && Contains("obj_000010"));
+    std::string const estimates = workspace.text("out/estimates.csv");
+    CHECK(lines_of(estimates).size() == 5);
+    CHECK(lines_of(workspace.text("out/results/dark/grip.csv")).size() == 3);
+    CHECK(lines_of(workspace.text("out/convergence.csv")).size() == 5);
+    CHECK_THAT(workspace.text("out/evaluation/dark/scores.csv"), Contains("faster") && Contains("grip"));
+    CHECK_THAT(workspace.text("out/boxes/dark.json"), Contains("bbox"));
+
+    // A journal that lost its last row, and a method more: only these are done.
+    std::string const journal = workspace.text("out/journal");
+    workspace.folder().write("out/journal", journal.substr(0, journal.rfind('\n', journal.size() - 2) + 1));
+    workspace.write(
+        "methods: {faster: {}, grip: {estimator.backend: grip}, "
+        "inner_border: {accelerator.edge_map.algorithm: inner_border}}\n");
+    CommandResult const more = workspace.experiment({"--out", "out", "-j", "1"});
+    require_done(more);
+    CHECK_THAT(more.out, Contains("6 estimates, 3 of them done already"));
+    for (std::string const& line : lines_of(estimates))
+        CHECK_THAT(workspace.text("out/estimates.csv"), Contains(line));
+}
+
+TEST_CASE("An experiment refuses in one line what it cannot use", "[experiment]") {
+    Workspace const workspace;
+    std::filesystem::create_directory(workspace.folder() / "used");
+    workspace.folder().write("used/note.txt", "mine");
+    check_bad_input(workspace.experiment({"--out", "used"}), {"used", "expected a new or empty folder"});
+    check_bad_input(workspace.experiment({"--out", "experiment.yaml"}), {"experiment.yaml", "is a file"});
+    workspace.write("methods: {fast: {estimator.iterations: 0}}\n");
+    check_bad_input(workspace.experiment({"--out", "new"}), {"experiment.yaml:6", "estimator.iterations"});
+    CHECK_FALSE(std::filesystem::exists(workspace.folder() / "new"));
+}

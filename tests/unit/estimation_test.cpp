@@ -1,0 +1,428 @@
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "estimation/diffusion.hpp"
+#include "estimation/estimator.hpp"
+#include "estimation/first_samples.hpp"
+#include "estimation/resampling.hpp"
+#include "estimation/streams.hpp"
+#include "kernel/base/portable_math.hpp"
+#include "workload/models/builtin_models.hpp"
+
+using namespace faster;
+using namespace faster::estimation;
+
+namespace {
+
+constexpr Resampling all_methods[]{Resampling::systematic, Resampling::stratified, Resampling::multinomial};
+
+/// How often each index was drawn.
+std::vector<double> copies_of(std::vector<double> const& shares, std::size_t count, Resampling method,
+                              CounterRandom& random) {
+    std::vector<double> copies(shares.size());
+    for (std::size_t const index : resampled(shares, count, method, random))
+        copies.at(index) += 1;
+    return copies;
+}
+
+/// A can before a wall, of which the camera sees all.
+Scene can_scene(double reading_m) {
+    Scene scene;
+    scene.observed.posed.mesh = models::make("tomato_soup_can");
+    scene.observed.posed.camera = {160, 120, 140, 140, 79.5, 59.5};
+    scene.observed.width = 160;
+    scene.observed.height = 120;
+    scene.observed.observed_depth =
+        Image<std::uint16_t>(120, 160, static_cast<std::uint16_t>(std::floor(reading_m * 512)));
+    scene.observed.observed_edges = Image<std::uint8_t>(120, 160);
+    scene.size = size_of(scene.observed.posed.mesh);
+    scene.boxes = {{60, 40, 20, 28, 1}};
+    return scene;
+}
+
+Particle some_particle() {
+    Particle particle;
+    particle.middle = {0.05, -0.02, 0.7};
+    particle.rotation = normalized({0.3, -0.5, 0.7, 0.2});
+    return particle;
+}
+
+/// Weight falls with the distance from a place, and with the angle from a rotation.
+Score closeness_to(Particle const& target) {
+    return [target](std::vector<Particle> const& particles) {
+        std::vector<WeightTerms> terms;
+        for (Particle const& particle : particles) {
+            WeightTerms term;
+            term.raw = portable::exp(-20 * (particle.middle - target.middle).norm() -
+                                     angle_between(particle.rotation, target.rotation));
+            terms.push_back(term);
+        }
+        return terms;
+    };
+}
+
+EstimatorConfig plain_config() {
+    EstimatorConfig config;
+    config.accelerator_weights = {0, 0, 1, 0, 0};
+    return config;
+}
+
+}  // namespace
+
+TEST_CASE("Each method of resampling draws in proportion to the shares", "[estimation]") {
+    Resampling const method = all_methods[GENERATE(0, 1, 2)];
+    std::uint64_t const seed = GENERATE(range(1U, 6U));
+    CAPTURE(static_cast<int>(method), seed);
+    std::vector<double> const shares{0.07, 0.38, 0, 0.16, 0.27, 0.12};  // no whole copies: u decides
+    constexpr std::size_t count = 20;
+    int const rounds = 2000;
+    std::vector<double> sums(shares.size());
+    for (int round = 0; round < rounds; ++round) {
+        CounterRandom random(seed, static_cast<std::uint64_t>(round), 0);
+        std::vector<double> const copies = copies_of(shares, count, method, random);
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += copies[i];
+    }
+    double chi_square = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        double const expected = shares[i] * count * rounds;
+        if (shares[i] == 0)
+            CHECK(sums[i] == 0);
+        else
+            chi_square += (sums[i] - expected) * (sums[i] - expected) / expected;
+    }
+    // 4 degrees of freedom: exceeded once in ten thousand by independent draws, which vary most.
+    CHECK(chi_square < 23.5);
+    if (method == Resampling::multinomial)
+        CHECK(chi_square > 0.05);  // and below it once in thousands
+}
+
+TEST_CASE("Systematic resampling gives every index its share rounded up or down, stratified one more or less",
+          "[estimation]") {
+    std::uint64_t const seed = GENERATE(range(1U, 21U));
+    CAPTURE(seed);
+    CounterRandom random(seed, 0, 0);
+    std::vector<double> weights;
+    for (int i = 0; i < 40; ++i)
+        weights.push_back(random.uniform());
+    std::vector<double> const shares = shares_of(weights, 3);
+    CHECK(std::accumulate(shares.begin(), shares.end(), 0.0) == Approx(1));
+    std::vector<double> const systematic = copies_of(shares, 100, Resampling::systematic, random);
+    std::vector<double> const stratified = copies_of(shares, 100, Resampling::stratified, random);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        CHECK(std::abs(systematic[i] - 100 * shares[i]) < 1);
+        CHECK(std::abs(stratified[i] - 100 * shares[i]) < 2);
+    }
+}
+
+TEST_CASE("Shares are powers of the weights, and all alike without weights", "[estimation]") {
+    std::vector<double> const shares = shares_of({0.2, 0.4, 0}, 2);
+    CHECK(shares[0] == Approx(0.2));
+    CHECK(shares[1] == Approx(0.8));
+    CHECK(shares[2] == 0);
+    CHECK(shares_of({0, 0}, 8) == std::vector<double>{0.5, 0.5});
+    CHECK(shares_of({0.1, 0.9}, 0) == std::vector<double>{0.5, 0.5});
+    CHECK(shares_of({1e-300, 1e-300}, 50) == std::vector<double>{0.5, 0.5});
+    CHECK(effective_sample_size({0.25, 0.25, 0.25, 0.25}) == 4);
+    CHECK(effective_sample_size({1, 0, 0, 0}) == 1);
+}
+
+TEST_CASE("Noise has the configured deviations, and no direction is preferred", "[estimation]") {
+    std::uint64_t const seed = GENERATE(1U, 2U, 3U);
+    CAPTURE(seed);
+    Particle const parent = some_particle();
+    NoiseLevel const noise{0.01, 0.1};
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero(), squares = mean, axes = mean, products = mean;
+    double angles = 0;
+    int const draws = 20000;
+    for (int i = 0; i < draws; ++i) {
+        CounterRandom random = stream_of_sample(seed, 1, static_cast<std::size_t>(i));
+        Particle const moved = diffused(parent, noise, random);
+        Eigen::Vector3d const shift = moved.middle - parent.middle;
+        mean += shift / draws;
+        squares += shift.cwiseAbs2() / draws;
+        products += Eigen::Vector3d(shift.x() * shift.y(), shift.y() * shift.z(), shift.z() * shift.x()) / draws;
+        Eigen::AngleAxisd const turn(Eigen::Matrix3d(moved.rotation.matrix() * parent.rotation.matrix().transpose()));
+        angles += turn.angle() * turn.angle() / draws;
+        axes += turn.axis().cwiseAbs2() / draws;
+        REQUIRE(dot(moved.rotation, moved.rotation) == Approx(1).epsilon(1e-14));
+    }
+    CHECK(std::sqrt(angles) == Approx(0.1).epsilon(0.03));
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK(mean[axis] == Approx(0).margin(4 * 0.01 / std::sqrt(draws)));
+        CHECK(std::sqrt(squares[axis]) == Approx(0.01).epsilon(0.03));
+        CHECK(products[axis] == Approx(0).margin(4e-4 / std::sqrt(draws)));
+        CHECK(axes[axis] == Approx(1.0 / 3).epsilon(0.03));
+    }
+}
+
+TEST_CASE("Noise decays to its least deviation", "[estimation]") {
+    DiffusionConfig config;
+    config.translation_sigma_m = 0.02;
+    config.translation_sigma_min_m = 0.003;
+    config.rotation_sigma_deg = 40;
+    config.rotation_sigma_min_deg = 9;
+    config.decay = 0.5;
+    CHECK(noise_of(config, 0).translation_m == 0.02);
+    CHECK(noise_of(config, 2).translation_m == 0.005);
+    CHECK(noise_of(config, 3).translation_m == 0.003);
+    CHECK(noise_of(config, 2).rotation_rad == Approx(10 * M_PI / 180));
+    CHECK(noise_of(config, 100000).rotation_rad == Approx(9 * M_PI / 180));
+}
+
+TEST_CASE("Rotations are uniform on SO(3)", "[estimation]") {
+    std::uint64_t const seed = GENERATE(range(1U, 6U));
+    CAPTURE(seed);
+    CounterRandom random(seed, 0, 0);
+    constexpr int bins = 20, draws = 20000;
+    double angle_bins[bins] = {}, height_bins[bins] = {}, cells[8] = {};
+    Rotation const fixed = some_particle().rotation;
+    for (int i = 0; i < draws; ++i) {
+        Rotation const rotation = uniform_rotation(random);
+        // The angle to any rotation has the distribution (a - sin a) / pi; an axis goes to all directions alike.
+        double const angle = angle_between(rotation, fixed);
+        ++angle_bins[std::min(bins - 1, static_cast<int>((angle - std::sin(angle)) / M_PI * bins))];
+        double const height = rotation.matrix()(2, 1);
+        ++height_bins[std::min(bins - 1, static_cast<int>((height + 1) / 2 * bins))];
+        ++cells[(rotation.w * rotation.x > 0 ? 1 : 0) + (rotation.w * rotation.y > 0 ? 2 : 0) +
+                (rotation.w * rotation.z > 0 ? 4 : 0)];
+    }
+    double of_angles = 0, of_heights = 0, of_cells = 0;
+    for (int bin = 0; bin < bins; ++bin) {
+        of_angles += std::pow(angle_bins[bin] - draws / bins, 2) / (draws / bins);
+        of_heights += std::pow(height_bins[bin] - draws / bins, 2) / (draws / bins);
+    }
+    for (double const cell : cells)
+        of_cells += std::pow(cell - draws / 8, 2) / (draws / 8);
+    CHECK(of_angles < 50.8);  // 19 degrees of freedom, once in ten thousand
+    CHECK(of_heights < 50.8);
+    CHECK(of_cells < 29.9);  // 7
+}
+
+TEST_CASE("Quaternions and matrices say the same", "[estimation]") {
+    CounterRandom random(5, 0, 0);
+    for (int i = 0; i < 200; ++i) {
+        Rotation const a = uniform_rotation(random), b = uniform_rotation(random);
+        REQUIRE((a.matrix() * a.matrix().transpose()).isIdentity(1e-12));
+        REQUIRE(a.matrix().determinant() == Approx(1));
+        REQUIRE(product(a, b).matrix().isApprox(a.matrix() * b.matrix(), 1e-12));
+        REQUIRE(rotation_of(a.matrix()).matrix().isApprox(a.matrix(), 1e-12));
+        Eigen::AngleAxisd const turn(Eigen::Matrix3d(a.matrix() * b.matrix().transpose()));
+        REQUIRE(angle_between(a, b) == Approx(turn.angle()).margin(1e-7));
+    }
+    CHECK(angle_between({1, 0, 0, 0}, {-1, 0, 0, 0}) == 0);
+}
+
+TEST_CASE("A particle's pose has the middle of the object where the particle is", "[estimation]") {
+    Mesh mesh = models::make("mug");
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex += Eigen::Vector3d(0.3, 0.2, -0.1);
+    ObjectSize const size = size_of(mesh);
+    Particle const particle = some_particle();
+    Pose const pose = pose_of(particle, size);
+    CHECK((pose.rotation * size.middle + pose.translation).isApprox(particle.middle, 1e-12));
+    CHECK(size.least_extent > 0.05);
+    CHECK(size.diameter > size.least_extent);
+    CHECK(size.outline.size() > 8);
+    CHECK(size.outline.size() <= 26);
+    Camera const camera{640, 480, 570, 570, 319.5, 239.5};
+    CHECK(overlap_share(box_around(size.outline, pose, camera), box_around(mesh.vertices, pose, camera)) > 0.8);
+    Particle behind = particle;
+    behind.middle.z() = -2;
+    CHECK(pose_of(behind, size).translation.z() == 0.1);
+}
+
+TEST_CASE("A mesh is moved to its middle, and poses are told in its own frame", "[estimation]") {
+    Scene scene = can_scene(0.6);
+    for (Eigen::Vector3d& vertex : scene.observed.posed.mesh.vertices)
+        vertex += Eigen::Vector3d(0.04, -0.08, 0.06);
+    Mesh const own = scene.observed.posed.mesh;
+    centre_mesh(scene);
+    CHECK(scene.size.middle.norm() < 1e-12);
+    Pose const pose = pose_of(some_particle(), scene.size);
+    CHECK(pose.translation.isApprox(some_particle().middle, 1e-12));
+    Pose const told = scene.own(pose);
+    for (std::size_t i = 0; i < own.vertices.size(); i += 50)
+        CHECK((told.rotation * own.vertices[i] + told.translation)
+                  .isApprox(pose.rotation * scene.observed.posed.mesh.vertices[i] + pose.translation, 1e-12));
+    CHECK(scene.centred(told).translation.isApprox(pose.translation, 1e-12));
+}
+
+TEST_CASE("First samples lie in the box, a little behind a reading, and turn everywhere", "[estimation]") {
+    Scene const scene = can_scene(0.6);
+    std::vector<Particle> const particles = first_samples(scene, 500, 3);
+    REQUIRE(particles.size() == 500);
+    double columns = 0;
+    Camera const& camera = scene.observed.posed.camera;
+    for (Particle const& particle : particles) {
+        double const col = particle.middle.x() / particle.middle.z() * camera.fx + camera.cx;
+        double const row = particle.middle.y() / particle.middle.z() * camera.fy + camera.cy;
+        REQUIRE((col >= 60 && col < 80 && row >= 40 && row < 68));
+        double const behind = particle.middle.z() - 0.6;
+        REQUIRE((behind > scene.size.least_extent / 2 - 0.002 && behind < scene.size.diameter / 2 + 0.002));
+        columns += col / 500;
+    }
+    CHECK(columns == Approx(70).margin(1));
+    std::vector<Particle> const fewer = first_samples(scene, 10, 3);
+    for (std::size_t i = 0; i < fewer.size(); ++i)
+        CHECK(fewer[i].middle == particles[i].middle);
+    CHECK(first_samples(scene, 1, 4)[0].middle != particles[0].middle);
+}
+
+TEST_CASE("First samples without readings go by the object's size, and without a box by all of the image",
+          "[estimation]") {
+    Scene blind = can_scene(0);
+    for (Particle const& particle : first_samples(blind, 50, 1))
+        // The can's diameter fills the 28 rows of the box.
+        CHECK(particle.middle.z() == Approx(140 * blind.size.diameter / 28));
+    Scene unknown = can_scene(0.6);
+    unknown.boxes.clear();
+    double least = 160, most = 0;
+    for (Particle const& particle : first_samples(unknown, 200, 1)) {
+        double const col = particle.middle.x() / particle.middle.z() * 140 + 79.5;
+        least = std::min(least, col);
+        most = std::max(most, col);
+    }
+    CHECK(least < 30);
+    CHECK(most > 130);
+}
+
+TEST_CASE("Samples come from each of several boxes as often as their confidences say", "[estimation]") {
+    Scene scene = can_scene(0.6);
+    scene.boxes = {{10, 10, 20, 20, 0.2}, {100, 60, 20, 20, 0.6}};
+    int second = 0;
+    for (Particle const& particle : first_samples(scene, 2000, 9))
+        second += particle.box == 1 ? 1 : 0;
+    CHECK(second == Approx(1500).margin(100));
+}
+
+TEST_CASE("The loop finds what its scores point to, and never loses the best sample", "[estimation]") {
+    Resampling const method = all_methods[GENERATE(0, 1, 2)];
+    std::uint64_t const seed = GENERATE(1U, 2U, 3U);
+    CAPTURE(static_cast<int>(method), seed);
+    Scene const scene = can_scene(0.6);
+    Particle target = some_particle();
+    target.middle = {-0.04, -0.03, 0.66};
+    EstimatorConfig config = plain_config();
+    config.resampling = method;
+    config.seed = seed;
+    std::vector<Iteration> iterations;
+    Estimate const found = estimate(scene, config, 200, closeness_to(target),
+                                    [&](Iteration const& iteration) { iterations.push_back(iteration); });
+    REQUIRE(iterations.size() == 50);
+    CHECK(found.iterations == 50);
+    CHECK(found.ending == Ending::iterations);
+    CHECK((found.particle.middle - target.middle).norm() < 0.005);
+    CHECK(angle_between(found.particle.rotation, target.rotation) < 0.1);
+    CHECK(found.weight == iterations.back().best_weight());
+    for (std::size_t k = 1; k < iterations.size(); ++k) {
+        Particle const& kept = iterations[k - 1].particles[iterations[k - 1].best];
+        REQUIRE(iterations[k].particles.size() == 200);
+        REQUIRE(iterations[k].particles[0].middle == kept.middle);
+        REQUIRE(dot(iterations[k].particles[0].rotation, kept.rotation) == dot(kept.rotation, kept.rotation));
+        REQUIRE(iterations[k].best_weight() >= iterations[k - 1].best_weight());
+        CHECK(iterations[k].noise.translation_m == noise_of(config.diffusion, k - 1).translation_m);
+    }
+    CHECK(iterations.back().spread_m < iterations.front().spread_m);
+}
+
+TEST_CASE("The loop ends with the first iteration that reaches stop_weight", "[estimation]") {
+    EstimatorConfig config = plain_config();
+    config.stop_weight = 0.5;
+    Estimate const found = estimate(can_scene(0.6), config, 100, closeness_to(some_particle()));
+    CHECK(found.ending == Ending::stop_weight);
+    CHECK(found.iterations < 50);
+    CHECK(found.weight >= 0.5);
+    config.stop_weight = 0;
+    CHECK(estimate(can_scene(0.6), config, 100, closeness_to(some_particle())).iterations == 1);
+}
+
+TEST_CASE("The same seed gives the same estimate, another seed another, and scores of 0 are no trouble",
+          "[estimation]") {
+    EstimatorConfig config = plain_config();
+    config.iterations = 5;
+    Scene const scene = can_scene(0.6);
+    Score const nothing = [](std::vector<Particle> const& particles) {
+        return std::vector<WeightTerms>(particles.size());
+    };
+    Particle const a = estimate(scene, config, 50, nothing).particle;
+    Particle const b = estimate(scene, config, 50, nothing).particle;
+    CHECK(a.middle == b.middle);
+    config.seed += 1;
+    CHECK(estimate(scene, config, 50, nothing).particle.middle != a.middle);
+    CHECK(estimate(scene, config, 1, nothing).weight == 0);
+}
+
+TEST_CASE("The mean of a cluster weighs its poses and leaves out the others", "[estimation]") {
+    EstimatorConfig config = plain_config();
+    config.sharpness = 1;
+    Iteration iteration;
+    Particle const best = some_particle();
+    Particle left = best, right = best, far = best, turned = best;
+    left.middle.x() -= 0.004;
+    right.middle.x() += 0.002;
+    right.rotation = {-best.rotation.w, -best.rotation.x, -best.rotation.y, -best.rotation.z};  // the same rotation
+    far.middle.x() += 1;
+    turned.rotation = product({0, 1, 0, 0}, best.rotation);
+    iteration.particles = {best, left, right, far, turned};
+    iteration.weights = {0.4, 0.1, 0.2, 0.35, 0.35};
+    iteration.best = 0;
+    Particle const mean = cluster_mean(iteration, config);
+    CHECK(mean.middle.x() - best.middle.x() == Approx((-0.1 * 0.004 + 0.2 * 0.002) / 0.7).margin(1e-12));
+    CHECK(angle_between(mean.rotation, best.rotation) < 1e-6);
+    config.iterations = 30;
+    config.estimate = EstimateKind::mean;
+    Particle target = best;
+    target.middle = {-0.04, -0.03, 0.66};
+    Estimate const found = estimate(can_scene(0.6), config, 200, closeness_to(target));
+    CHECK((found.particle.middle - target.middle).norm() < 0.02);
+}
+
+TEST_CASE("Eq. 2.4 by hand, of counters and of GRIP's clouds", "[estimation]") {
+    SampleCounters counters;
+    counters.valid_raster = 400;
+    counters.inlier = 100;
+    counters.valid_edge = 50;
+    counters.edge_inlier = 10;
+    WeightTerms const terms = terms_of(counters, 0.5, 0.8, 100);
+    CHECK(terms.raw == 0.25);
+    CHECK(terms.edge == 0.2);
+    CHECK(terms.in_box == Approx(0.2));
+    CHECK(terms.weight({0.1, 0.2, 0.3, 0.4, 0}) == Approx(0.1 * 0.5 + 0.2 * 0.2 + 0.3 * 0.25 + 0.4 * 0.2));
+    CHECK(terms_of(counters, 0.5, 0.8, 401).weight({0.1, 0, 0.4, 0.5, 0}) == Approx(0.05));
+    counters.inlier = 500;  // contour pixels count too
+    CHECK(terms_of(counters, 0.5, 0.8, 100).raw == 1);
+    CHECK(terms_of(SampleCounters{}, 0, 1, 0).raw == 0);
+    grip::PoseScore score;
+    score.raw = {400, 100};
+    score.edge = {40, 20};
+    score.planar = {360, 90};
+    score.in_box = {200, 80};
+    CHECK(terms_of(score, 1, 0).weight({0.1, 0.2, 0.3, 0.25, 0.15}) ==
+          Approx(0.1 + 0.2 * 0.4 + 0.3 * 0.25 + 0.25 * 0.5 + 0.15 * 0.25));
+}
+
+TEST_CASE("The box around an object ends at the image, and an object outside has none", "[estimation]") {
+    Mesh const mesh = models::make("tomato_soup_can");
+    Camera const camera{160, 120, 140, 140, 79.5, 59.5};
+    Pose pose;
+    pose.translation = {0, 0, 0.5};
+    DetectionConfig const box = box_around(mesh.vertices, pose, camera);
+    CHECK(box.width > 10);
+    CHECK(box.left + box.width / 2 == Approx(79.5).margin(1));
+    pose.translation.x() = 0.5 * 80 / 140;
+    CHECK(box_around(mesh.vertices, pose, camera).left + box_around(mesh.vertices, pose, camera).width <= 159);
+    pose.translation.x() = 2;
+    CHECK(box_around(mesh.vertices, pose, camera).width == 0);
+    CHECK(overlap_share({0, 0, 4, 4, 1}, {2, 2, 4, 4, 1}) == Approx(4.0 / 28));
+    CHECK(overlap_share({0, 0, 4, 4, 1}, {0, 0, 4, 4, 1}) == 1);
+    CHECK(overlap_share({0, 0, 4, 4, 1}, {5, 0, 4, 4, 1}) == 0);
+    CHECK(overlap_share({}, {}) == 0);
+    CHECK(overlaps({-5, -5, 6, 6, 1}, 160, 120));
+    CHECK_FALSE(overlaps({-5, -5, 5, 6, 1}, 160, 120));
+    CHECK_FALSE(overlaps({160, 0, 5, 6, 1}, 160, 120));
+    CHECK(readings_in({-5, -5, 7, 6, 1}, Image<std::uint16_t>(120, 160, 9)) == 2);
+    CHECK(readings_in({300, 5, 7, 6, 1}, Image<std::uint16_t>(120, 160, 9)) == 0);
+}

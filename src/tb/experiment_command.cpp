@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/boxes_of_detector.hpp"
-#include "experiments/experiment_file.hpp"
-#include "experiments/made_dataset.hpp"
+#include "workload/experiments/boxes_of_detector.hpp"
+#include "workload/experiments/experiment_file.hpp"
+#include "workload/experiments/made_dataset.hpp"
 #include "kernel/base/files/atomic_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"

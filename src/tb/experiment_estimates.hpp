@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/estimate_journal.hpp"
-#include "experiments/experiment.hpp"
+#include "workload/experiments/estimate_journal.hpp"
+#include "workload/experiments/experiment.hpp"
 #include "kernel/config/load_config.hpp"
 #include "workload/bop/dataset.hpp"
 #include "workload/bop/detections.hpp"

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <set>
 
-#include "experiments/boxes_of_detector.hpp"
-#include "experiments/estimate_journal.hpp"
-#include "experiments/experiment_file.hpp"
-#include "experiments/made_dataset.hpp"
-#include "experiments/made_scene.hpp"
-#include "experiments/ycb_classes.hpp"
+#include "workload/experiments/boxes_of_detector.hpp"
+#include "workload/experiments/estimate_journal.hpp"
+#include "workload/experiments/experiment_file.hpp"
+#include "workload/experiments/made_dataset.hpp"
+#include "workload/experiments/made_scene.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"

@@ -1,10 +1,10 @@
-#include "experiments/made_dataset.hpp"
+#include "workload/experiments/made_dataset.hpp"
 
 #include <fmt/format.h>
 #include <mutex>
 
-#include "experiments/made_scene.hpp"
-#include "experiments/ycb_classes.hpp"
+#include "workload/experiments/made_scene.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/json.hpp"

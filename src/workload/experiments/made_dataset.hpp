@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "experiments/experiment.hpp"
+#include "workload/experiments/experiment.hpp"
 
 namespace faster::experiments {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "experiments/experiment.hpp"
+#include "workload/experiments/experiment.hpp"
 
 namespace faster::experiments {
 

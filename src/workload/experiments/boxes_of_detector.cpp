@@ -1,4 +1,4 @@
-#include "experiments/boxes_of_detector.hpp"
+#include "workload/experiments/boxes_of_detector.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "experiments/ycb_classes.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/experiment.hpp"
+#include "workload/experiments/experiment.hpp"
 #include "workload/bop/detections.hpp"
 
 namespace faster::experiments {

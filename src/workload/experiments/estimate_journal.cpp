@@ -1,4 +1,4 @@
-#include "experiments/estimate_journal.hpp"
+#include "workload/experiments/estimate_journal.hpp"
 
 #include "kernel/base/files/durable_file.hpp"
 #include "kernel/base/files/text_file.hpp"

@@ -1,10 +1,10 @@
-#include "experiments/experiment_file.hpp"
+#include "workload/experiments/experiment_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
-#include "experiments/ycb_classes.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/config/plain_text.hpp"

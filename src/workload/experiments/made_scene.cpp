@@ -1,4 +1,4 @@
-#include "experiments/made_scene.hpp"
+#include "workload/experiments/made_scene.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -432,12 +432,14 @@ template <class Process, class Port> class ProcessRules {
         return true;
     }
 
-    /// All iterations in the pipeline access what the next ones do, in one step of each: so every step does the same.
+    /// Of a loop that takes from memory, which is in no group of the lookups: all iterations in the pipeline access
+    /// what the next ones do, in one step of each. So every step does the same.
     bool is_uniform(Operation const& operation) const {
         PipelinePosition const& pipeline = state_.pipeline;
-        if (plan_->phases.size() != 1 || self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 ||
-            operation.gap() > 0 || operation.ports() == 0 || operation.count() < 2 ||
-            pipeline.iteration < plan_->longest_lag || !are_in_one_step(operation.ports()))
+        if (!shape_->loops[state_.loop].uses_memory || plan_->phases.size() != 1 || plan_->phases.front().offset > 0 ||
+            self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 || operation.gap() > 0 ||
+            operation.ports() == 0 || operation.count() < 2 || pipeline.iteration < plan_->longest_lag ||
+            !are_in_one_step(operation.ports()))
             return false;
         for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
             if (state_.delayed(lag) != operation.ports())

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fmt/format.h>
 #include <memory>
 #include <stdexcept>
 
@@ -19,6 +18,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
 #include "tool/results_folder.hpp"
+#include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 
 namespace faster {
@@ -57,7 +57,7 @@ struct Outputs {
 };
 
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
-    fmt::print(stderr, "{}", report::deadlock_report(run));
+    warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
     return exit_deadlock;
@@ -115,10 +115,10 @@ int run(RunRequest const& request, RunExtras& extras) {
         outputs.folder->write(loaded.config, statistics, host);
     if (outputs.report)  // may lie in the folder
         write_report(*outputs.report, request, loaded, statistics, timelines, extras);
-    fmt::print("{}", report::text_report(statistics, host));
+    say("{}", report::text_report(statistics, host));
     for (std::string const& written : {request.out, request.report, request.events})
         if (!written.empty())
-            fmt::print("\nwritten: {}\n", written);
+            say("\nwritten: {}\n", written);
     return exit_done;
 }
 

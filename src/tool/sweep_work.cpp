@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/json.hpp"
@@ -96,7 +97,7 @@ std::string to_text(SweepReply const& reply) {
                     {"has_events", reply.has_events},
                     {"lost_events", reply.lost_events},
                     {"trouble", reply.trouble}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return io::text_of(json);
 }
 
 SweepReply reply_from_text(std::string const& text) {

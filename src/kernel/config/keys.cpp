@@ -13,12 +13,12 @@ namespace faster {
 namespace {
 
 Keys simulation_keys() {
-    return {KeyMaker<RunConfig>::choice_key(
+    return {of_no_figure(KeyMaker<RunConfig>::choice_key(
         {"simulation.engine", "",
          "How the SystemC kernel follows the processes: at every operation (lockstep, for waveforms) or "
          "only when they must wait (decoupled); the results are the same.",
          "timing model"},
-        [](auto& config) -> auto& { return config.simulation.engine; })};
+        [](auto& config) -> auto& { return config.simulation.engine; }))};
 }
 
 Keys make_all_keys() {
@@ -111,6 +111,11 @@ Key const* find_key(std::string_view name) {
     auto const found =
         std::find_if(all_keys().begin(), all_keys().end(), [&](Key const& key) { return key.name() == name; });
     return found == all_keys().end() ? nullptr : &*found;
+}
+
+bool decides_figures(std::string_view name) {
+    Key const* const key = find_key(name);
+    return key == nullptr || key->decides_figures;
 }
 
 bool is_section(std::string_view name) {

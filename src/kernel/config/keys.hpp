@@ -29,6 +29,9 @@ bool is_retimable(Key const& key, RunConfig const& config);
 /// The key of that dotted name, or null.
 Key const* find_key(std::string_view name);
 
+/// Key::decides_figures of the key of that name; true of others, which older runs may have had.
+bool decides_figures(std::string_view name);
+
 /// True if keys stand below `name`: "accelerator.fifos", but not "accelerator.window".
 bool is_section(std::string_view name);
 

@@ -109,7 +109,7 @@ class Reader {
     void read_configuration(Json const& values, LoadedConfig& loaded) {
         RunConfig const defaults;
         for (Key const& key : all_keys()) {
-            if (key.name() == "simulation.engine")
+            if (!key.decides_figures)
                 continue;
             Json const& value = values.at(key.name());
             std::string const text = value.is_string() ? value.get<std::string>() : value.dump();
@@ -118,7 +118,9 @@ class Reader {
             bool const is_default = json_text(key.read(loaded.config)) == json_text(key.read(defaults));
             loaded.origins.record(key.name(), is_default ? KeyOrigin{} : KeyOrigin{KeySource::file, path_.string()});
         }
-        if (values.size() != all_keys().size() - 1)
+        auto const recorded =
+            std::count_if(all_keys().begin(), all_keys().end(), [](Key const& key) { return key.decides_figures; });
+        if (values.size() != static_cast<std::size_t>(recorded))
             throw std::invalid_argument("it has other keys");
     }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/fnv1a.hpp"
 #include "kernel/base/json.hpp"
@@ -22,7 +23,7 @@ std::string checksum_of(std::string_view text) {
 
 std::string row_of(std::string const& id, PointResult const& result) {
     Json const json{{"point", id}, {"result", to_json(result)}};
-    std::string const text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string const text = io::text_of(json);
     return checksum_of(text) + " " + text + "\n";
 }
 

@@ -25,7 +25,7 @@ void add_file(std::filesystem::path const& path, Fnv1a& hash) {
 PointIdentity Identifier::identity(RunConfig const& config) {
     Fnv1a point, function;
     for (Key const& key : all_keys()) {
-        if (key.name() == "simulation.engine")
+        if (!key.decides_figures)
             continue;
         std::string const line = key.name() + "=" + text_of(key, config) + "\n";
         point.add(line);

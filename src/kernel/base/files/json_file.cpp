@@ -6,6 +6,7 @@
 
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 
 namespace faster::io {
 
@@ -27,9 +28,11 @@ std::string shown(Json const& value) {
         return fmt::format("an array of {}", value.size());
     if (value.is_object())
         return "an object";
-    constexpr std::size_t most = 60;
-    std::string const text = value.dump();
-    return text.size() <= most ? text : text.substr(0, most) + "...";
+    return shortened(value.dump());
+}
+
+std::string text_of(Json const& value, int indent) {
+    return value.dump(indent, ' ', true, Json::error_handler_t::replace);
 }
 
 }  // namespace faster::io

@@ -12,4 +12,8 @@ Json read_json_file(std::filesystem::path const& path, std::string const& expect
 /// A value for a message: on one line, and not the whole of a large table.
 std::string shown(Json const& value);
 
+/// JSON for a file, lines indented if `indent` is not negative. All of it is ASCII, other characters are escaped; what
+/// is no UTF-8 (a file's name may be anything) becomes U+FFFD.
+std::string text_of(Json const& value, int indent = -1);
+
 }  // namespace faster::io

@@ -18,6 +18,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
 #include "tool/results_folder.hpp"
+#include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 
@@ -56,6 +57,19 @@ struct Outputs {
     std::unique_ptr<io::OutputFile> events;
 };
 
+/// A long run says beforehand how long; one that is too long has to be forced.
+void announce(RunSize const& size, bool force) {
+    constexpr double long_s = 60;
+    if (!force) {
+        require_memory(size);
+        require_time(size);
+    }
+    if (size.seconds < long_s)
+        return;
+    say("{}\n", text_of(size));
+    finish_saying();
+}
+
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
@@ -79,6 +93,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.build_seconds = seconds_since(start);
     Machine const machine = machine_of(loaded.config);
     std::size_t const samples = workload->samples();
+    announce(size_of_run(loaded.config, machine, *workload), request.force);
 
     extras.before(*workload);
     start = HostClock::now();
@@ -88,6 +103,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     {
         ProgressLine progress("samples");
         SimulationOptions options;
+        options.at_any_size = request.force;
         options.critical_path = request.critical_path || outputs.report;
         options.recorded = request.sensitivities || outputs.events ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, machine, samples);
@@ -139,6 +155,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
+            command.add_flag("--force", request->force,
+                             "Run even if it takes more than an hour or more memory than there is");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

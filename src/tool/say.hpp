@@ -6,8 +6,8 @@
 
 namespace faster {
 
-/// Prints to stdout, with what came from outside escaped: see printable_lines(). Throws InputError if stdout is closed or
-/// full.
+/// Prints to stdout, with what came from outside escaped: see printable_lines(). Throws InputError if stdout is closed
+/// or full.
 void say_text(std::string_view text);
 
 template <class... Arguments> void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {

@@ -30,7 +30,7 @@ TEST_CASE("What moves the cursor or the order of reading is escaped, and so is w
     CHECK(printable("\xE2\x81\xA6\xE2\x80\xA8\xD8\x9C") == "\\u2066\\u2028\\u061c");
     CHECK(printable("\xF3\xA0\x80\x81") == "\\U000e0001");
     CHECK(printable("\xFF\xC3") == "\\xff\\xc3");
-    CHECK(printable("\xC0\xAF") == "\\xc0\\xaf");          // overlong
+    CHECK(printable("\xC0\xAF") == "\\xc0\\xaf");           // overlong
     CHECK(printable("\xED\xA0\x80") == "\\xed\\xa0\\x80");  // a surrogate
     CHECK(printable("\xF4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");
 }

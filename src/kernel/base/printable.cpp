@@ -13,7 +13,7 @@ constexpr std::string_view ellipsis = "...";
 
 /// Lengths in bytes; a cut is moved so that no character is cut.
 constexpr std::size_t longest_value = 80;
-constexpr std::size_t longest_word = 300;     ///< of a message; paths are rarely longer
+constexpr std::size_t longest_word = 300;  ///< of a message; paths are rarely longer
 constexpr std::size_t longest_message = 2000;
 
 std::string escape(char32_t code) {

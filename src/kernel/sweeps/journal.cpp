@@ -36,7 +36,7 @@ bool is_whole(std::string_view row) {
 void read_row(std::string_view row, JournalContent& content) {
     try {
         if (is_whole(row)) {
-            Json const json = Json::parse(row.substr(checksum_letters + 1));
+            Json const json = io::parse_json(row.substr(checksum_letters + 1));
             content.results[json.at("point").get<std::string>()] = result_from_json(json.at("result"));
             return;
         }

@@ -26,7 +26,7 @@ std::string to_text(Manifest const& manifest) {
 
 Manifest manifest_from_text(std::string const& text, std::string const& file) {
     try {
-        Json const json = Json::parse(text);
+        Json const json = io::parse_json(text);
         if (json.at("format") != "faster-sweep-folder" || json.at("version") != 1)
             throw InputError(file + ": is of another format or version, expected faster-sweep-folder, 1");
         Manifest manifest;

@@ -1,12 +1,17 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "kernel/base/json.hpp"
 
 namespace faster::io {
 
-/// The JSON of a file. Throws InputError (file:line) if it is none, for example cut off; `expected` ends the message.
+/// Json::parse() of text from outside: throws Json::parse_error also where arrays and objects are more than 64 deep.
+Json parse_json(std::string_view text);
+
+/// The JSON of a file of at most 256 MiB. Throws InputError (file:line) if it is none, for example cut off; `expected`
+/// ends the message.
 Json read_json_file(std::filesystem::path const& path, std::string const& expected);
 
 /// A value for a message: on one line, and not the whole of a large table.

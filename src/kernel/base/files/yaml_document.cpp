@@ -15,9 +15,10 @@
 namespace faster {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{4} << 20U;  ///< of a file; yaml-cpp takes a hundred times as much memory
-constexpr std::size_t deepest = 32;                        ///< of maps and lists in each other
-constexpr std::size_t most_values = 1'000'000;             ///< aliases counted as what they stand for
+constexpr std::size_t most_yaml_bytes = std::size_t{4}
+                                        << 20U;  ///< of a file; yaml-cpp takes a hundred times as much memory
+constexpr std::size_t deepest = 32;              ///< of maps and lists in each other
+constexpr std::size_t most_values = 1'000'000;   ///< aliases counted as what they stand for
 
 /// Sees where a document starts, drops the rest, and gives up on one that is too deep or, with its aliases, too large.
 class DocumentObserver : public YAML::EventHandler {
@@ -112,7 +113,7 @@ YAML::Node parse_document(std::string const& text) {
 }
 
 YAML::Node load_document(std::filesystem::path const& path, std::string const& expected) {
-    std::string const text = io::read_file(path, expected, most_bytes);
+    std::string const text = io::read_file(path, expected, most_yaml_bytes);
     require_text(path, text);
     try {
         return parse_document(text);

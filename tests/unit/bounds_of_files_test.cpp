@@ -1,13 +1,17 @@
-#include "kernel/base/files/yaml_document.hpp"
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "kernel/base/files/csv_cells.hpp"
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/files/yaml_document.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
 using Catch::Matchers::Contains;
 using faster::load_document;
+using faster::io::parse_json;
+using faster::io::read_csv_cells;
+using faster::io::read_json_file;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
 
@@ -67,4 +71,26 @@ TEST_CASE("Folders and loops of links are told apart from files that are missing
     std::filesystem::create_symlink("a", folder / "b");
     CHECK_THAT(error(folder / "a"), Contains("/a: cannot be read (Too many levels of symbolic links), expected"));
     CHECK_THAT(error(folder / "c"), Contains("/c: no such file, expected a configuration file"));
+}
+
+TEST_CASE("JSON is nested 64 deep and no deeper, whatever stands in its strings") {
+    auto const nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+    CHECK(parse_json(nested(64)).is_array());
+    CHECK(parse_json("[\"" + std::string(1000, '[') + "\\\"[[" + "\"]").size() == 1);
+    TempFolder const folder;
+    for (std::string const& text : {nested(65), std::string(1'000'000, '['), "{\"a\": " + nested(64) + "}"}) {
+        auto const file = folder.write("a.json", text);
+        CHECK_THAT(input_error_text([&] { read_json_file(file, "none"); }),
+                   Contains("a.json:1: is cut off or no JSON"));
+    }
+}
+
+TEST_CASE("A table has ten thousand columns and no more") {
+    TempFolder const folder;
+    auto const error = [&](std::size_t commas) {
+        auto const file = folder.write("a.csv", "a" + std::string(commas, ',') + "\n");
+        return input_error_text([&] { read_csv_cells(file, {"a"}, [](std::size_t, std::string_view const*) {}); });
+    };
+    CHECK(error(9'999) == "(no error)");
+    CHECK_THAT(error(10'000), Contains("a.csv:1: 10001 columns, expected at most 10000"));
 }

@@ -19,7 +19,7 @@ int list_targets() {
 }  // namespace
 
 /// libsystemc has a main(), which would call it. The fuzzer has another.
-int sc_main(int, char**) { return EXIT_FAILURE; }
+extern "C" int sc_main(int, char**) { return EXIT_FAILURE; }
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     std::string const option = "--target=";

@@ -79,9 +79,8 @@ LoopIterations loop_iterations(Stimulus const& stimulus) {
         for (SampleInput const& sample : stimulus.samples)
             triangles += sample.triangle_count;
         double const pixels_per_code = std::ldexp(1.0, -stimulus.fraction.vertex_xy);
-        pixels = mean_pixels(stimulus.triangles.size(), [&](std::size_t i) {
-            return pixels_of(stimulus.triangles[i], pixels_per_code, window);
-        });
+        pixels = mean_pixels(stimulus.triangles.size(),
+                             [&](std::size_t i) { return pixels_of(stimulus.triangles[i], pixels_per_code, window); });
     }
     return {samples * passes_over_window * window * window, triangles * (3 * iterations_of_corner + pixels)};
 }

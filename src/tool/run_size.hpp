@@ -12,8 +12,8 @@ namespace faster {
 struct RunSize {
     std::size_t samples = 0;
     LoopIterations iterations;
-    double seconds = 0;     ///< of the host
-    double bytes = 0;       ///< of memory, at its end
+    double seconds = 0;  ///< of the host
+    double bytes = 0;    ///< of memory, at its end
 };
 
 RunSize size_of_run(RunConfig const& config, Machine const& machine, Workload const& workload);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -91,6 +92,7 @@ class Tool {
 }  // namespace
 
 int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit of size is an error like a full disk
     keep_freed_memory();
     program_name() = text.name;
     return Tool(text, commands).run(argc, argv);

@@ -114,3 +114,24 @@ TEST_CASE("A mesh on which the library that reads it crashes is bad input like a
     check_bad_input(workspace.run({"--set", "workload.object=" + file}),
                     {"crash.off: cannot be read as a mesh (the library that reads it", "expected a valid off file"});
 }
+
+TEST_CASE("A limit of file sizes is one line, and nothing half-written is left") {
+    SmallWorkspace const workspace;
+    faster::test::require_done(workspace.run({"--events", "a.events"}));
+    std::size_t const files = workspace.files_in("");
+    auto const limited = [&](std::string const& limit, std::string const& command, std::string const& why) {
+        std::string const line = "ulimit " + limit + "; exec " FASTER_SIM_BINARY " " + command;
+        CommandResult const result = run_command("/bin/sh", {"-c", line}, workspace.folder().path());
+        CAPTURE(line, result.err);
+        check_bad_input(result, {why, "cannot"});
+        CHECK(result.err.find("partial") == std::string::npos);
+        CHECK(result.err.find("unexpected") == std::string::npos);
+        CHECK(workspace.files_in("") == files);
+    };
+    limited("-f 1", "run config.yaml --out out", "out/summary.json: cannot be written (File too large)");
+    limited("-f 1", "run config.yaml --report r.html", "File too large");
+    limited("-f 1", "run config.yaml --events b.events", "File too large");
+    limited("-f 1", "run config.yaml --timeline t.json", "File too large");
+    limited("-f 1", "whatif a.events --out out", "out/summary.json: cannot be written (File too large)");
+    limited("-f 1", "check --init config.yaml --out b.yaml", "b.yaml: cannot be written");
+}

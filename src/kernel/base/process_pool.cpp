@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 
 namespace faster::processes {
@@ -30,7 +32,8 @@ class Child {
         : number_(number), time_limit_s_(task.time_limit_s), most_output_bytes_(task.most_output_bytes) {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0)
-            throw std::runtime_error("no pipe for another process");
+            throw InputError(std::string("no pipe for another process (") + std::strerror(errno) +
+                             "), expected room for more open files");
         pid_t const parent = getpid();
         process_ = fork();
         if (process_ == 0) {
@@ -41,7 +44,8 @@ class Child {
         pipe_ = ends[0];
         if (process_ < 0) {
             close(pipe_);
-            throw std::runtime_error("no further process");
+            throw InputError(std::string("no further process (") + std::strerror(errno) +
+                             "), expected room for more processes");
         }
     }
     ~Child() {

@@ -1,10 +1,13 @@
 #include "kernel/base/files/text_file.hpp"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 
 #include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/hidden_name.hpp"
 
 namespace faster::io {
 namespace {
@@ -61,12 +64,12 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
 }
 
 void write_file(std::filesystem::path const& path, std::string_view content) {
+    errno = 0;
     std::ofstream stream(path, std::ios::binary | std::ios::trunc);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     stream.close();
-    if (!stream) {
-        fail(path, "cannot be written");
-    }
+    if (!stream)
+        fail_to_write(without_hidden_names(path), errno != 0 ? std::strerror(errno) : "no room for it, or not allowed");
 }
 
 }  // namespace faster::io

@@ -55,6 +55,30 @@ void DataflowCore::remove_tap(std::size_t fifo, recording::TokenTap& tap) {
     taps.erase(std::remove(taps.begin(), taps.end(), &tap), taps.end());
 }
 
+WriteDistances* DataflowCore::write_distances(std::size_t process, std::string_view loop, std::string_view memory) {
+    std::size_t const number = machine_->loop(process, loop);
+    std::vector<MachineDependence> const& dependences = machine_->loops[number].dependences;
+    std::size_t const of_memory = machine_->memory(memory);
+    for (std::size_t i = 0; watches_dependences_ && i < dependences.size(); ++i)
+        if (dependences[i].memory == of_memory) {
+            watched_.push_back(
+                {number, i,
+                 std::make_unique<WriteDistances>(machine_->memories[of_memory].words, dependences[i].span())});
+            return watched_.back().distances.get();
+        }
+    return nullptr;
+}
+
+std::vector<DependenceStatistics> DataflowCore::dependences() const {
+    std::vector<DependenceStatistics> all;
+    for (WatchedDependence const& one : watched_)
+        all.push_back({one.loop, one.number, one.distances->smallest(), one.distances->counts()});
+    std::sort(all.begin(), all.end(), [](DependenceStatistics const& a, DependenceStatistics const& b) {
+        return a.loop != b.loop ? a.loop < b.loop : a.number < b.number;
+    });
+    return all;
+}
+
 void DataflowCore::catch_up() {
     if (time_base_.engine == Engine::decoupled)
         timing_.resolve(false);

@@ -10,6 +10,7 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/time_base.hpp"
+#include "kernel/base/write_distances.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/machine/machine.hpp"
@@ -60,6 +61,13 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     virtual std::size_t results() const { return samples_ended_; }
     virtual Counters result(std::size_t /*i*/) const { return {}; }
 
+    /// From now on, loops whose addresses their modules tell are looked after. Before the core is elaborated.
+    void watch_dependences() { watches_dependences_ = true; }
+    /// Where a loop tells which words of a memory it accesses; null if nobody wants to know, or if it does not write
+    /// the memory.
+    WriteDistances* write_distances(std::size_t process, std::string_view loop, std::string_view memory);
+    std::vector<DependenceStatistics> dependences() const;
+
     /// Calls back after every sample.
     void set_progress(std::function<void()> progress) { progress_ = std::move(progress); }
     /// Calls back when the core is wired up and nothing has happened yet.
@@ -106,6 +114,13 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     TimeBase time_base_;
     timing::CoreTiming timing_;
     std::vector<std::unique_ptr<FifoChannel>> made_;
+    struct WatchedDependence {
+        std::size_t loop;    // number in the machine
+        std::size_t number;  // of the dependence in the loop
+        std::unique_ptr<WriteDistances> distances;
+    };
+    bool watches_dependences_ = false;
+    std::vector<WatchedDependence> watched_;
     mutable std::vector<FifoChannel*> channels_;  // empty until somebody asks for them
     std::function<void()> progress_;
     std::vector<std::function<void()>> starts_;

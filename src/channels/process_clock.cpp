@@ -69,6 +69,10 @@ std::uint64_t ProcessClock::number(std::string_view name) const {
     return found->second;
 }
 
+WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string_view memory) {
+    return dataflow_core_.write_distances(timing_.index(), loop, memory);
+}
+
 timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.read_port(); }
 
 /// How many iterations after the one that takes a token of the FIFO the loop has begun by then.

@@ -9,6 +9,7 @@
 #include "channels/time_base.hpp"
 #include "kernel/base/cycles.hpp"
 #include "kernel/base/source_site.hpp"
+#include "kernel/base/write_distances.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster {
@@ -36,6 +37,10 @@ class ProcessClock {
     /// What the configuration says of a number of the module, by its name: ModuleDescription::number().
     /// Errors: std::out_of_range if the module has no such number.
     std::uint64_t number(std::string_view name) const;
+
+    /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
+    /// wants to know, as mostly.
+    WriteDistances* write_distances(std::string_view loop, std::string_view memory);
 
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();

@@ -58,6 +58,8 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
             core->set_progress([&done, &options] { options.progress(++done); });
         if (options.critical_path)
             core->timing().leave_trail(options.trail_length);
+        if (options.hazards)
+            core->watch_dependences();
     }
     Recordings recordings(accelerator, options.recordings);
     std::unique_ptr<Taping> taping;
@@ -68,6 +70,8 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     RunStatistics run = statistics_of(accelerator, taping.get());
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);
+    for (std::size_t i = 0; i < run.cores.size(); ++i)
+        run.cores[i].dependences = accelerator.cores()[i]->dependences();
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.total_cycles);
     return run;
 }

@@ -29,6 +29,10 @@ struct EdgeMapDesign {
     PerMap clear;   ///< bits of map_touch of an iteration of edge_map_builder.clear,
     PerMap token;   ///< .token
     PerMap output;  ///< and .output
+    /// Words that an iteration of the token loop reads and writes at most, in whichever branch: the branch that a
+    /// schedule has to provide for need not be the one that writes.
+    PerMap token_reads;
+    PerMap token_writes;
     /// Initiation interval of the token loop that reading after writing demands. Thesis 5.4: a write takes two cycles,
     /// so an iteration that may read what the one before wrote has to start two cycles after it. The designs with two
     /// maps declare that they do not (`dependence inter false`).
@@ -38,29 +42,47 @@ struct EdgeMapDesign {
 /// In the order of EdgeMapAlgorithm.
 constexpr std::array<EdgeMapDesign, 6> edge_map_designs{{
     // threshold: reads a state and writes the next
-    {{2, 0}, {map_touch::write_own, 0}, {map_touch::read_own | map_touch::write_own, 0}, {map_touch::read_own, 0}, 2},
+    {{2, 0},
+     {map_touch::write_own, 0},
+     {map_touch::read_own | map_touch::write_own, 0},
+     {map_touch::read_own, 0},
+     {1, 0},
+     {1, 0},
+     2},
     // transition: an edge token reads and writes
-    {{2, 0}, {map_touch::write_own, 0}, {map_touch::read_own | map_touch::write_own, 0}, {map_touch::read_own, 0}, 2},
+    {{2, 0},
+     {map_touch::write_own, 0},
+     {map_touch::read_own | map_touch::write_own, 0},
+     {map_touch::read_own, 0},
+     {1, 0},
+     {1, 0},
+     2},
     // bounded: an object token writes, and reads and writes above and below
     {{2, 0},
      {map_touch::write_own, 0},
      {map_touch::write_own | map_touch::read_vertical | map_touch::write_vertical, 0},
      {map_touch::read_own, 0},
+     {2, 0},
+     {3, 0},
      2},
     // dual_map: SPEC section 3
     {{1, 1},
      {map_touch::write_own, map_touch::write_own},
      {map_touch::write_vertical, map_touch::read_vertical},
      {map_touch::read_own, 0},
+     {0, 2},
+     {2, 1},
      1},
     // dual_map_4_1_2: an object token writes its bit and reads two
     {{1, 1},
      {map_touch::write_own, map_touch::write_own},
      {map_touch::write_vertical, map_touch::write_own | map_touch::read_vertical},
      {map_touch::read_own, 0},
+     {0, 2},
+     {2, 1},
      1},
     // inner_border: an object token writes its bit
-    {{0, 1}, {0, map_touch::write_own}, {0, map_touch::write_own}, {0, map_touch::read_own}, 1},
+    {{0, 1}, {0, map_touch::write_own}, {0, map_touch::write_own}, {0, map_touch::read_own}, {0, 0}, {0, 1}, 1},
 }};
 
 constexpr EdgeMapDesign const& design_of(EdgeMapAlgorithm algorithm) {

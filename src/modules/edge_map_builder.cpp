@@ -11,11 +11,17 @@ namespace faster {
 
 namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
+
+/// A read takes a cycle, and what is written depends on it (SYSTEM.md section 9).
+MemoryStages token_stages(char const* map, std::uint64_t reads, std::uint64_t writes) {
+    return {map, 2, 3, reads, writes};
+}
 }  // namespace
 
 ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
     EdgeMapDesign const& design = design_of(config.edge_map.algorithm);
     Condition const two_buffers = has_map_buffers(config, true);
+    auto const lanes = static_cast<std::uint64_t>(config.flow == Flow::faster ? config.rasterizer.lanes : 1);
     ModuleDescription module("edge_map_builder");
     module.only_if(finds_edges_while_drawing(config));
     module.reads_from("edge_token");
@@ -31,8 +37,12 @@ ModuleDescription EdgeMapBuilder::describe(AcceleratorConfig const& config) {
     EdgeMapReadOut::touch(module.loop("token")
                               .does("takes one edge token per iteration, or finishes the object token before it")
                               .of_depth(4)
-                              .recurs_every(design.token_recurrence),
-                          design.token, config.flow == Flow::faster ? config.rasterizer.lanes : 1);
+                              .recurs_every(design.token_recurrence)
+                              .in_stages(token_stages("edge_map", design.token_reads.edge_map * lanes,
+                                                      design.token_writes.edge_map * lanes))
+                              .in_stages(token_stages("object_map", design.token_reads.object_map * lanes,
+                                                      design.token_writes.object_map * lanes)),
+                          design.token, static_cast<int>(lanes));
     EdgeMapReadOut::describe_loop(module, config).only_if(has_map_buffers(config, false));
     auto const side = static_cast<std::uint64_t>(config.window);
     auto const add_map = [&](char const* name, char const* contents, std::uint64_t bits) {
@@ -61,6 +71,7 @@ void EdgeMapBuilder::end_of_elaboration() {
     map_full_ = channel_of(map_full_out);
     clear_loop_ = clock_.loop("clear");
     token_loop_ = clock_.loop("token");
+    watch_ = {clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")};
     if (ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out); edge_map != nullptr)
         read_out_.connect(*edge_map);
 }
@@ -114,6 +125,7 @@ void EdgeMapBuilder::build() {
         return;
     }
     clock_.enter_loop(token_loop_);
+    watch_.enter();
     while (take_tokens(current)) {
     }
     clock_.leave_loop();
@@ -142,14 +154,25 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 /// The iterations of `current` and of all but the last of `next`, told to the clock together: a bit each that says
 /// whether a second one followed.
 void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
-    std::uint32_t const seconds = maps_->take(current, next, count);
+    std::uint32_t const seconds = is_watched() ? take_watched(current, next, count) : maps_->take(current, next, count);
     current = next[count - 1];
     clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
 }
 
+/// The same, one by one.
+std::uint32_t EdgeMapBuilder::take_watched(EdgeToken const& current, EdgeToken const* next, unsigned count) {
+    std::uint32_t seconds = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        watch_.next_iteration();
+        seconds |= std::uint32_t{maps_->take_watched(i == 0 ? current : next[i - 1], watch_)} << i;
+    }
+    return seconds;
+}
+
 /// The last token before the end: its second iteration only runs if the configuration says so.
 void EdgeMapBuilder::take_last(EdgeToken const& current) {
-    bool const second = maps_->take_last(current, core_.config.edge_map.flush_last);
+    watch_.next_iteration();
+    bool const second = maps_->take_last_watched(current, core_.config.edge_map.flush_last, watch_);
     clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
 }
 

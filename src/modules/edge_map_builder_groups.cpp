@@ -20,6 +20,7 @@ void EdgeMapBuilder::build_of_groups() {
         return;
     }
     clock_.enter_loop(token_loop_);
+    watch_.enter();
     while (take_groups(current)) {
     }
     clock_.leave_loop();
@@ -46,7 +47,13 @@ void EdgeMapBuilder::take_group(PixelGroup const& group) {
         tokens[count++] = {group.row, static_cast<std::int16_t>(group.col + static_cast<int>(lane)),
                            EdgeTokenKind::Object};
     });
-    maps_->take(tokens[0], &tokens[1], count);
+    if (!is_watched()) {
+        maps_->take(tokens[0], &tokens[1], count);
+        return;
+    }
+    watch_.next_iteration();
+    for (unsigned i = 0; i < count; ++i)
+        maps_->take_watched(tokens[i], watch_);
 }
 
 }  // namespace faster

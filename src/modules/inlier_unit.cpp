@@ -11,6 +11,7 @@ namespace faster {
 
 ModuleDescription InlierUnit::describe(AcceleratorConfig const& config) {
     Condition const two_buffers = has_depth_buffers(config, true);
+    auto const lanes = static_cast<std::uint64_t>(config.rasterizer.lanes);
     ModuleDescription module("inlier_unit");
     module.reads_from("area_reciprocal");
     module.reads_from("fragment_depth");
@@ -29,7 +30,8 @@ ModuleDescription InlierUnit::describe(AcceleratorConfig const& config) {
     module.loop("fragment")
         .does("takes one fragment or group per iteration")
         .of_depth(10)
-        .accesses_memory("depth_buffer", widened({{{0, 0}}, {{0, 0}}}, config.rasterizer.lanes));
+        .accesses_memory("depth_buffer", widened({{{0, 0}}, {{0, 0}}}, config.rasterizer.lanes))
+        .in_stages({"depth_buffer", 7, 9, lanes, lanes});
     Scoring::describe_loops(module, config, has_depth_buffers(config, false));
     auto const side = static_cast<std::uint64_t>(config.window);
     unsigned const edge_bit = config.flow == Flow::fpga_grip ? 1 : 0;  // extracted edge bits ride in the words
@@ -66,6 +68,7 @@ void InlierUnit::end_of_elaboration() {
     depth_free_ = channel_of(depth_free_in);
     clear_loop_ = clock_.loop("clear");
     fragment_loop_ = clock_.loop("fragment");
+    distances_ = clock_.write_distances("fragment", "depth_buffer");
     if (result_ != nullptr)  // otherwise the sweep is another process's
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
     triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
@@ -141,7 +144,7 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
         clock_.advance(1);
         return command;
     }
-    clock_.enter_loop(fragment_loop_);
+    enter_fragment_loop();
     while (command == Command::Fragment)
         take_fragments(reciprocal, command);
     clock_.leave_loop();
@@ -156,7 +159,7 @@ void InlierUnit::draw_in_one_loop() {
     if (command == Command::End)
         return;
     std::uint64_t reciprocal = 0;
-    clock_.enter_loop(fragment_loop_);
+    enter_fragment_loop();
     while (command != Command::End) {
         if (command == Command::Triangle)
             take_triangle(reciprocal, command);
@@ -166,12 +169,20 @@ void InlierUnit::draw_in_one_loop() {
     clock_.leave_loop();
 }
 
+void InlierUnit::enter_fragment_loop() {
+    clock_.enter_loop(fragment_loop_);
+    if (distances_ != nullptr)
+        distances_->enter();
+}
+
 void InlierUnit::take_triangle(std::uint64_t& reciprocal, Command& command) {
     area_reciprocal_->peek();
     command_->peek();
     reciprocal = *area_reciprocal_->front();
     command = *command_->front();
     clock_.iterate(triangle_ports_, 1);
+    if (distances_ != nullptr)
+        distances_->next_iteration();
     area_reciprocal_->consume(1);
     command_->consume(1);
 }
@@ -179,7 +190,9 @@ void InlierUnit::take_triangle(std::uint64_t& reciprocal, Command& command) {
 void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
     if (fragment_depth_ == nullptr)
         return take_groups(reciprocal, command);
-    std::size_t const drawn = draw_burst(reciprocal, command);
+    NoWriteDistances nobody;
+    std::size_t const drawn =
+        distances_ != nullptr ? draw_burst(*distances_, reciprocal, command) : draw_burst(nobody, reciprocal, command);
     clock_.iterate(fragment_ports_, drawn);
     fragment_depth_->consume(drawn);
     fragment_index_->consume(drawn);
@@ -187,7 +200,8 @@ void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
 }
 
 /// Draws the fragments at hand, each reading the command of the next. Returns their number.
-std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
+template <class Distances>
+std::size_t InlierUnit::draw_burst(Distances& distances, std::uint64_t reciprocal, Command& command) {
     std::size_t available = fragment_depth_->peek();
     available = std::min(available, fragment_index_->peek());
     available = std::min(available, command_->peek());
@@ -199,11 +213,17 @@ std::size_t InlierUnit::draw_burst(std::uint64_t reciprocal, Command& command) {
     std::uint64_t drawn = 0;
     std::size_t n = 0;
     for (; n < available && command == Command::Fragment; ++n) {
+        distances.next_iteration();
         auto const row = static_cast<unsigned>(int{index[n].row});
         auto const col = static_cast<unsigned>(int{index[n].col});
         if (row < side && col < side) {
             std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum[n]), reciprocal);
-            drawn += depth_unit_.draw(depth, words[std::size_t{row} * side + col]) ? 1U : 0U;
+            std::size_t const word = std::size_t{row} * side + col;
+            bool const is_drawn = depth_unit_.draw(depth, words[word]);
+            distances.read(word);
+            if (is_drawn)
+                distances.overwrite(word);
+            drawn += is_drawn ? 1U : 0U;
         }
         command = next[n];
     }

@@ -51,13 +51,16 @@ class InlierUnit : public sc_core::sc_module {
     void clear();
     void draw_triangles();
     void draw_in_one_loop();
+    void enter_fragment_loop();
     void take_triangle(std::uint64_t& reciprocal, Command& command);
     void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);
-    std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
+    template <class Distances> std::size_t draw_burst(Distances& distances, std::uint64_t reciprocal, Command& command);
     void take_groups(std::uint64_t reciprocal, Command& command);
     std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
-    unsigned draw_group(std::uint64_t reciprocal, DepthGroup const& depths, PixelGroup const& pixels);
+    template <class Distances>
+    unsigned draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
+                        PixelGroup const& pixels);
     PixelBox turn_to_sweep();
     Corners read_region();
     FragmentIndex read_corner();
@@ -85,6 +88,7 @@ class InlierUnit : public sc_core::sc_module {
     timing::Ports fragment_ports_;
     unsigned clear_loop_ = 0;
     unsigned fragment_loop_ = 0;
+    WriteDistances* distances_ = nullptr;  ///< told what the fragment loop does; mostly null
 };
 
 }  // namespace faster

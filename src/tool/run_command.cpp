@@ -105,6 +105,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         SimulationOptions options;
         options.at_any_size = request.force;
         options.critical_path = request.critical_path || outputs.report;
+        options.hazards = request.hazards;
         options.recorded = request.sensitivities || outputs.events ? &recorded : nullptr;
         options.recordings = make_recordings(request.recording, machine, samples);
         if (outputs.report)
@@ -157,6 +158,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
             command.add_flag("--force", request->force,
                              "Run even if it takes more than an hour or more memory than there is");
+            command.add_flag("--hazards", request->hazards,
+                             "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

@@ -18,6 +18,7 @@ struct RunRequest {
     bool critical_path = false;          ///< trace it
     bool sensitivities = false;          ///< work them out
     bool force = false;                  ///< however long it takes, whatever memory there is
+    bool hazards = false;                ///< look for them
     RecordingRequest recording;
 };
 

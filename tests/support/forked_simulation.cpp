@@ -69,6 +69,8 @@ template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
             visit(cycles);
         visit(row.stalls, row.port_conflicts);
     }
+    for (auto& row : core.dependences)
+        visit(row.loop, row.number, row.smallest, row.counts);
 }
 
 template <class Visit, class Row> void visit_stuck(Visit visit, Row& row) {
@@ -95,7 +97,8 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
     CriticalPath const path = run.critical_path.value_or(CriticalPath{});
     put(std::string{}, run.total_cycles, run.critical_path.has_value(), path.core, run.samples.size(), run.cores.size(),
-        run.stuck.size(), path.rows.size(), run.sensitivities.size(), run.alternatives.size(), maps.size());
+        run.stuck.size(), path.rows.size(), run.sensitivities.size(), run.alternatives.size(),
+        run.cores.empty() ? std::size_t{0} : run.cores.front().dependences.size(), maps.size());
     for (auto const& row : run.samples)
         visit_sample(put, row);
     for (auto const& row : run.cores)
@@ -140,6 +143,9 @@ ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
     path.rows.resize(reader.get_size());
     run.statistics.sensitivities.resize(reader.get_size());
     run.statistics.alternatives.resize(reader.get_size());
+    std::size_t const dependences = reader.get_size();
+    for (CoreStatistics& core : run.statistics.cores)
+        core.dependences.resize(dependences);
     run.maps.resize(reader.get_size());
     for (auto& row : run.statistics.samples)
         visit_sample(get, row);
@@ -182,6 +188,7 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         MapCollector collector(wanted.with_maps ? stimulus.samples.size() : 0, stimulus.window);
         SimulationOptions options;
         options.critical_path = wanted.critical_path;
+        options.hazards = wanted.hazards;
         options.trail_length = wanted.trail_length;
         options.recordings = wanted.recordings;
         replay::RecordedRun recorded;

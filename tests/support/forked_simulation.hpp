@@ -19,6 +19,7 @@ struct ForkOptions {
     bool with_maps = false;
     bool critical_path = false;
     bool sensitivities = false;
+    bool hazards = false;
     std::filesystem::path events{};  ///< event file to be written, unless the run deadlocks; empty: none
     std::size_t trail_length = timing::Trail::usual_length;
     std::vector<Recording> recordings{};  ///< handed over in the child: they can tell by throwing

@@ -9,16 +9,16 @@ class BoundedMap final : public SingleMap<BoundedMap> {
   public:
     using SingleMap::SingleMap;
 
-    void take_one(EdgeToken const& token) {
+    template <class Watch> void take_one(EdgeToken const& token, Watch const& watch) {
         if (token.kind != EdgeTokenKind::Object) {
-            make_edge(token.row, token.col);
+            make_edge(token.row, token.col, watch);
             return;
         }
-        state(token.row, token.col) = no_edge;
+        write(token.row, token.col, no_edge, watch);
         if (is_inside(token.row + 1))
-            make_edge(token.row + 1, token.col);
+            make_edge(token.row + 1, token.col, watch);
         if (is_inside(token.row - 1))
-            make_edge(token.row - 1, token.col);
+            make_edge(token.row - 1, token.col, watch);
     }
 };
 

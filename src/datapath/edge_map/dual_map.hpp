@@ -16,19 +16,29 @@ class DualMap final : public EdgeMapPolicy {
         return take_each(first, rest, count, [this](EdgeToken const& token) { return maps_.mark(token); });
     }
 
-    bool take_last(EdgeToken const& token, bool flush_last) override {
+    bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
+        maps_.take(token, watch);
+        return take_second_if(maps_.needs_second(token), token, watch);
+    }
+
+    bool take_last_watched(EdgeToken const& token, bool flush_last, MapWatch const& watch) override {
         maps_.settle();
-        maps_.take(token);
-        bool const second = flush_last && maps_.needs_second(token);
-        if (second)
-            maps_.take_second(token);
-        return second;
+        maps_.take(token, watch);
+        return take_second_if(flush_last && maps_.needs_second(token), token, watch);
     }
 
     std::uint8_t const* edge() const override { return maps_.edge(); }
     std::uint8_t const* object() const override { return maps_.object(); }
 
   private:
+    bool take_second_if(bool is_due, EdgeToken const& token, MapWatch const& watch) {
+        if (is_due) {
+            watch.next_iteration();
+            maps_.take_second(token, watch);
+        }
+        return is_due;
+    }
+
     EdgeMaps maps_;
 };
 

@@ -19,17 +19,23 @@ class DualMapFirstWrite final : public EdgeMapPolicy {
 
     std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) override {
         return take_each(first, rest, count, [this](EdgeToken const& token) -> std::uint32_t {
-            if (!take_first(token))
+            if (!take_first(token, NoMapWatch()))
                 return 0;
-            take_second(token);
+            take_second(token, NoMapWatch());
             return 1;
         });
     }
 
-    bool take_last(EdgeToken const& token, bool flush_last) override {
-        bool const second = take_first(token) && flush_last;
-        if (second)
-            take_second(token);
+    bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
+        return take_last_watched(token, true, watch);
+    }
+
+    bool take_last_watched(EdgeToken const& token, bool flush_last, MapWatch const& watch) override {
+        bool const second = take_first(token, watch) && flush_last;
+        if (second) {
+            watch.next_iteration();
+            take_second(token, watch);
+        }
         return second;
     }
 
@@ -38,25 +44,36 @@ class DualMapFirstWrite final : public EdgeMapPolicy {
 
   private:
     /// The iteration that consumes the token. True if a second is due.
-    bool take_first(EdgeToken const& token) {
+    template <class Watch> bool take_first(EdgeToken const& token, Watch const& watch) {
         if (!covers(token))
             return false;
         std::size_t const pixel = index(token.row, token.col);
         if (token.kind != EdgeTokenKind::Object) {
+            watch.reads_object(pixel);
             if (object_[pixel] == 0)
-                edge_[pixel] = 1;
+                make_edge(pixel, watch);
             return false;
         }
         object_[pixel] = 1;
         edge_[pixel] = 0;
+        watch.writes_object(pixel);
+        watch.writes_edge(pixel);
+        for (int const row : {token.row + 1, token.row - 1})
+            if (is_inside(row))
+                watch.reads_object(index(row, token.col));
         return is_uncovered(token.row + 1, token.col) || is_uncovered(token.row - 1, token.col);
     }
 
     /// Nothing has written in between, so what is due can be looked at again.
-    void take_second(EdgeToken const& token) {
+    template <class Watch> void take_second(EdgeToken const& token, Watch const& watch) {
         for (int const row : {token.row - 1, token.row + 1})
             if (is_uncovered(row, token.col))
-                edge_[index(row, token.col)] = 1;
+                make_edge(index(row, token.col), watch);
+    }
+
+    template <class Watch> void make_edge(std::size_t pixel, Watch const& watch) {
+        edge_[pixel] = 1;
+        watch.writes_edge(pixel);
     }
 
     bool is_uncovered(int row, int col) const { return is_inside(row) && object_[index(row, col)] == 0; }

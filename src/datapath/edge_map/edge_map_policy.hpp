@@ -5,6 +5,7 @@
 
 #include "common/edge_map_config.hpp"
 #include "common/tokens.hpp"
+#include "datapath/edge_map/map_watch.hpp"
 
 namespace faster::datapath {
 
@@ -29,7 +30,12 @@ class EdgeMapPolicy {
 
     /// The iterations of the last token. The end token is read while it is consumed, and thesis A.2 leaves the loop
     /// with it: a second iteration only runs with `flush_last`. True if there was one.
-    virtual bool take_last(EdgeToken const& token, bool flush_last) = 0;
+    bool take_last(EdgeToken const& token, bool flush_last) { return take_last_watched(token, flush_last, {}); }
+
+    /// take() of one token, and take_last(), with what their iterations access. `watch` has been told of the first
+    /// iteration, and is told of the second.
+    virtual bool take_watched(EdgeToken const& token, MapWatch const& watch) = 0;
+    virtual bool take_last_watched(EdgeToken const& token, bool flush_last, MapWatch const& watch) = 0;
 
     /// Called once after all tokens, before anybody looks at the maps.
     virtual void finish() {}

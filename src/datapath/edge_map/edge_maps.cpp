@@ -11,24 +11,34 @@ EdgeMaps::EdgeMaps(int window)
 
 void EdgeMaps::clear() { std::fill(bytes_.begin(), bytes_.end(), std::uint8_t{0}); }
 
-void EdgeMaps::take(EdgeToken const& token) {
+void EdgeMaps::take(EdgeToken const& token, MapWatch const& watch) {
     if (!covers(token))
         return;
-    if (token.kind == EdgeTokenKind::Object)
-        map_[0][index(token.row, token.col)] = 0;
-    else
-        mark_uncovered(token.row, token.col);
+    if (token.kind != EdgeTokenKind::Object) {
+        watch.reads_object(word(token.row, token.col));
+        mark_uncovered(token.row, token.col, watch);
+        return;
+    }
+    map_[0][index(token.row, token.col)] = 0;
+    watch.writes_edge(word(token.row, token.col));
+    for (int const row : {token.row + 1, token.row - 1})
+        if (is_inside(row))
+            watch.reads_object(word(row, token.col));
 }
 
-void EdgeMaps::take_second(EdgeToken const& token) {
+void EdgeMaps::take_second(EdgeToken const& token, MapWatch const& watch) {
     map_[1][index(token.row, token.col)] = 1;
-    mark_uncovered(token.row + 1, token.col);
-    mark_uncovered(token.row - 1, token.col);
+    watch.writes_object(word(token.row, token.col));
+    for (int const row : {token.row + 1, token.row - 1})
+        if (is_inside(row))
+            mark_uncovered(row, token.col, watch);
 }
 
-void EdgeMaps::mark_uncovered(int row, int col) {
-    if (map_[1][index(row, col)] == 0)
-        map_[0][index(row, col)] = 1;
+void EdgeMaps::mark_uncovered(int row, int col, MapWatch const& watch) {
+    if (map_[1][index(row, col)] != 0)
+        return;
+    map_[0][index(row, col)] = 1;
+    watch.writes_edge(word(row, col));
 }
 
 void EdgeMaps::settle() {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/tokens.hpp"
+#include "datapath/edge_map/map_watch.hpp"
 
 namespace faster::datapath {
 
@@ -18,11 +19,11 @@ class EdgeMaps {
     bool needs_second(EdgeToken const& token) const { return token.kind == EdgeTokenKind::Object && covers(token); }
 
     /// The iteration that consumes a token.
-    void take(EdgeToken const& token);
+    void take(EdgeToken const& token, MapWatch const& watch = {});
 
     /// The iteration after it, for the same token. What it looks at was read one iteration earlier; nothing wrote in
     /// between.
-    void take_second(EdgeToken const& token);
+    void take_second(EdgeToken const& token, MapWatch const& watch = {});
 
     /// All iterations of a token: both of an object token, the one of an edge token. For hot loops: it only marks what
     /// the token says, as the order of tokens does not matter. Whether the edge or the object token of a pixel comes
@@ -51,7 +52,9 @@ class EdgeMaps {
     std::size_t index(int row, int col) const {
         return static_cast<std::size_t>(row + 1) * side_ + static_cast<std::size_t>(col);
     }
-    void mark_uncovered(int row, int col);
+    /// The number of a pixel's word, without guards.
+    std::size_t word(int row, int col) const { return index(row, col) - side_; }
+    void mark_uncovered(int row, int col, MapWatch const& watch);
 
     unsigned side_;
     std::vector<std::uint8_t> bytes_;

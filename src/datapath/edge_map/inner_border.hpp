@@ -18,15 +18,18 @@ class InnerBorder final : public EdgeMapPolicy {
 
     std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) override {
         return take_each(first, rest, count, [this](EdgeToken const& token) {
-            if (token.kind == EdgeTokenKind::Object && covers(token))
-                object_[index(token.row, token.col)] = 1;
+            take_one(token, NoMapWatch());
             return std::uint32_t{0};
         });
     }
 
-    bool take_last(EdgeToken const& token, bool /*flush_last*/) override {
-        take(token, nullptr, 1);
+    bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
+        take_one(token, watch);
         return false;
+    }
+
+    bool take_last_watched(EdgeToken const& token, bool /*flush_last*/, MapWatch const& watch) override {
+        return take_watched(token, watch);
     }
 
     void finish() override {
@@ -41,6 +44,13 @@ class InnerBorder final : public EdgeMapPolicy {
     std::uint8_t const* object() const override { return object_.data(); }
 
   private:
+    template <class Watch> void take_one(EdgeToken const& token, Watch const& watch) {
+        if (token.kind != EdgeTokenKind::Object || !covers(token))
+            return;
+        object_[index(token.row, token.col)] = 1;
+        watch.writes_object(index(token.row, token.col));
+    }
+
     bool is_border(int row, int col) const {
         return is_covered(row, col) && !(is_covered(row - 1, col) && is_covered(row + 1, col) &&
                                          is_covered(row, col - 1) && is_covered(row, col + 1));

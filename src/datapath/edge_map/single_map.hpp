@@ -7,7 +7,8 @@
 namespace faster::datapath {
 
 /// What the thesis's early designs have in common: one map of two bits per pixel, and an iteration per token.
-/// `Design` derives from it and has `void take_one(EdgeToken const&)`, which is told only of tokens in the window.
+/// `Design` derives from it and has `void take_one(EdgeToken const&, Watch const&)`, a template over watches, which is
+/// told only of tokens in the window.
 template <class Design> class SingleMap : public EdgeMapPolicy {
   public:
     explicit SingleMap(int window) : EdgeMapPolicy(window), state_(pixels()), edge_(pixels()), object_(pixels()) {}
@@ -17,14 +18,19 @@ template <class Design> class SingleMap : public EdgeMapPolicy {
     std::uint32_t take(EdgeToken const& first, EdgeToken const* rest, unsigned count) override {
         return take_each(first, rest, count, [this](EdgeToken const& token) {
             if (covers(token))
-                static_cast<Design*>(this)->take_one(token);
+                static_cast<Design*>(this)->take_one(token, NoMapWatch());
             return std::uint32_t{0};
         });
     }
 
-    bool take_last(EdgeToken const& token, bool /*flush_last*/) override {
-        take(token, nullptr, 1);
+    bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
+        if (covers(token))
+            static_cast<Design*>(this)->take_one(token, watch);
         return false;
+    }
+
+    bool take_last_watched(EdgeToken const& token, bool /*flush_last*/, MapWatch const& watch) override {
+        return take_watched(token, watch);
     }
 
     void finish() override {
@@ -43,12 +49,26 @@ template <class Design> class SingleMap : public EdgeMapPolicy {
     static constexpr std::uint8_t is_edge = 1;
     static constexpr std::uint8_t no_edge = 2;
 
-    std::uint8_t& state(int row, int col) { return state_[index(row, col)]; }
+    /// Writes a word that the iteration has not read.
+    template <class Watch> void write(int row, int col, std::uint8_t state, Watch const& watch) {
+        state_[index(row, col)] = state;
+        watch.writes_edge(index(row, col));
+    }
+
+    template <class Watch> std::uint8_t read(int row, int col, Watch const& watch) const {
+        watch.reads_edge(index(row, col));
+        return state_[index(row, col)];
+    }
+    /// Writes a word that it has.
+    template <class Watch> void overwrite(int row, int col, std::uint8_t state, Watch const& watch) {
+        state_[index(row, col)] = state;
+        watch.overwrites_edge(index(row, col));
+    }
 
     /// An edge, unless the object is known to be there.
-    void make_edge(int row, int col) {
-        if (state(row, col) != no_edge)
-            state(row, col) = is_edge;
+    template <class Watch> void make_edge(int row, int col, Watch const& watch) {
+        if (read(row, col, watch) != no_edge)
+            overwrite(row, col, is_edge, watch);
     }
 
   private:

@@ -9,9 +9,9 @@ class ThresholdMap final : public SingleMap<ThresholdMap> {
   public:
     using SingleMap::SingleMap;
 
-    void take_one(EdgeToken const& token) {
-        std::uint8_t& seen = state(token.row, token.col);
-        seen = seen == unknown ? is_edge : no_edge;
+    template <class Watch> void take_one(EdgeToken const& token, Watch const& watch) {
+        std::uint8_t const seen = read(token.row, token.col, watch);
+        overwrite(token.row, token.col, seen == unknown ? is_edge : no_edge, watch);
     }
 };
 

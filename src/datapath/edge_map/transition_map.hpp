@@ -9,11 +9,11 @@ class TransitionMap final : public SingleMap<TransitionMap> {
   public:
     using SingleMap::SingleMap;
 
-    void take_one(EdgeToken const& token) {
+    template <class Watch> void take_one(EdgeToken const& token, Watch const& watch) {
         if (token.kind == EdgeTokenKind::Object)
-            state(token.row, token.col) = no_edge;
+            write(token.row, token.col, no_edge, watch);
         else
-            make_edge(token.row, token.col);
+            make_edge(token.row, token.col, watch);
     }
 };
 

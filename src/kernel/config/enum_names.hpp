@@ -21,6 +21,11 @@ template <> struct EnumNames<FifoGeneration> {
          {FifoGeneration::vitis_hls, "vitis_hls"}}};
 };
 
+template <> struct EnumNames<HazardHandling> {
+    static constexpr std::array<std::pair<HazardHandling, char const*>, 2> all{
+        {{HazardHandling::report, "report"}, {HazardHandling::forward, "forward"}}};
+};
+
 template <> struct EnumNames<FifoKind> {
     static constexpr std::array<std::pair<FifoKind, char const*>, 3> all{
         {{FifoKind::automatic, "auto"}, {FifoKind::shift_register, "shift_register"}, {FifoKind::memory, "memory"}}};

@@ -10,6 +10,10 @@ inline std::string fifo_key_name(std::string const& fifo, std::string const& fie
 inline std::string loop_key_name(std::string const& loop, std::string const& field) {
     return "accelerator.loops." + loop + '.' + field;
 }
+/// What a loop does to a block RAM.
+inline std::string dependence_key_name(std::string const& loop, std::string const& memory, std::string const& field) {
+    return loop_key_name(loop, memory + '.' + field);
+}
 inline std::string bram_key_name(std::string const& memory, std::string const& field) {
     return "accelerator.brams." + memory + '.' + field;
 }

@@ -14,6 +14,8 @@ std::int64_t integer_of(LoadedConfig const& loaded, std::string const& key) {
     return std::get<std::int64_t>(find_key(key)->read(loaded.config));
 }
 
+std::int64_t default_of(std::string const& key) { return std::get<std::int64_t>(find_key(key)->read(RunConfig())); }
+
 /// An access happens before the pipeline ends. If only the loop's depth was set, that is what the message blames.
 /// `loop`: the one that accesses, MODULE.LOOP.
 void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::string const& loop,
@@ -43,6 +45,28 @@ void check_stages(LoadedConfig const& loaded, CoreDescription const& core, Machi
             if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty())
                 check_stage(loaded, stage_key, keyed_loop(module, end.loop), complaints);
     }
+}
+
+/// Of stages that somebody has asked for.
+void check_dependence(LoadedConfig const& loaded, std::string const& loop, std::string const& memory,
+                      std::vector<std::string>& complaints) {
+    std::string const depth_key = loop_key_name(loop, "depth");
+    std::string const read_key = dependence_key_name(loop, memory, "read_stage");
+    std::string const write_key = dependence_key_name(loop, memory, "write_stage");
+    auto const is_asked_for = [&](std::string const& key) {
+        return loaded.origins.is_explicit(key) && integer_of(loaded, key) != default_of(key);
+    };
+    for (std::string const& key : {read_key, write_key})
+        if (is_asked_for(key) && integer_of(loaded, key) >= integer_of(loaded, depth_key))
+            complaints.push_back(
+                complaint(loaded, key,
+                          fmt::format("at most {}, one less than {}", integer_of(loaded, depth_key) - 1,
+                                      with_value(loaded, depth_key))));
+    if ((is_asked_for(read_key) || is_asked_for(write_key)) &&
+        integer_of(loaded, read_key) > integer_of(loaded, write_key))
+        complaints.push_back(complaint(loaded, is_asked_for(read_key) ? read_key : write_key,
+                                       fmt::format("no read behind the write, with {}",
+                                                   with_value(loaded, is_asked_for(read_key) ? write_key : read_key))));
 }
 
 std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {
@@ -90,9 +114,13 @@ std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     std::vector<std::string> complaints;
     for (MachineFifo const& fifo : make_machine(core, loaded.config.machine()).fifos)
         check_stages(loaded, core, fifo, complaints);
-    for (ModuleDescription const& module : core.modules)
+    for (ModuleDescription const& module : core.modules) {
         for (MemoryDescription const& memory : module.memories)
             check_partition(loaded, memory, complaints);
+        for (LoopDescription const& loop : module.loops)
+            for (MemoryStages const& stages : loop.memory_stages)
+                check_dependence(loaded, keyed_loop(module, loop), stages.memory, complaints);
+    }
     return complaints;
 }
 

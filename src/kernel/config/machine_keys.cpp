@@ -134,6 +134,32 @@ void add_setup_key(Keys& keys, std::string const& module, SetupDescription const
         [](auto& cycles) -> auto& { return cycles; }, setup.depth));
 }
 
+/// They say what hardware would read, not when: a recorded run takes as long with any.
+void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const& stages) {
+    auto const dependence = [name = loop + '.' + stages.memory](auto& settings) -> decltype(auto) {
+        return settings.dependence(name);
+    };
+    auto const name = [&](char const* field) { return dependence_key_name(loop, stages.memory, field); };
+    auto const add_stage = [&](char const* field, char const* what, auto of, Cycles otherwise) {
+        keys.push_back(part_key({name(field), "cycles",
+                                 fmt::format("Stage of the loop in which an iteration {} {}, below {}.", what,
+                                             stages.memory, loop_key_name(loop, "depth")),
+                                 "SYSTEM 9"},
+                                KeyKind::integer, dependence, of, otherwise));
+        keys.back().integers = {0, 1'000'000};
+    };
+    add_stage(
+        "read_stage", "reads", [](auto& settings) -> auto& { return settings.read_stage; }, stages.read);
+    add_stage(
+        "write_stage", "writes", [](auto& settings) -> auto& { return settings.write_stage; }, stages.write);
+    keys.push_back(choice_key(
+        {name("hazards"), "",
+         "What is done about iterations that read a word before one shortly before them has written it: they are "
+         "reported (run --hazards), or the word is forwarded, which takes logic and no time.",
+         "SYSTEM 9"},
+        dependence, [](auto& settings) -> auto& { return settings.hazards; }, HazardHandling::report));
+}
+
 void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& description) {
     auto const loop = [name](auto& settings) -> decltype(auto) { return settings.loop(name); };
     keys.push_back(step_key(
@@ -147,6 +173,8 @@ void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& d
     keys.push_back(step_key(
         {loop_key_name(name, "depth"), "cycles", "Pipeline stages of one iteration.", "timing model"}, cycles_range,
         loop, [](auto& settings) -> auto& { return settings.depth; }, description.depth));
+    for (MemoryStages const& stages : description.memory_stages)
+        add_dependence_keys(keys, name, stages);
 }
 
 /// The setup's key stands among those of the loops.

@@ -8,6 +8,7 @@
 #include "kernel/base/cycles.hpp"
 #include "kernel/figures/critical_path.hpp"
 #include "kernel/figures/cycle_class.hpp"
+#include "kernel/figures/dependence_row.hpp"
 #include "kernel/figures/fifo_columns.hpp"
 #include "kernel/figures/loop_columns.hpp"
 #include "kernel/figures/sample_columns.hpp"
@@ -33,6 +34,7 @@ struct CoreStatistics {
     std::vector<FifoStatistics> fifos;  ///< by their numbers in the machine
     std::vector<LoopStatistics> loops;
     std::vector<ProcessStatistics> processes;
+    std::vector<DependenceStatistics> dependences;  ///< if asked for, else empty
 };
 
 /// One process of a stuck core.

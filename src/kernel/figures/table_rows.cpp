@@ -1,5 +1,7 @@
 #include "kernel/figures/table_rows.hpp"
 
+#include <algorithm>
+
 namespace faster {
 
 namespace {
@@ -33,7 +35,27 @@ ModuleRow module_row(Machine const& machine, std::size_t core, std::size_t i, Pr
     return row;
 }
 
+unsigned bits_for(std::uint64_t largest) {
+    unsigned bits = 0;
+    for (; largest > 0; largest /= 2)
+        ++bits;
+    return bits;
+}
+
 }  // namespace
+
+std::uint64_t DependenceRow::hazards() const {
+    std::uint64_t sum = 0;
+    for (std::size_t distance = 1; distance < counts.size(); ++distance)
+        sum += dependence.is_hazard(distance, ii) ? counts[distance] : 0;
+    return sum;
+}
+
+std::uint64_t DependenceRow::comparators() const { return dependence.reads * dependence.writes * dependence.reach(ii); }
+
+std::uint64_t DependenceRow::register_bits() const {
+    return dependence.writes * dependence.reach(ii) * (address_bits + word_bits + 1);
+}
 
 std::vector<ModuleRow> module_rows(RunStatistics const& run) {
     std::vector<ModuleRow> rows;
@@ -67,6 +89,39 @@ std::vector<LoopRow> loop_rows(RunStatistics const& run) {
             rows.push_back({run.cores[core].loops[i], core, run.machine.processes[run.machine.loops[i].process].name,
                             run.machine.loops[i].name, run.machine.loops[i].is_listed});
     return rows;
+}
+
+std::vector<DependenceRow> dependence_rows(RunStatistics const& run) {
+    std::vector<DependenceRow> rows;
+    for (std::size_t core = 0; core < run.cores.size(); ++core)
+        for (DependenceStatistics const& seen : run.cores[core].dependences) {
+            MachineLoop const& loop = run.machine.loops[seen.loop];
+            MachineDependence const& dependence = loop.dependences[seen.number];
+            MachineMemory const& memory = run.machine.memories[dependence.memory];
+            rows.push_back({core, run.machine.processes[loop.process].name, loop.name, memory.name,
+                            loop.interval.achieved, dependence, bits_for(memory.words - 1),
+                            static_cast<unsigned>(memory.shape.bits), seen.smallest, seen.counts});
+        }
+    return rows;
+}
+
+std::vector<DependenceRow> dependence_sums(RunStatistics const& run) {
+    std::vector<DependenceRow> sums;
+    for (DependenceRow const& row : dependence_rows(run)) {
+        auto const is_same = [&row](DependenceRow const& sum) {
+            return sum.name() == row.name() && sum.bram == row.bram;
+        };
+        auto const sum = std::find_if(sums.begin(), sums.end(), is_same);
+        if (sum == sums.end()) {
+            sums.push_back(row);
+            continue;
+        }
+        if (row.smallest != 0 && (sum->smallest == 0 || row.smallest < sum->smallest))
+            sum->smallest = row.smallest;
+        for (std::size_t distance = 0; distance < row.counts.size(); ++distance)
+            sum->counts[distance] += row.counts[distance];
+    }
+    return sums;
 }
 
 std::vector<MemoryRow> memory_rows(RunStatistics const& run) {

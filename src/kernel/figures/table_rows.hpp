@@ -10,6 +10,9 @@ std::vector<ModuleRow> module_rows(RunStatistics const& run);
 std::vector<FifoRow> fifo_rows(RunStatistics const& run);
 std::vector<LoopRow> loop_rows(RunStatistics const& run);
 std::vector<MemoryRow> memory_rows(RunStatistics const& run);
+/// Of the loops whose accesses were looked after; and all cores together.
+std::vector<DependenceRow> dependence_rows(RunStatistics const& run);
+std::vector<DependenceRow> dependence_sums(RunStatistics const& run);
 
 /// Modules of all cores together.
 std::vector<ModuleRow> module_sums(RunStatistics const& run);

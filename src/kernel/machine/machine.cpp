@@ -161,9 +161,30 @@ class Maker {
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
+        for (MemoryStages const& stages : description.memory_stages)
+            add_dependence(loop, stages);
         loop.writes = numbers_of(fifos_of(core_.modules[module], description, true));
         loop.reads = numbers_of(fifos_of(core_.modules[module], description, false));
         machine_.loops.push_back(std::move(loop));
+    }
+
+    /// If the loop writes the memory in this configuration. Stages that nobody has asked for move into
+    /// a shorter pipeline.
+    void add_dependence(MachineLoop& loop, MemoryStages const& stages) const {
+        MachineDependence dependence;
+        dependence.memory = machine_.memory(stages.memory);
+        dependence.reads = stages.reads;
+        dependence.writes = stages.writes;
+        if (dependence.writes == 0 || !machine_.memories[dependence.memory].is_present)
+            return;
+        DependenceSettings const settings = settings_.dependence(loop.timed_by + '.' + stages.memory);
+        Cycles const asked = settings.write_stage.value_or(stages.write);
+        dependence.write_stage = std::min(asked, loop.depth - 1);
+        Cycles const earlier = asked - dependence.write_stage;
+        Cycles const read = settings.read_stage.value_or(stages.read);
+        dependence.read_stage = std::min(read - std::min(read, earlier), dependence.write_stage);
+        dependence.handling = settings.hazards;
+        loop.dependences.push_back(dependence);
     }
 
     /// Those that the loop says it writes, or reads, and those of which an end says so.

@@ -71,8 +71,9 @@ struct MachineLoop {
     timing::InitiationInterval interval;
     Cycles depth = 1;
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
-    std::vector<std::size_t> reads;   ///< those it was told of: all if it writes, or reads in a later stage
-    bool is_listed = true;            ///< in loops.csv
+    std::vector<MachineDependence> dependences;
+    std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
+    bool is_listed = true;           ///< in loops.csv
 
     /// Without its FIFOs.
     timing::LoopShape shape() const;

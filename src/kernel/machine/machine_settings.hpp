@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/base/cycles.hpp"
+#include "kernel/machine/dependence.hpp"
 #include "kernel/machine/fifo_kind.hpp"
 #include "kernel/machine/partition_config.hpp"
 
@@ -34,6 +35,14 @@ struct MemorySettings {
     PartitionConfig partition;
 };
 
+/// What a loop does to one block RAM, and when; keys `accelerator.loops.MODULE.LOOP.NAME.*`. Stages that are not set
+/// are those of the description, or in a shorter pipeline its last.
+struct DependenceSettings {
+    std::optional<Cycles> read_stage;
+    std::optional<Cycles> write_stage;
+    HazardHandling hazards = HazardHandling::report;
+};
+
 /// What a configuration asks of the parts of a machine, by their names. A loop's name is MODULE.LOOP.
 struct MachineSettings {
     std::uint64_t cores = 1;
@@ -41,18 +50,21 @@ struct MachineSettings {
     FifoGeneration fifo_rules = FifoGeneration::spec;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
+    std::map<std::string, DependenceSettings> dependences;  ///< by MODULE.LOOP.MEMORY
     std::map<std::string, MemorySettings> memories;
     std::map<std::string, std::optional<Cycles>> setups;          ///< cycles of a module's setup; by module
     std::map<std::string, std::optional<std::uint64_t>> numbers;  ///< keys `accelerator.modules.MODULE.NAME`
 
     FifoSettings& fifo(std::string const& name) { return fifos[name]; }
     LoopSettings& loop(std::string const& name) { return loops[name]; }
+    DependenceSettings& dependence(std::string const& name) { return dependences[name]; }
     MemorySettings& memory(std::string const& name) { return memories[name]; }
     std::optional<Cycles>& setup(std::string const& module) { return setups[module]; }
     std::optional<std::uint64_t>& number(std::string const& name) { return numbers[name]; }
 
     FifoSettings fifo(std::string const& name) const { return found(fifos, name); }
     LoopSettings loop(std::string const& name) const { return found(loops, name); }
+    DependenceSettings dependence(std::string const& name) const { return found(dependences, name); }
     MemorySettings memory(std::string const& name) const { return found(memories, name); }
     std::optional<Cycles> setup(std::string const& module) const { return found(setups, module); }
     std::optional<std::uint64_t> number(std::string const& name) const { return found(numbers, name); }

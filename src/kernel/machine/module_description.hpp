@@ -53,6 +53,16 @@ struct MemoryAccess {
     AccessPattern pattern;
 };
 
+/// In which stages of a loop an iteration reads and writes a memory, and how many words of it at most. A configuration
+/// may do without reads or writes: none, then.
+struct MemoryStages {
+    std::string memory;
+    Cycles read = 0;
+    Cycles write = 0;
+    std::uint64_t reads = 0;
+    std::uint64_t writes = 0;
+};
+
 struct LoopDescription {
     std::string name;  ///< within its module
     Conditions conditions;
@@ -61,6 +71,7 @@ struct LoopDescription {
     Cycles extra_depth = 0;  ///< stages that other keys add
     Cycles recurrence = 1;   ///< initiation interval that the design's own dependences demand
     std::vector<MemoryAccess> accesses;
+    std::vector<MemoryStages> memory_stages;  ///< of memories whose dependences between iterations are looked after
     std::vector<std::string> writes;  ///< FIFOs that iterations write, but for those that say so: FifoEnd::leaves()
     std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well; likewise: taken()
     std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
@@ -74,6 +85,7 @@ struct LoopDescription {
     LoopDescription& accesses_memory(std::string memory, AccessPattern pattern) {
         return accesses.push_back({std::move(memory), std::move(pattern)}), *this;
     }
+    LoopDescription& in_stages(MemoryStages stages) { return memory_stages.push_back(std::move(stages)), *this; }
     LoopDescription& writes_to(std::vector<std::string> fifos) { return writes = std::move(fifos), *this; }
     LoopDescription& also_reads(std::vector<std::string> fifos) { return reads = std::move(fifos), *this; }
     LoopDescription& with_keys_of(std::string loop) { return timed_by = std::move(loop), *this; }

@@ -4,6 +4,7 @@
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/hazard_report.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
@@ -34,6 +35,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
     summary["fifos"] = json_table(fifo_columns, fifo_rows(run));
     summary["brams"] = json_table(memory_columns, memory_rows(run));
     summary["loops"] = json_table(loop_columns, loop_rows(run));
+    if (Json hazards = hazards_json(run); !hazards.empty())
+        summary["hazards"] = std::move(hazards);
     summary["bound_by"] = diagnosis_sentences(run);
     if (run.critical_path)
         summary["critical_path"] = critical_path_json(run);

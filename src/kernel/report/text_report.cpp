@@ -8,6 +8,7 @@
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/hazard_report.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
@@ -126,6 +127,7 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
     loop_table(text, run);
     fifo_table(text, run);
     bram_table(text, run);
+    text += hazards_text(run);
     latency_table(text, run);
     host_speed(text, run, host);
     return text;

@@ -150,6 +150,12 @@ std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const&
         return relaxed;
     std::lock_guard<std::mutex> const lock(mutex_);
     auto const known = known_.find({core, choice});
+    if (known != known_.end() && !known->second.is_left_early)
+        return known->second;
+    for (auto other = known_.lower_bound({core, Choice{}}); other != known_.end() && other->first.first == core;
+         ++other)
+        if (!other->second.is_left_early && is_same(choice, other->first, other->second))
+            return other->second;
     return known == known_.end() ? std::nullopt : std::optional(known->second);
 }
 

@@ -1,7 +1,7 @@
 #include "kernel/sizing/last_that_holds.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <vector>
@@ -114,22 +114,28 @@ std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& mo
     return bisection.yes();
 }
 
-std::size_t last_before_failing(std::size_t count, unsigned jobs, std::function<bool(std::size_t)> const& holds) {
+std::size_t last_before_failing(std::size_t count, unsigned jobs, Monotone::Holds const& holds) {
     std::size_t yes = 0;
     std::size_t no = count;
     for (bool is_first = true; no - yes > 1; is_first = false) {
         std::size_t const open = no - yes - 1;
-        std::size_t const near = yes + (is_first ? 1 : (open + 2) / 3);
-        std::size_t const far =
-            std::min(no - 1, near + (is_first ? std::max<std::size_t>(1, open / 8) : (open + 2) / 3));
-        std::array<bool, 2> held{};
-        on_threads(far > near ? 2 : 1, jobs, [&](std::size_t i) { held[i] = holds(i == 0 ? near : far); });
-        if (!held[0])
-            no = near;
-        else if (far > near && !held[1])
+        std::size_t const step = is_first ? std::max<std::size_t>(1, open / 8) : (open + 2) / 3;
+        std::size_t const near = is_first ? yes + 1 : yes + step;
+        std::size_t const far = std::min(no - 1, near + step);
+        std::atomic<bool> holds_far = false;
+        bool holds_near = false;
+        on_threads(2, jobs, [&](std::size_t i) {
+            if (i == 0)
+                holds_far = holds(far, [] { return false; }).value();
+            else if (far != near && !holds_far)
+                holds_near = holds(near, [&holds_far] { return holds_far.load(); }).value_or(false);
+        });
+        if (holds_far)
+            yes = far;
+        else if (holds_near)
             yes = near, no = far;
         else
-            yes = far;
+            no = near;
     }
     return yes;
 }

@@ -8,8 +8,9 @@ namespace faster::sizing {
 /// Something that holds for the first of some numbers, and for all up to one.
 struct Monotone {
     using IsObsolete = std::function<bool()>;
+    using Holds = std::function<std::optional<bool>(std::size_t, IsObsolete const&)>;
     /// Works it out. May give up, with nothing, once it is obsolete: others have told.
-    std::function<std::optional<bool>(std::size_t, IsObsolete const&)> holds;
+    Holds holds;
     std::function<std::optional<bool>(std::size_t)> is_known_to_hold;  ///< without working it out
 };
 
@@ -19,6 +20,6 @@ std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& mo
 
 /// The same of what need not be monotone: one of 0 .. count - 1 for which it holds, as for 0, but not for the next one,
 /// if there is one. Which, depends on nothing but `holds`: not on the jobs, two of which have something to do.
-std::size_t last_before_failing(std::size_t count, unsigned jobs, std::function<bool(std::size_t)> const& holds);
+std::size_t last_before_failing(std::size_t count, unsigned jobs, Monotone::Holds const& holds);
 
 }  // namespace faster::sizing

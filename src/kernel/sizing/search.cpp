@@ -184,8 +184,6 @@ bool Search::learn(Choice const& choice, Cycles bound) {
 /// Of the strict core: those of the last cut, if they are to blame again and that is found out sooner. Who they are
 /// makes no difference to what is found in the end.
 Cut Search::suspects(Choice const& choice, Cycles bound) {
-    if (options_.has_repeatable_cuts)
-        return times_.suspects(strict_core_, choice, bound).value();
     Cut same = cuts_.empty() ? Cut() : cuts_.back();
     for (Cut::Member& member : same.members) {
         FifoChoice const& fifo = choice[member.fifo];
@@ -193,18 +191,28 @@ Cut Search::suspects(Choice const& choice, Cycles bound) {
         member.is_slow = member.is_slow && fifo.read_latency() > 1;
     }
     std::optional<Cut> cut;
-    std::atomic<bool> is_decided = false;
-    auto const is_obsolete = [&] { return is_decided.load(); };
-    on_threads(jobs_ > 1 && !same.members.empty() ? 2 : 1, jobs_, [&](std::size_t i) {
-        if (i == 0) {
-            cut = times_.suspects(strict_core_, choice, bound, is_obsolete);
-            is_decided = true;
-        } else if (times_.exceeds(strict_core_, corner(same), bound, is_obsolete).value_or(false)) {
-            same.total_cycles = bound + 1;
-            is_decided = true;
-        }
+    std::atomic<bool> is_found = false;
+    std::atomic<bool> is_same = false;
+    auto const is_beaten = [&] { return is_found && !options_.has_repeatable_cuts; };
+    auto const ask_same = [&] {
+        if (!same.members.empty() && times_.exceeds(strict_core_, corner(same), bound, is_beaten).value_or(false))
+            is_same = true;
+    };
+    auto const look = [&] {
+        cut = times_.suspects(strict_core_, choice, bound, [&] { return is_same.load(); });
+        is_found = cut.has_value();
+    };
+    bool const asks_first = options_.has_repeatable_cuts && jobs_ == 1;
+    on_threads(jobs_ > 1 ? 2 : 1, jobs_, [&](std::size_t i) {
+        if (i == 1 || asks_first)
+            ask_same();
+        if (i == 0 && !is_same)
+            look();
     });
-    return cut ? *cut : same;
+    if (cut && !(is_same && options_.has_repeatable_cuts))
+        return *cut;
+    same.total_cycles = bound + 1;
+    return same;
 }
 
 /// The slowest way to escape a cut: everything that it does not ask for is as quick as can be.
@@ -228,7 +236,7 @@ Choice Search::corner(Cut const& cut) const {
 std::size_t Search::last(std::size_t count, unsigned jobs, Monotone const& monotone) const {
     if (times_.is_monotone())
         return last_that_holds(count, jobs, monotone);
-    return last_before_failing(count, jobs, [&](std::size_t i) { return monotone.holds(i, nullptr).value(); });
+    return last_before_failing(count, jobs, monotone.holds);
 }
 
 /// As many choices as can be ruled out with a cut that the bound is broken by.

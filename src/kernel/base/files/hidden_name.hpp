@@ -4,8 +4,8 @@
 
 namespace faster::io {
 
-/// A hidden name beside `file`, which two programs at once will not share: ".NAME.PURPOSE-NUMBER". What is written under
-/// it gets its own name once it is whole.
+/// A hidden name beside `file`, which two programs at once will not share: ".NAME.PURPOSE-NUMBER". What is written
+/// under it gets its own name once it is whole.
 std::filesystem::path hidden_name(std::filesystem::path const& file, std::string const& purpose);
 
 /// The path as people know it: the names that hidden_name() made of its parts, undone.

@@ -7,6 +7,7 @@
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/hazard_report.hpp"
 #include "kernel/report/html/html_text.hpp"
 #include "kernel/report/html/latency_histogram.hpp"
 #include "kernel/report/html/timeline_view.hpp"
@@ -170,6 +171,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["alternatives"] = alternatives_json(input.run);
     data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));
     data["loops"] = json_table(loop_columns, loop_rows(input.run));
+    data["hazards"] = hazard_sums_json(input.run);
     data["latency"] = latency(input.run);
     data["timelines"] = timelines(input.run.machine, input.timelines);
     data["pictures"] = pictures(input.pictures);

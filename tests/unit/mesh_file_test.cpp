@@ -6,6 +6,7 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 #include "workload/files/mesh_bytes.hpp"
+#include "workload/files/ply_length.hpp"
 
 using Catch::Matchers::Contains;
 using faster::Mesh;
@@ -191,6 +192,11 @@ TEST_CASE("A PLY file whose header never ends is cut off", "[mesh_file]") {
     TempFolder const folder;
     CHECK_THAT(load_error(folder.write("t.ply", "ply\nformat ascii 1.0\nelement vertex 4\n")),
                Contains("(it ends early)"));
+}
+
+TEST_CASE("Elements that take no room are no work, however many there are", "[mesh_file]") {
+    CHECK_FALSE(faster::io::is_truncated_ply(
+        "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nproperty foo x\nend_header\n"));
 }
 
 TEST_CASE("Several meshes are read at once, and the first bad one is named", "[mesh_file]") {

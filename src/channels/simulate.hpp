@@ -24,6 +24,7 @@ struct SimulationOptions {
     std::vector<Recording> recordings;
     replay::RecordedRun* recorded = nullptr;                 ///< takes down what was done; may be null
     bool critical_path = false;                              ///< to be traced
+    bool at_any_size = false;                                ///< even if there seems to be too little memory
     bool hazards = false;                                    ///< to be looked for
     std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
 };

@@ -8,11 +8,21 @@
 
 namespace faster {
 
+/// About how many iterations all loops of all cores make together.
+struct LoopIterations {
+    double alike = 0;  ///< one as the other, which the engine `decoupled` does many at a time
+    double other = 0;
+
+    double all() const { return alike + other; }
+};
+
 /// What the cores of a design work on, made as its configuration says. Every design derives one.
 class Workload {
   public:
     virtual ~Workload() = default;
     virtual std::size_t samples() const = 0;
+    /// To say beforehand how long a run is; none: no idea.
+    virtual LoopIterations iterations() const { return {}; }
 };
 
 /// What simulating a design takes, besides what Design says of it. A program has one: whoever builds the program

@@ -11,11 +11,12 @@ ValidDepthTable::ValidDepthTable(Image<std::uint16_t> const& depth, int depth_fr
     unsigned const limit = 3U << depth_fraction;
     auto const stride = static_cast<std::size_t>(width_ + 1);
     for (int row = 0; row < depth.height(); ++row) {
+        std::uint32_t const* const above = invalid_.data() + static_cast<std::size_t>(row) * stride;
         std::uint32_t* const below = invalid_.data() + (static_cast<std::size_t>(row) + 1) * stride;
         std::uint32_t in_row = 0;
         for (std::size_t col = 0; col + 1 < stride; ++col) {
             in_row += depth.row(row)[col] > limit ? 1U : 0U;
-            below[col + 1] = below[col + 1 - stride] + in_row;
+            below[col + 1] = above[col + 1] + in_row;
         }
     }
 }

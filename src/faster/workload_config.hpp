@@ -54,6 +54,14 @@ struct SamplesConfig {
     std::uint64_t seed = 2;
 };
 
+/// What reading a mesh file may take; `workload.mesh_files.*`. A damaged one may keep the library that reads it busy
+/// without end.
+struct MeshFilesConfig {
+    double time_limit_s = 10;
+    std::uint64_t memory_limit_mib = 1024;
+    std::uint64_t file_limit_mib = 256;
+};
+
 /// What the machine works on; keys `workload.*`.
 struct WorkloadConfig {
     SceneObjectConfig target;            ///< workload.object, .pose.translation_m, .pose.rotation_deg
@@ -62,6 +70,7 @@ struct WorkloadConfig {
     SceneConfig scene;
     ObservedEdgesConfig observed_edges;
     SamplesConfig samples;
+    MeshFilesConfig mesh_files;
     std::string trace;  ///< folder of a stimulus trace; replaces all the above
 };
 

@@ -96,6 +96,18 @@ void add_target_keys(Keys& keys) {
         KeyKind::vector, [](auto& config) -> auto& { return config.workload.target.rotation_deg; }));
 }
 
+void add_mesh_file_keys(Keys& keys) {
+    keys.push_back(of_no_figure(Make::number_key(
+        {"workload.mesh_files.time_limit_s", "s", "How long reading a mesh file may take.", "this project"},
+        {0, 86'400, true}, [](auto& config) -> auto& { return config.workload.mesh_files.time_limit_s; })));
+    keys.push_back(of_no_figure(Make::integer_key(
+        {"workload.mesh_files.memory_limit_mib", "MiB", "How much memory it may take.", "this project"}, {1, 1'048'576},
+        [](auto& config) -> auto& { return config.workload.mesh_files.memory_limit_mib; })));
+    keys.push_back(of_no_figure(Make::integer_key(
+        {"workload.mesh_files.file_limit_mib", "MiB", "How long a mesh file may be.", "this project"}, {1, 1'048'576},
+        [](auto& config) -> auto& { return config.workload.mesh_files.file_limit_mib; })));
+}
+
 void add_camera_keys(Keys& keys) {
     keys.push_back(Make::integer_key(
         {"workload.camera.width", "px", "Width of the image.", "this project"}, image_side,
@@ -209,6 +221,7 @@ void add_samples_keys(Keys& keys) {
 Keys workload_keys() {
     Keys keys;
     add_target_keys(keys);
+    add_mesh_file_keys(keys);
     add_camera_keys(keys);
     add_depth_image_keys(keys);
     add_rendered_scene_keys(keys);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/report/html/fill_page.hpp"
 #include "poses/page.hpp"
 
@@ -74,7 +75,7 @@ Json evaluation_json(Evaluation const& evaluation) {
 }
 
 std::string evaluation_html(Evaluation const& evaluation) {
-    return report::filled_page(evaluation_page, "How far the poses are off", evaluation_json(evaluation).dump());
+    return report::filled_page(evaluation_page, "How far the poses are off", io::text_of(evaluation_json(evaluation)));
 }
 
 }  // namespace faster::poses

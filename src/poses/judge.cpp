@@ -34,9 +34,9 @@ using Estimates = std::vector<bop::PoseEstimate const*>;
 using Truths = std::vector<bop::GroundTruth const*>;
 using TargetName = std::pair<bop::ImageId, int>;
 
-JudgedModel load(bop::ObjectModel const& model) {
+JudgedModel judged_model(bop::ObjectModel const& model, Mesh&& mesh) {
     JudgedModel judged;
-    judged.points = bop::load_model(model).vertices;
+    judged.points = std::move(mesh.vertices);
     judged.symmetries = symmetries_of(model);
     judged.diameter_m = model.diameter_m ? *model.diameter_m : diameter_of(judged.points);
     return judged;
@@ -50,10 +50,14 @@ Models load_models(bop::Dataset const& dataset, std::size_t jobs) {
         models[target.obj_id];
     }
     std::vector<Models::value_type*> entries;
-    for (auto& entry : models)
+    std::vector<bop::ObjectModel const*> files;
+    for (auto& entry : models) {
         entries.push_back(&entry);
+        files.push_back(&dataset.models.at(entry.first));
+    }
+    std::vector<Mesh> meshes = bop::load_models(files, jobs);  // in processes, which threads do not go with
     on_threads(entries.size(), jobs,
-               [&](std::size_t i) { entries[i]->second = load(dataset.models.at(entries[i]->first)); });
+               [&](std::size_t i) { entries[i]->second = judged_model(*files[i], std::move(meshes[i])); });
     return models;
 }
 

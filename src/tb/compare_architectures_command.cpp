@@ -23,6 +23,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -167,8 +168,8 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
     std::vector<report::ArchitectureRow> rows;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (outcomes[i].kind != processes::Outcome::Kind::done) {
-            fmt::print(stderr, "faster-sim: {} on {}: the simulation crashed, failed or took more than an hour\n",
-                       points[i].architecture, points[i].workload);
+            warn("faster-sim: {} on {}: the simulation crashed, failed or took more than an hour\n",
+                 points[i].architecture, points[i].workload);
             return exit_failed_check;
         }
         rows.push_back(row_of(points[i], outcomes[i]));
@@ -177,10 +178,10 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
         csv->commit(report::architecture_csv(rows));
     if (html)
         html->commit(report::architectures_html("Architectures side by side", rows));
-    fmt::print("{}", report::architecture_markdown(rows));
+    say("{}", report::architecture_markdown(rows));
     for (std::string const& file : {request.csv, request.html})
         if (!file.empty())
-            fmt::print("\nwritten: {}\n", file);
+            say("\nwritten: {}\n", file);
     return exit_done;
 }
 

@@ -13,6 +13,7 @@
 #include "reference/quality/survey_table.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/say.hpp"
 #include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
@@ -72,7 +73,7 @@ int edge_quality(EdgeQualityRequest const& request) {
         write_specimens(folder->path() / "pictures", rows);
         folder->commit();
     }
-    fmt::print("{}", quality::survey_markdown(rows));
+    say("{}", quality::survey_markdown(rows));
     return exit_done;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "kernel/base/files/atomic_folder.hpp"
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
@@ -18,6 +19,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/say.hpp"
 #include "workload/bop/read_dataset.hpp"
 #include "workload/files/colour_png.hpp"
 
@@ -78,7 +80,7 @@ poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file,
 
 void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
     fs::path const& path = folder.path();
-    io::write_file(path / "evaluation.json", poses::evaluation_json(evaluation).dump(1) + "\n");
+    io::write_file(path / "evaluation.json", io::text_of(poses::evaluation_json(evaluation), 1) + "\n");
     io::write_file(path / "scores.csv", poses::scores_csv(evaluation));
     io::write_file(path / "errors.csv", poses::errors_csv(evaluation));
     io::write_file(path / "curves.csv", poses::curves_csv(evaluation));
@@ -105,9 +107,9 @@ int evaluate(EvaluateRequest const& request) {
         {request.visible_from, static_cast<std::uint64_t>(request.seed), static_cast<std::size_t>(request.replicates)});
     if (folder)
         write(evaluation, *folder);
-    fmt::print("{}", poses::evaluation_markdown(evaluation));
+    say("{}", poses::evaluation_markdown(evaluation));
     if (folder)
-        fmt::print("\nwritten: {}\n", request.out);
+        say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 

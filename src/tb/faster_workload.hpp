@@ -2,6 +2,7 @@
 #include "channels/simulated_design.hpp"
 #include "common/stimulus.hpp"
 #include "modules/core_context.hpp"
+#include "tb/workload_iterations.hpp"
 
 namespace faster {
 
@@ -11,6 +12,7 @@ struct FasterWorkload final : Workload {
     SampleProbe* probe = nullptr;  ///< may be null
 
     std::size_t samples() const override { return stimulus.samples.size(); }
+    LoopIterations iterations() const override { return loop_iterations(stimulus); }
 };
 
 /// FASTER for the commands that any design has.

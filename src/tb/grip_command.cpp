@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
 #include <memory>
 
 #include "faster/faster_config.hpp"
@@ -18,6 +17,7 @@
 #include "tb/workload_source.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/say.hpp"
 #include "workload/object_pose.hpp"
 
 namespace faster {
@@ -89,13 +89,13 @@ int grip_baseline(GripRequest const& request) {
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
     Stimulus const stimulus = load_stimulus(loaded);
     GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
-    fmt::print("{}", grip_text(comparison));
+    say("{}", grip_text(comparison));
     if (folder == nullptr)
         return exit_done;
     io::write_file(folder->path() / "scores.csv", grip_csv(comparison));
     io::write_file(folder->path() / "summary.json", grip_json(comparison));
     folder->commit();
-    fmt::print("\nwritten: {}\n", request.out);
+    say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "faster/enum_names.hpp"
+#include "kernel/base/files/json_file.hpp"
 #include "reference/grip/rank_correlation.hpp"
 
 namespace faster {
@@ -129,7 +130,7 @@ std::string grip_json(GripComparison const& comparison) {
     summary["host"] = {{"jobs", comparison.jobs},
                        {"grip_seconds", comparison.grip_seconds},
                        {"reference_seconds", comparison.reference_seconds}};
-    return summary.dump(2) + "\n";
+    return io::text_of(summary, 2) + "\n";
 }
 
 }  // namespace faster

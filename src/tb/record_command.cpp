@@ -1,12 +1,12 @@
 #include "tb/record_command.hpp"
 
-#include <fmt/format.h>
 #include <memory>
 
 #include "kernel/config/load_config.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/say.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
@@ -15,8 +15,7 @@ int record(RecordRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
     Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
     io::write_trace(stimulus, request.out);
-    fmt::print("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(),
-               request.out);
+    say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
     return exit_done;
 }
 

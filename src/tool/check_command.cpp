@@ -12,6 +12,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/base/program_name.hpp"
+#include "kernel/base/utf8.hpp"
 #include "kernel/budgets/baseline_text.hpp"
 #include "kernel/budgets/budget_file.hpp"
 #include "kernel/budgets/check_json.hpp"
@@ -19,10 +20,10 @@
 #include "kernel/budgets/junit_xml.hpp"
 #include "kernel/budgets/replace_baseline.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
 #include "tool/budget_run.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/say.hpp"
 #include "tool/start_budget.hpp"
 
 namespace faster {
@@ -135,10 +136,10 @@ CheckResult result_of(Budget const& budget, Outcome const& outcome, CheckRequest
 void print(std::vector<CheckResult> const& results) {
     for (CheckResult const& result : results)
         if (result.status == Status::bad)
-            fmt::print(stderr, "{}: {}\n", program_name(), result.message);
+            warn("{}: {}\n", program_name(), result.message);
         else
-            fmt::print("{}\n", budgets::check_text(result));
-    fmt::print("{}", budgets::totals_text(results));
+            say("{}\n", budgets::check_text(result));
+    say("{}", budgets::totals_text(results));
 }
 
 int exit_code_of(std::vector<CheckResult> const& results) {

@@ -1,16 +1,15 @@
 #include "tool/keys_command.hpp"
 
-#include <fmt/format.h>
-
 #include "kernel/config/keys_as_markdown.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
 Subcommand keys_command() {
     return {"keys", "Print every configuration key with meaning, unit, range and default (Markdown)", [](CLI::App&) {
                 return [] {
-                    fmt::print("{}", keys_as_markdown());
+                    say("{}", keys_as_markdown());
                     return exit_done;
                 };
             }};

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fmt/format.h>
 #include <memory>
 #include <stdexcept>
 
@@ -21,6 +20,8 @@
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
 #include "tool/results_folder.hpp"
+#include "tool/run_size.hpp"
+#include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 
 namespace faster {
@@ -69,8 +70,21 @@ void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& 
         run.memory->compute_alone = alone.total_cycles;
 }
 
+/// A long run says beforehand how long; one that is too long has to be forced.
+void announce(RunSize const& size, bool force) {
+    constexpr double long_s = 60;
+    if (!force) {
+        require_memory(size);
+        require_time(size);
+    }
+    if (size.seconds < long_s)
+        return;
+    say("{}\n", text_of(size));
+    finish_saying();
+}
+
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
-    fmt::print(stderr, "{}", report::deadlock_report(run));
+    warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
     return exit_deadlock;
@@ -92,6 +106,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.build_seconds = seconds_since(start);
     Machine const machine = machine_of(loaded.config);
     std::size_t const samples = workload->samples();
+    announce(size_of_run(loaded.config, machine, *workload), request.force);
 
     extras.before(*workload);
     start = HostClock::now();
@@ -101,6 +116,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     {
         ProgressLine progress("samples");
         SimulationOptions options;
+        options.at_any_size = request.force;
         options.critical_path = request.critical_path || outputs.report;
         options.hazards = request.hazards;
         bool const shows_roofline = machine.external_memory && outputs.report;
@@ -131,10 +147,10 @@ int run(RunRequest const& request, RunExtras& extras) {
         outputs.folder->write(loaded.config, statistics, host);
     if (outputs.report)  // may lie in the folder
         write_report(*outputs.report, request, loaded, statistics, timelines, extras);
-    fmt::print("{}", report::text_report(statistics, host));
+    say("{}", report::text_report(statistics, host));
     for (std::string const& written : {request.out, request.report, request.events})
         if (!written.empty())
-            fmt::print("\nwritten: {}\n", written);
+            say("\nwritten: {}\n", written);
     return exit_done;
 }
 
@@ -155,6 +171,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
+            command.add_flag("--force", request->force,
+                             "Run even if it takes more than an hour or more memory than there is");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);

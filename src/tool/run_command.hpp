@@ -17,6 +17,7 @@ struct RunRequest {
     std::string events;                  ///< event file; empty: none
     bool critical_path = false;          ///< trace it
     bool sensitivities = false;          ///< work them out
+    bool force = false;                  ///< however long it takes, whatever memory there is
     bool hazards = false;                ///< look for them
     RecordingRequest recording;
 };

@@ -1,7 +1,6 @@
 #include "tool/sensitivities_command.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/events/event_file.hpp"
@@ -11,6 +10,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -40,10 +40,10 @@ int print_sensitivities(SensitivitiesRequest const& request) {
         csv->commit(report::sensitivities_csv(run));
     if (json)
         json->commit(report::sensitivities_file_json(run));
-    fmt::print("{}", report::sensitivities_text(run).substr(1));
+    say("{}", report::sensitivities_text(run).substr(1));
     for (std::string const& file : {request.csv, request.json})
         if (!file.empty())
-            fmt::print("\nwritten: {}\n", file);
+            say("\nwritten: {}\n", file);
     return exit_done;
 }
 

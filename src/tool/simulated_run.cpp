@@ -1,11 +1,14 @@
 #include "tool/simulated_run.hpp"
 
 #include "kernel/config/design.hpp"
+#include "tool/run_size.hpp"
 
 namespace faster {
 
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options) {
     auto const machine = std::make_shared<Machine const>(machine_of(config));
+    if (!options.at_any_size)
+        require_memory(size_of_run(config, *machine, workload));
     return simulate(*simulated_design().elaborate(config, machine, workload), options);
 }
 

@@ -6,7 +6,7 @@
 namespace faster {
 
 /// Elaborates the program's design for a workload, runs it, and collects its figures. Once per process: the SystemC
-/// kernel elaborates once.
+/// kernel elaborates once. Throws InputError if there is too little memory for it.
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options = {});
 
 /// The same of a configuration whose workload is not wanted otherwise.

@@ -18,6 +18,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -77,10 +78,9 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (folder)
         write_files(request, sizing, *folder);
-    fmt::print("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores,
-               seconds);
+    say("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores, seconds);
     if (folder)
-        fmt::print("\nwritten: {}\n", request.out);
+        say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 

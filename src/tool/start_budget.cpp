@@ -10,6 +10,7 @@
 #include "kernel/config/design.hpp"
 #include "tool/budget_run.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -65,13 +66,13 @@ int start_budget(CheckRequest const& request) {
         throw InputError(budget.file.string() + ": " + why_no_result(outcome, time_limit_of(budget, request)));
     Measurement const measurement = budgets::measurement_from_text(outcome.output);
     if (measurement.kind == Measurement::Kind::deadlock) {
-        fmt::print(stderr, "{}", measurement.message);
+        warn("{}", measurement.message);
         return exit_deadlock;
     }
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
     file.commit(budgets::starting_budget(budget, measurement, guarded_figures(), today()));
-    fmt::print("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
+    say("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
     return exit_done;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/sweeps/journal.hpp"
@@ -14,6 +15,7 @@
 #include "kernel/sweeps/sweep_file.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
 #include "tool/options.hpp"
+#include "tool/say.hpp"
 #include "tool/sweep_merge_command.hpp"
 #include "tool/sweep_outputs.hpp"
 #include "tool/sweeper.hpp"
@@ -58,9 +60,9 @@ bool is_wanted(PointResult const&) { return false; }
 
 void say_what_is_there(sweeps::Journal const& journal, std::size_t points, std::size_t pending) {
     if (journal.damaged() > 0)
-        fmt::print("{} rows of the journal were cut off or damaged: their points are done again\n", journal.damaged());
+        say("{} rows of the journal were cut off or damaged: their points are done again\n", journal.damaged());
     if (pending < points)
-        fmt::print("{} of {} points are done already\n", points - pending, points);
+        say("{} of {} points are done already\n", points - pending, points);
     std::fflush(stdout);
 }
 

@@ -9,6 +9,7 @@
 #include "kernel/sweeps/merge.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/say.hpp"
 #include "tool/sweep_outputs.hpp"
 
 namespace faster {
@@ -18,12 +19,12 @@ namespace {
 void name_missing(sweeps::Merged const& merged) {
     constexpr std::size_t most_named = 10;
     std::size_t const count = merged.missing.size();
-    fmt::print(stderr, "{}: {} of {} points are missing:", program_name(), count, merged.manifest.points.size());
+    warn("{}: {} of {} points are missing:", program_name(), count, merged.manifest.points.size());
     for (std::size_t i = 0; i < std::min(count, most_named); ++i)
-        fmt::print(stderr, "{} {}", i == 0 ? "" : ",", merged.manifest.name(merged.missing[i]));
-    fmt::print(stderr, "{}; {} sweep {} --out with this folder does them\n",
-               count > most_named ? fmt::format(" and {} more", count - most_named) : "", program_name(),
-               merged.manifest.sweep);
+        warn("{} {}", i == 0 ? "" : ",", merged.manifest.name(merged.missing[i]));
+    warn("{}; {} sweep {} --out with this folder does them\n",
+         count > most_named ? fmt::format(" and {} more", count - most_named) : "", program_name(),
+         merged.manifest.sweep);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "kernel/sweeps/results_table.hpp"
 #include "kernel/sweeps/sweep_page.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -29,8 +30,8 @@ void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& 
         auto const found = results.find(manifest.points[i].id);
         if (found == results.end() || found->second.status != Status::failed)
             continue;
-        fmt::print(stderr, "{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
-                   found->second.message);
+        warn("{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
+             found->second.message);
         return;
     }
 }
@@ -45,9 +46,9 @@ int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest cons
     std::size_t const done = count_of(Status::done, manifest, results);
     std::size_t const deadlocked = count_of(Status::deadlock, manifest, results);
     std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
-    fmt::print("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
-               there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
-               folder.page().string());
+    say("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
+        there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
+        folder.page().string());
     if (failed == 0)
         return exit_done;
     name_first_failed(manifest, results, failed);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/json.hpp"
@@ -25,17 +26,18 @@ void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& s
     std::size_t const point = assignment.points.front();
     LoadedConfig loaded;
     std::unique_ptr<Workload> workload;
+    replay::RecordedRun recorded;
+    SimulationOptions options;
+    options.recorded = assignment.kind == Kind::record ? &recorded : nullptr;
+    RunStatistics run;
     try {
         loaded = sweep.configuration(point);
         workload = simulated_design().load_workload(loaded);
+        run = simulate(loaded.config, *workload, options);
     } catch (InputError const& error) {
         reply.results.emplace_back(point, sweeps::failed(error.what()));
         return;
     }
-    replay::RecordedRun recorded;
-    SimulationOptions options;
-    options.recorded = assignment.kind == Kind::record ? &recorded : nullptr;
-    RunStatistics const run = simulate(loaded.config, *workload, options);
     PointResult const result = sweeps::result_of(run);
     if (assignment.kind == Kind::record && result.status == PointResult::Status::done) {
         write_events(io::OutputFile(events), loaded, recorded, run);
@@ -96,7 +98,7 @@ std::string to_text(SweepReply const& reply) {
                     {"has_events", reply.has_events},
                     {"lost_events", reply.lost_events},
                     {"trouble", reply.trouble}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return io::text_of(json);
 }
 
 SweepReply reply_from_text(std::string const& text) {

@@ -2,14 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
+#include <new>
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/keep_memory.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/base/program_name.hpp"
 #include "tool/exit_codes.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -24,9 +29,16 @@ class Tool {
 
     int run(int argc, char** argv) const {
         try {
-            return parse(argc, argv)();
+            int const code = parse(argc, argv)();
+            finish_saying();
+            return code;
         } catch (InputError const& error) {
             return one_line_error(error.what());
+        } catch (std::filesystem::filesystem_error const& error) {
+            return one_line_error(fmt::format("{}: {}, expected a path that can be used", error.path1().string(),
+                                              error.code().message()));
+        } catch (std::bad_alloc const&) {
+            return one_line_error("not enough memory, expected a smaller run or a host with more");
         } catch (std::exception const& error) {
             return one_line_error(std::string("unexpected error: ") + error.what());
         }
@@ -68,10 +80,8 @@ class Tool {
                                      did_you_mean(given, known)));
     }
 
-    int one_line_error(std::string text) const {
-        while (!text.empty() && text.back() == '\n')
-            text.pop_back();
-        fmt::print(stderr, "{}: {}\n", text_.name, text);
+    int one_line_error(std::string const& text) const {
+        warn("{}: {}\n", text_.name, message_line(text));
         return exit_bad_input;
     }
 
@@ -82,6 +92,7 @@ class Tool {
 }  // namespace
 
 int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit of size is an error like a full disk
     keep_freed_memory();
     program_name() = text.name;
     return Tool(text, commands).run(argc, argv);

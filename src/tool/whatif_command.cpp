@@ -11,6 +11,7 @@
 #include "kernel/compare/comparison_text.hpp"
 #include "kernel/compare/read_run.hpp"
 #include "kernel/config/design.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/config/settings_list.hpp"
 #include "kernel/events/event_file.hpp"
@@ -24,6 +25,7 @@
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/results_folder.hpp"
+#include "tool/say.hpp"
 
 namespace faster {
 
@@ -32,8 +34,8 @@ namespace {
 runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
                                RunStatistics const& run) {
     std::vector<ResolvedKey> keys = resolved_keys(changed.config);
-    auto const is_engine = [](ResolvedKey const& key) { return key.key == "simulation.engine"; };
-    keys.erase(std::remove_if(keys.begin(), keys.end(), is_engine), keys.end());  // an event file does not know it
+    auto const is_unknown = [](ResolvedKey const& key) { return !decides_figures(key.key); };  // to an event file
+    keys.erase(std::remove_if(keys.begin(), keys.end(), is_unknown), keys.end());
     std::string const summary = report::summary_json(keys, run, {});
     return runs::compare(runs::run_record(name, recorded.summary, recorded.samples),
                          runs::run_record("whatif", summary, run.samples));
@@ -47,7 +49,7 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     RunStatistics const run = replay::retime(recorded.run, machine_of(changed.config));
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
-        fmt::print(stderr, "{}", report::deadlock_report(run));
+        warn("{}", report::deadlock_report(run));
         if (folder)
             folder->write_deadlock(changed.config, run);
         return exit_deadlock;
@@ -57,12 +59,12 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
                          ": what its processes write is not what they read, expected the file of a run");
     if (folder)
         folder->write(changed.config, run, host);
-    fmt::print("{}", report::text_report(run, host));
-    fmt::print("\nCompared with the recorded run\n\n{}",
-               runs::comparison_text(with_recorded(request.events, recorded, changed, run),
-                                     static_cast<std::size_t>(request.top)));
+    say("{}", report::text_report(run, host));
+    say("\nCompared with the recorded run\n\n{}",
+        runs::comparison_text(with_recorded(request.events, recorded, changed, run),
+                              static_cast<std::size_t>(request.top)));
     if (folder)
-        fmt::print("\nwritten: {}\n", request.out);
+        say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 
@@ -97,9 +99,9 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     }
     if (csv)
         csv->commit(table.csv());
-    fmt::print("{}", table.text());
+    say("{}", table.text());
     if (csv)
-        fmt::print("\nwritten: {}\n", request.csv);
+        say("\nwritten: {}\n", request.csv);
     return exit_done;
 }
 

@@ -25,12 +25,15 @@ Plane table_plane(SceneConfig const& scene, Pose const& target) {
     return {{0, scene.table_height_m, target.translation.z()}, {0, -std::cos(tilt), -std::sin(tilt)}};
 }
 
-DepthImage rendered_scene(SceneConfig const& scene, Mesh const& target_mesh, Pose const& target, Camera const& camera) {
+DepthImage rendered_scene(WorkloadConfig const& config, Mesh const& target_mesh, Pose const& target,
+                          Camera const& camera) {
+    SceneConfig const& scene = config.scene;
     DepthImage depth(camera.height, camera.width);
     draw_mesh(target_mesh, target, camera, depth);
     for (std::size_t index = 0; index < scene.objects.size(); ++index) {
         SceneObjectConfig const& object = scene.objects[index];
-        Mesh const mesh = object_mesh(object.object, fmt::format("workload.scene.objects[{}].object", index));
+        Mesh const mesh =
+            object_mesh(object.object, fmt::format("workload.scene.objects[{}].object", index), config.mesh_files);
         draw_mesh(mesh, configured_pose(object), camera, depth);
     }
     if (scene.table) {
@@ -45,7 +48,7 @@ DepthImage observed_scene(WorkloadConfig const& config, Mesh const& target_mesh,
     if (!scene.depth_image.empty()) {
         return load_depth_image(scene.depth_image, scene.depth_unit_m, config.camera, scene.downscale);
     }
-    return rendered_scene(scene, target_mesh, target, downscaled(config.camera, scene.downscale));
+    return rendered_scene(config, target_mesh, target, downscaled(config.camera, scene.downscale));
 }
 
 /// Pixel coordinate of a projection, as an integer; `place` says whose it is.
@@ -94,7 +97,7 @@ Stimulus observed_stimulus(Mesh const& mesh, DepthImage const& depth, Camera con
 Stimulus build_observation(WorkloadConfig const& config, int window, FractionBits const& fraction) {
     Pose const target = configured_pose(config.target);
     require_in_front(target.translation.z(), "workload.pose.translation_m: the object", "");
-    Mesh const mesh = object_mesh(config.target.object, "workload.object");
+    Mesh const mesh = object_mesh(config.target.object, "workload.object", config.mesh_files);
     DepthImage const depth = observed_scene(config, mesh, target);
     return observed_stimulus(mesh, depth, downscaled(config.camera, config.scene.downscale), config, window, fraction);
 }

@@ -70,9 +70,10 @@ Mesh compacted(Mesh const& mesh, Indices const& indices) {
 
 }  // namespace
 
-Mesh object_mesh(std::string const& name, std::string const& key) {
+Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files) {
     if (name.find('/') != std::string::npos || io::has_mesh_extension(name)) {
-        return io::load_mesh(name);
+        return io::load_mesh(name,
+                             {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib, "workload.mesh_files"});
     }
     if (!models::contains(name)) {
         throw InputError(fmt::format("{} = {}, expected a built-in class or a mesh file{}", key, name,

@@ -3,12 +3,14 @@
 #include <string>
 
 #include "common/mesh.hpp"
+#include "faster/workload_config.hpp"
 
 namespace faster::workload {
 
 /// The mesh of an object: a mesh file if `name` has a '/' or the extension of a mesh format, else a built-in class.
-/// Throws InputError; for an unknown class it names `key`, the configuration key the name comes from.
-Mesh object_mesh(std::string const& name, std::string const& key);
+/// Throws InputError; for an unknown class it names `key`, the configuration key the name comes from. `files`: what
+/// reading a mesh file may take.
+Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files = {});
 
 /// The mesh with fewer triangles of the same shape and orientation; as it is if it has at most `max_triangles`, or if
 /// that is 0. The limit is a goal: surfaces that cannot be collapsed further without breaking apart keep up to a tenth

@@ -313,7 +313,7 @@ TEST_CASE("An override is a key, an equals sign and a value", "[config][errors]"
     CHECK(set_error("accelerator.window") == "--set accelerator.window: expected KEY=VALUE");
     CHECK(set_error("=3") == "--set =3: expected KEY=VALUE");
     CHECK(set_error("") == "--set : expected KEY=VALUE");
-    CHECK(set_error("workload.object=\xFF") == "--set workload.object=\xFF: expected printable UTF-8 text");
+    CHECK(set_error("workload.object=\xFF") == "--set workload.object=\\xff: expected printable UTF-8 text");
 }
 
 TEST_CASE("A key that stands twice in one map is an error", "[config][errors]") {
@@ -440,7 +440,7 @@ TEST_CASE("Several faults are one line: the first, and how many more", "[config]
     CHECK(error_of([] { loaded("accelerator: {window: 0}", {"nothing"}); }) ==
           "test.yaml:1: accelerator.window = 0, expected an integer from 1 to 4096 (and 1 more)");
     CHECK(file_error("accelerator:\n  window: \"a\\nb\"\n") ==
-          "test.yaml:2: accelerator.window = \"a b\", expected an integer from 1 to 4096");
+          "test.yaml:2: accelerator.window = \"a\\nb\", expected an integer from 1 to 4096");
 }
 
 TEST_CASE("Every integer key takes both ends of its range and nothing beyond", "[config]") {

@@ -5,7 +5,10 @@
 
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
+#include "workload/files/mesh_bytes.hpp"
+#include "workload/files/ply_length.hpp"
 
+using Catch::Matchers::Contains;
 using faster::Mesh;
 using faster::io::load_mesh;
 using faster::test::input_error_text;
@@ -153,4 +156,79 @@ TEST_CASE("A coordinate that is not finite is an input error that names the vert
                Catch::Contains("t.obj:4: vertex 3"));
     CHECK_THAT(load_error(folder.write("t.ply", ascii_ply("0 0 0\n1 0 0\n0 nan 0\n0 0 1\n", "3 0 1 2\n3 0 2 3\n"))),
                Catch::Contains("t.ply: vertex 2 (counted from 0) is (0, nan, 0)"));
+}
+
+TEST_CASE("Whatever the library does with a damaged file, one line says which file and what happened", "[mesh_file]") {
+    std::string const folder = FASTER_SOURCE_DIR "/tests/data/meshes/";
+    faster::io::MeshLimits limits;
+    limits.seconds = 0.5;
+    limits.section = "workload.mesh_files";
+    auto const error = [&](std::string const& name) {
+        return input_error_text([&] { load_mesh(folder + name, limits); });
+    };
+    std::string const start = ": cannot be read as a mesh (";
+    CHECK_THAT(error("crash.off"), Contains("crash.off" + start + "the library that reads it ") &&
+                                       Contains("), expected a valid off file"));
+    CHECK(error("hang.ply") == folder + "hang.ply" + start +
+                                   "it took more than 0.5 s), expected a valid ply file, or a larger "
+                                   "workload.mesh_files.time_limit_s");
+    for (std::string const name : {"memory.off", "memory.ply"})
+        CHECK_THAT(error(name), Contains(name + start + "it took more than 1024 MiB of memory), expected") &&
+                                    Contains("or a larger workload.mesh_files.memory_limit_mib"));
+}
+
+TEST_CASE("A mesh file may be as long as its limit", "[mesh_file]") {
+    TempFolder const folder;
+    auto const file = folder.write("t.obj", tetrahedron_vertices + tetrahedron_faces + std::string(1 << 20, '\n'));
+    faster::io::MeshLimits limits;
+    limits.file_mib = 1;
+    CHECK(input_error_text([&] { load_mesh(file, limits); }) ==
+          file.string() + ": cannot be read as a mesh (it is longer than 1 MiB), expected a valid obj file");
+    limits.file_mib = 2;
+    CHECK(load_mesh(file, limits).faces.size() == 4);
+}
+
+TEST_CASE("A PLY file whose header never ends is cut off", "[mesh_file]") {
+    TempFolder const folder;
+    CHECK_THAT(load_error(folder.write("t.ply", "ply\nformat ascii 1.0\nelement vertex 4\n")),
+               Contains("(it ends early)"));
+}
+
+TEST_CASE("Elements that take no room are no work, however many there are", "[mesh_file]") {
+    CHECK_FALSE(faster::io::is_truncated_ply(
+        "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nproperty foo x\nend_header\n"));
+}
+
+TEST_CASE("Several meshes are read at once, and the first bad one is named", "[mesh_file]") {
+    TempFolder const folder;
+    auto const one = folder.write("a.obj", tetrahedron_vertices + "f 1 2 3\n");
+    auto const two = folder.write("b.obj", tetrahedron_vertices + tetrahedron_faces);
+    auto const meshes = faster::io::load_meshes({one, two, one}, {}, 2);
+    REQUIRE(meshes.size() == 3);
+    CHECK(meshes[0].faces.size() == 1);
+    CHECK(meshes[1].faces.size() == 4);
+    auto const bad = folder.write("c.obj", "f 1 2 3\n");
+    CHECK_THAT(input_error_text([&] { faster::io::load_meshes({one, bad, two}, {}, 2); }), Contains("c.obj: "));
+}
+
+TEST_CASE("A mesh comes whole from one process to another, or not at all", "[mesh_file]") {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}};
+    mesh.faces = {{0, 1, 2}, {2, 1, 0}};
+    std::string const bytes = faster::io::mesh_bytes(mesh);
+    auto const copy = faster::io::mesh_from_bytes(bytes);
+    REQUIRE(copy);
+    CHECK(copy->vertices == mesh.vertices);
+    CHECK(copy->faces == mesh.faces);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        CHECK_FALSE(faster::io::mesh_from_bytes(bytes.substr(0, length)));
+    CHECK_FALSE(faster::io::mesh_from_bytes(bytes + '\0'));
+    for (std::size_t const place : {0U, 7U, 8U, 15U}) {  // counts of vertices and faces
+        std::string damaged = bytes;
+        damaged[place] = static_cast<char>(damaged[place] ^ 0x40);
+        CHECK_FALSE(faster::io::mesh_from_bytes(damaged));
+    }
+    std::string damaged = bytes;
+    damaged.back() = 1;  // the last vertex of the last face
+    CHECK_FALSE(faster::io::mesh_from_bytes(damaged));
 }

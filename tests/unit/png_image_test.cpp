@@ -210,5 +210,6 @@ TEST_CASE("An image of the wrong size is an input error that says where the size
 }
 
 TEST_CASE("An image that cannot be written is an input error", "[png_image]") {
-    CHECK(input_error_text([] { write_png("/nowhere/a.png", gradient16()); }) == "/nowhere/a.png: cannot be written");
+    CHECK(input_error_text([] { write_png("/nowhere/a.png", gradient16()); }) ==
+          "/nowhere/a.png: cannot be written (No such file or directory)");
 }

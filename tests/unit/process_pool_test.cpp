@@ -118,6 +118,17 @@ TEST_CASE("A task's result may be larger than a pipe holds") {
     CHECK(run_all({quick(large)}, 1, watch).front().output == large);
 }
 
+TEST_CASE("A task that sends more than it may is ended, and has failed") {
+    SignalWatch const watch;
+    Task talkative = quick(std::string(1'000'000, 'x'));
+    talkative.most_output_bytes = 200'000;
+    Outcome const outcome = run_all({talkative, quick("fine")}, 2, watch).front();
+    CHECK(outcome.kind == Kind::failed);
+    CHECK(outcome.output.size() < 300'000);
+    talkative.most_output_bytes = 1'000'000;
+    CHECK(run_all({talkative}, 1, watch).front().kind == Kind::done);
+}
+
 TEST_CASE("A hung, a crashed and a failed task do not stop the others") {
     SignalWatch const watch;
     std::vector<Task> const tasks{{hang, 0.2},

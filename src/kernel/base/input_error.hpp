@@ -1,13 +1,15 @@
 #pragma once
 #include <stdexcept>
+#include <string>
 
 namespace faster {
 
 /// Something the user handed us (configuration, mesh, image, trace, flag) is unusable. `what()` is one line that names
 /// the file, line or key, what was found and what was expected. The binary exits with code 2 on it (SPEC section 4).
+/// Here, where every message passes, what came from outside is made fit to be printed: see message_line().
 class InputError : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(std::string const& message);
 };
 
 }  // namespace faster

@@ -32,11 +32,17 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// The candidate that `name` was most likely meant to be, for "did you mean": the first of those with the fewest
-/// edits. Empty if even that one takes more edits than a third of the name (at least one is always allowed).
+/// edits. Empty if even that one takes more edits than a third of the name (at least one is always allowed). Lengths
+/// that differ by more are not compared letter by letter, so a megabyte of a name costs no time.
 template <class Candidates> std::string nearest_name(std::string_view name, Candidates const& candidates) {
     std::string nearest;
     std::size_t fewest_edits = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (std::string_view const candidate : candidates) {
+        std::size_t const lengths_differ =
+            std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+        if (lengths_differ >= fewest_edits) {
+            continue;
+        }
         std::size_t const edits = edit_distance(name, candidate);
         if (edits < fewest_edits) {
             fewest_edits = edits;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 
 namespace faster::processes {
@@ -27,10 +29,11 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class Child {
   public:
     Child(std::size_t number, Task const& task, SignalWatch const& watch)
-        : number_(number), time_limit_s_(task.time_limit_s) {
+        : number_(number), time_limit_s_(task.time_limit_s), most_output_bytes_(task.most_output_bytes) {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0)
-            throw std::runtime_error("no pipe for another process");
+            throw InputError(std::string("no pipe for another process (") + std::strerror(errno) +
+                             "), expected room for more open files");
         pid_t const parent = getpid();
         process_ = fork();
         if (process_ == 0) {
@@ -41,7 +44,8 @@ class Child {
         pipe_ = ends[0];
         if (process_ < 0) {
             close(pipe_);
-            throw std::runtime_error("no further process");
+            throw InputError(std::string("no further process (") + std::strerror(errno) +
+                             "), expected room for more processes");
         }
     }
     ~Child() {
@@ -79,14 +83,23 @@ class Child {
         return outcome_;
     }
 
-    Outcome end_at_time_limit() {
-        kill(process_, SIGKILL);
-        wait_for_end();
-        outcome_.kind = Outcome::Kind::timed_out;
-        return outcome_;
+    bool sends_too_much() const { return outcome_.output.size() > most_output_bytes_; }
+
+    Outcome end_at_time_limit() { return kill_as(Outcome::Kind::timed_out); }
+
+    Outcome end_at_output_limit() {
+        outcome_.exit_code = EXIT_FAILURE;
+        return kill_as(Outcome::Kind::failed);
     }
 
   private:
+    Outcome kill_as(Outcome::Kind kind) {
+        kill(process_, SIGKILL);
+        wait_for_end();
+        outcome_.kind = kind;
+        return outcome_;
+    }
+
     [[noreturn]] static void run(Task const& task, SignalWatch const& watch, pid_t parent, int pipe) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent)
@@ -122,6 +135,7 @@ class Child {
 
     std::size_t number_;
     double time_limit_s_;
+    std::uint64_t most_output_bytes_;
     Clock::time_point start_ = Clock::now();
     pid_t process_ = -1;
     int pipe_ = -1;
@@ -156,6 +170,8 @@ void collect(Children& children, std::vector<bool> const& news, Ended const& end
         Child& child = *children[i];
         if (news[i] && child.read_some())
             outcomes.emplace_back(child.number(), child.finish());
+        else if (child.sends_too_much())
+            outcomes.emplace_back(child.number(), child.end_at_output_limit());
         else if (child.seconds_left() <= 0)
             outcomes.emplace_back(child.number(), child.end_at_time_limit());
         else

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@ namespace faster::processes {
 struct Task {
     std::function<std::string()> work;
     double time_limit_s = 60;  ///< from the start of its process on
+    /// Of what is sent back. A process that sends more is killed, and has failed.
+    std::uint64_t most_output_bytes = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// How a task ended.

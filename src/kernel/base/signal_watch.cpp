@@ -1,7 +1,12 @@
 #include "kernel/base/signal_watch.hpp"
 
+#include <cerrno>
+#include <cstring>
+#include <string>
 #include <sys/signalfd.h>
 #include <unistd.h>
+
+#include "kernel/base/input_error.hpp"
 
 namespace faster::processes {
 
@@ -29,7 +34,8 @@ SignalWatch::SignalWatch() {
     descriptor_ = signalfd(-1, &watched, SFD_CLOEXEC | SFD_NONBLOCK);
     if (descriptor_ < 0) {
         sigprocmask(SIG_SETMASK, &before_, nullptr);
-        throw std::runtime_error("no descriptor to watch for signals");
+        throw InputError(std::string("no descriptor to watch for signals (") + std::strerror(errno) +
+                         "), expected room for more open files");
     }
 }
 

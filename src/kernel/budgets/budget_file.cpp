@@ -4,8 +4,10 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/budgets/baseline_reader.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
@@ -15,7 +17,6 @@
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 
 namespace faster::budgets {
 

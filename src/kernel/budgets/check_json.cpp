@@ -1,5 +1,6 @@
 #include "kernel/budgets/check_json.hpp"
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 
 namespace faster::budgets {
@@ -82,7 +83,7 @@ std::string check_json(std::vector<CheckResult> const& results) {
         json["budgets"].push_back(budget_row(result));
         json["passed"] = json["passed"].get<bool>() && !result.is_failure();
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return io::text_of(json, 2) + "\n";
 }
 
 }  // namespace faster::budgets

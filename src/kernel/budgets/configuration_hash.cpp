@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "kernel/base/fnv1a.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/plain_value.hpp"
 
 namespace faster::budgets {
@@ -11,7 +12,7 @@ namespace faster::budgets {
 std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
     Fnv1a hash;
     for (ResolvedKey const& key : keys) {
-        if (key.key == "simulation.engine")
+        if (!decides_figures(key.key))
             continue;
         hash.add(key.key + "=" + json_text(key.value) + "\n");
     }

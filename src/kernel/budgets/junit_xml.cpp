@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/markup_text.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/budgets/check_text.hpp"
 #include "kernel/budgets/limit_text.hpp"
 
@@ -84,13 +85,7 @@ std::string suite(CheckResult const& result) {
 }  // namespace
 
 /// XML has no control characters but tab and line end, not even escaped.
-std::string xml_text(std::string const& text) {
-    std::string printable = text;
-    for (char& letter : printable)
-        if (static_cast<unsigned char>(letter) < 0x20 && letter != '\n' && letter != '\t')
-            letter = '?';
-    return markup_escaped(printable);
-}
+std::string xml_text(std::string const& text) { return markup_escaped(printable_lines(text)); }
 
 std::string junit_xml(std::vector<CheckResult> const& results) {
     Counts all;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 
 namespace faster::budgets {
@@ -21,7 +22,7 @@ std::string to_text(Measurement const& measurement) {
                     {"accelerator", accelerator},
                     {"names", names},
                     {"values", values}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return io::text_of(json);
 }
 
 Measurement measurement_from_text(std::string const& text) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/budgets/baseline_reader.hpp"
 #include "kernel/budgets/baseline_text.hpp"
-#include "kernel/config/yaml_document.hpp"
 
 namespace faster::budgets {
 

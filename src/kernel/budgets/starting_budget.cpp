@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/budgets/baseline_text.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double slack = 1.02;
 
-std::string quoted(std::string const& text) { return nlohmann::json(text).dump(); }
+std::string quoted(std::string const& text) { return io::text_of(text); }
 
 std::string head(Budget const& budget, std::string const& date) {
     std::string const name = budget.file.filename().string();

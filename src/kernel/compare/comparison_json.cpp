@@ -1,5 +1,6 @@
 #include "kernel/compare/comparison_json.hpp"
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/config/design.hpp"
 
@@ -82,7 +83,7 @@ std::string comparison_json(Comparison const& comparison) {
     json["fifo_shapes"] = settings(comparison.fifo_shapes);
     json["figures"] = figures(comparison.figures);
     // A folder's name is whatever bytes the file system allows.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return io::text_of(json, 2) + "\n";
 }
 
 }  // namespace faster::runs

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 
 namespace faster {
 namespace {

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
+#include "kernel/base/files/yaml_document.hpp"
+#include "kernel/base/printable.hpp"
+#include "kernel/base/utf8.hpp"
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 
 namespace faster {
 namespace {

@@ -74,6 +74,9 @@ struct Key {
     bool is_step = false;
     /// A choice about the whole machine, of which the sensitivities try every other value.
     bool is_alternative = false;
+    /// False for what only says how a run is made, or what making it may take: no figure depends on it, so it belongs
+    /// neither to what identifies a run nor to what is recorded of it.
+    bool decides_figures = true;
     std::function<KeyValue(RunConfig const&)> read;
     std::function<void(RunConfig&, KeyValue const&)> write;
 

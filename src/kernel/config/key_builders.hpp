@@ -82,6 +82,12 @@ template <class Config> struct KeyMaker {
     }
 };
 
+/// A key that no figure depends on.
+inline Key of_no_figure(Key key) {
+    key.decides_figures = false;
+    return key;
+}
+
 /// A key that may be changed without running the function again.
 inline Key of_time(Key key) {
     key.decides_time = true;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "kernel/base/json.hpp"
+
 namespace faster {
 namespace {
 
@@ -9,15 +11,9 @@ std::string text_of(bool value) { return value ? "true" : "false"; }
 std::string text_of(std::int64_t value) { return fmt::format("{}", value); }
 std::string text_of(double value) { return fmt::format("{}", value); }
 
+/// No reader lets control characters pass, but a path may have them from the folder that its file lies in.
 std::string text_of(std::string const& value) {
-    std::string text = "\"";
-    for (char const letter : value) {
-        if (letter == '"' || letter == '\\') {
-            text += '\\';
-        }
-        text += letter;  // control characters do not get this far: no reader lets them pass
-    }
-    return text + '"';
+    return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string text_of(std::array<double, 3> const& value) {

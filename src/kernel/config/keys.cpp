@@ -13,12 +13,12 @@ namespace faster {
 namespace {
 
 Keys simulation_keys() {
-    return {KeyMaker<RunConfig>::choice_key(
+    return {of_no_figure(KeyMaker<RunConfig>::choice_key(
         {"simulation.engine", "",
          "How the SystemC kernel follows the processes: at every operation (lockstep, for waveforms) or "
          "only when they must wait (decoupled); the results are the same.",
          "timing model"},
-        [](auto& config) -> auto& { return config.simulation.engine; })};
+        [](auto& config) -> auto& { return config.simulation.engine; }))};
 }
 
 Keys make_all_keys() {
@@ -114,10 +114,10 @@ bool is_retimable(Key const& key, RunConfig const& config) {
     return key.decides_time && !design().decides_function(key.name(), config);
 }
 
-Keys run_keys() {
+Keys figure_keys() {
     Keys keys;
     std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
-                 [](Key const& key) { return key.of_runs; });
+                 [](Key const& key) { return key.of_runs && key.decides_figures; });
     return keys;
 }
 
@@ -125,6 +125,11 @@ Key const* find_key(std::string_view name) {
     auto const found =
         std::find_if(all_keys().begin(), all_keys().end(), [&](Key const& key) { return key.name() == name; });
     return found == all_keys().end() ? nullptr : &*found;
+}
+
+bool decides_figures(std::string_view name) {
+    Key const* const key = find_key(name);
+    return key == nullptr || (key->of_runs && key->decides_figures);
 }
 
 bool is_section(std::string_view name) {

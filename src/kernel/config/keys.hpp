@@ -22,8 +22,8 @@ Keys timing_keys(RunConfig const& config);
 /// RAMs, how many cores share the samples, the clock.
 Keys retiming_keys();
 
-/// Those that a run looks at.
-Keys run_keys();
+/// Those that the figures of a run depend on: Key::of_runs and Key::decides_figures.
+Keys figure_keys();
 
 /// Whether a key may be changed without running the function again: one of retiming_keys(), unless `config` makes it
 /// decide about more.
@@ -31,6 +31,9 @@ bool is_retimable(Key const& key, RunConfig const& config);
 
 /// The key of that dotted name, or null.
 Key const* find_key(std::string_view name);
+
+/// Whether the key of that name is one of figure_keys(); true of others, which older runs may have had.
+bool decides_figures(std::string_view name);
 
 /// True if keys stand below `name`: "accelerator.fifos", but not "accelerator.window".
 bool is_section(std::string_view name);

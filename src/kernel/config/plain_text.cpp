@@ -10,50 +10,6 @@ namespace {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// Bytes of the UTF-8 character that starts with `lead`; 0 if none does. C0, C1 and F5 upwards never occur.
-std::size_t character_length(unsigned char lead) {
-    if (lead < 0x80) {
-        bool const is_control = (lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') || lead == 0x7F;
-        return is_control ? 0 : 1;
-    }
-    if (lead >= 0xC2 && lead <= 0xDF) {
-        return 2;
-    }
-    if (lead >= 0xE0 && lead <= 0xEF) {
-        return 3;
-    }
-    return lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
-}
-
-/// Excludes overlong forms, surrogates and code points beyond 10FFFF, all recognisable by the second byte.
-bool is_second_byte(unsigned char lead, unsigned char second) {
-    switch (lead) {
-        case 0xE0:
-            return second >= 0xA0 && second <= 0xBF;
-        case 0xED:
-            return second >= 0x80 && second <= 0x9F;
-        case 0xF0:
-            return second >= 0x90 && second <= 0xBF;
-        case 0xF4:
-            return second >= 0x80 && second <= 0x8F;
-        default:
-            return second >= 0x80 && second <= 0xBF;
-    }
-}
-
-bool is_character(std::string_view bytes) {
-    auto const byte = [&](std::size_t index) { return static_cast<unsigned char>(bytes[index]); };
-    if (bytes.size() > 1 && !is_second_byte(byte(0), byte(1))) {
-        return false;
-    }
-    for (std::size_t index = 2; index < bytes.size(); ++index) {
-        if (byte(index) < 0x80 || byte(index) > 0xBF) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool is_null_word(std::string_view text) {
     return text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL";
 }
@@ -105,29 +61,6 @@ std::optional<bool> parse_boolean(std::string_view text) {
 
 bool is_plain_text(std::string_view text) {
     return !is_null_word(text) && !is_boolean_word(text) && !is_integer_text(text) && !parse_number(text);
-}
-
-std::optional<std::size_t> first_bad_byte(std::string_view text) {
-    for (std::size_t index = 0; index < text.size();) {
-        std::size_t const length = character_length(static_cast<unsigned char>(text[index]));
-        if (length == 0 || index + length > text.size() || !is_character(text.substr(index, length))) {
-            return index;
-        }
-        index += length;
-    }
-    return std::nullopt;
-}
-
-std::string shortened(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    std::size_t cut = std::min(longest, text.size());
-    while (cut < text.size() && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) {
-        --cut;  // not inside a character
-    }
-    std::string line(text.substr(0, cut));
-    std::replace_if(
-        line.begin(), line.end(), [](char letter) { return static_cast<unsigned char>(letter) < 0x20; }, ' ');
-    return cut < text.size() ? line + "..." : line;
 }
 
 }  // namespace faster

@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace faster {
@@ -24,11 +23,5 @@ std::optional<bool> parse_boolean(std::string_view text);
 
 /// True if YAML 1.2 reads the word as text, not as a boolean, a number or nothing.
 bool is_plain_text(std::string_view text);
-
-/// Where a byte sequence stops being printable UTF-8 (tabs and line ends are fine), from 0; none if it never does.
-std::optional<std::size_t> first_bad_byte(std::string_view text);
-
-/// Fit for a one-line message: control characters become blanks, long text is cut.
-std::string shortened(std::string_view text);
 
 }  // namespace faster

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 
 namespace faster {
 namespace {

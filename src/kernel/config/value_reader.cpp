@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "kernel/base/printable.hpp"
+#include "kernel/base/utf8.hpp"
 #include "kernel/config/plain_text.hpp"
 
 namespace faster {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
 #include "kernel/base/input_error.hpp"
@@ -18,7 +19,7 @@ namespace faster::events {
 namespace {
 
 constexpr std::size_t most_header_bytes = std::size_t{1} << 24;
-constexpr std::size_t most_index_bytes = std::size_t{1} << 32;
+constexpr std::size_t most_index_bytes = std::size_t{1} << 27;  // a million samples take 100 MB
 constexpr std::uint64_t most_block_bytes = std::uint64_t{1} << 28;
 
 /// Reads an event file from both ends.
@@ -105,15 +106,13 @@ class Reader {
         if (!content)
             fail(fmt::format("its {} is damaged, expected the file as it was written", what));
         header_checksum_ = io::checksum_of_zstd_frame(frame);
-        return Json::parse(*content);
+        return io::parse_json(*content);
     }
 
     void read_configuration(Json const& values, LoadedConfig& loaded) {
         RunConfig const defaults;
-        Keys const keys = run_keys();
+        Keys const keys = figure_keys();
         for (Key const& key : keys) {
-            if (key.name() == "simulation.engine")
-                continue;
             Json const& value = values.at(key.name());
             std::string const text = value.is_string() ? value.get<std::string>() : value.dump();
             for (std::string const& complaint : apply_override(key.name() + "=" + text, loaded))
@@ -121,7 +120,7 @@ class Reader {
             bool const is_default = json_text(key.read(loaded.config)) == json_text(key.read(defaults));
             loaded.origins.record(key.name(), is_default ? KeyOrigin{} : KeyOrigin{KeySource::file, path_.string()});
         }
-        if (values.size() != keys.size() - 1)
+        if (values.size() != keys.size())
             throw std::invalid_argument("it has other keys");
     }
 

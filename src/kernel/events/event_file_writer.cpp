@@ -1,6 +1,8 @@
 #include <ostream>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/event_file_format.hpp"
@@ -14,7 +16,7 @@ namespace {
 Json configuration_json(RunConfig const& config) {
     Json keys = Json::object();
     for (ResolvedKey const& key : resolved_keys(config))
-        if (key.key != "simulation.engine")
+        if (decides_figures(key.key))
             keys[key.key] = Json::parse(json_text(key.value));
     return keys;
 }
@@ -25,7 +27,7 @@ std::string header_of(RunConfig const& config, replay::RecordedRun const& run) {
     header["version"] = format_version;
     header["configuration"] = configuration_json(config);
     header["machine"] = machine_json(*run.blueprint);
-    return header.dump();
+    return io::text_of(header);
 }
 
 Json sample_json(replay::OperationTape::Block const& block, SampleStatistics const& sample) {
@@ -41,13 +43,15 @@ std::string index_of_file(std::string const& header, replay::RecordedRun const& 
     index["header_checksum"] = io::checksum_of_zstd_frame(header);
     index["summary"] = Json::parse(summary);
     index["summary"].erase("host");
-    index["summary"]["configuration"].erase("simulation.engine");
+    for (Key const& key : all_keys())
+        if (!key.decides_figures)
+            index["summary"]["configuration"].erase(key.name());
     index["samples"] = Json::array();
     for (std::size_t i = 0; i < statistics.samples.size(); ++i)
         index["samples"].push_back(sample_json(run.tape.blocks()[i], statistics.samples[i]));
     if (run.memory)
         index["memory"] = memory_json(*run.memory);
-    return index.dump();
+    return io::text_of(index);
 }
 
 void put(std::string_view bytes, std::ostream& stream) {

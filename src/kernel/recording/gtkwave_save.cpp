@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/recording/port_names.hpp"
 #include "kernel/recording/state_codes.hpp"
 
@@ -62,8 +63,8 @@ void add_module(SaveText& save, std::string const& path, Machine const& machine,
                 Tables const& tables) {
     std::string const& name = machine.processes[module].name;
     save.open_group(name, false);
-    save.translated_signal(path + ".state", state_bits(machine), tables.states);
-    save.translated_signal(path + ".stall", stall_bits(machine), tables.stalls);
+    save.translated_signal(path + ".state", state_bits(machine), printable(tables.states));
+    save.translated_signal(path + ".stall", stall_bits(machine), printable(tables.stalls));
     save.signal(decimal, path + ".iteration", 32);
     save.close_group(name);
 }
@@ -172,7 +173,8 @@ void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine
     Cycles first = cores.empty() ? 0 : ~Cycles{0};
     for (RecordedCore const& core : cores)
         first = std::min(first, core.from);
-    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n", std::filesystem::absolute(vcd).lexically_normal().string());
+    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n",
+             printable(std::filesystem::absolute(vcd).lexically_normal().string()));
     save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)

@@ -1,5 +1,6 @@
 #include "kernel/recording/timeline_json.hpp"
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 
 namespace faster::recording {
@@ -34,7 +35,7 @@ class Writer {
     double microseconds(Cycles cycles) const { return static_cast<double>(cycles) / clock_mhz_; }
     void add_event(Json const& event) {
         events_ += events_.empty() ? "" : ",\n";
-        events_ += event.dump();
+        events_ += io::text_of(event);
     }
     void name_tracks(CoreTimeline const& timeline) {
         std::size_t const core = timeline.core;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/report/summary.hpp"
 
 namespace faster::report {
@@ -130,19 +131,18 @@ std::string architecture_csv(Rows const& rows) {
 }
 
 std::string to_text(ArchitectureRow const& row) {
-    return nlohmann::json{{"deadlocked", row.deadlocked},
-                          {"total_cycles", row.total_cycles},
-                          {"milliseconds", row.milliseconds},
-                          {"empty_stall_cycles", row.empty_stall_cycles},
-                          {"full_stall_cycles", row.full_stall_cycles},
-                          {"port_conflict_cycles", row.port_conflict_cycles},
-                          {"ramb36", row.ramb36},
-                          {"judged_samples", row.judged_samples},
-                          {"precision", row.precision},
-                          {"recall", row.recall},
-                          {"closed", row.closed},
-                          {"thin", row.thin}}
-        .dump();
+    return io::text_of(nlohmann::json{{"deadlocked", row.deadlocked},
+                                      {"total_cycles", row.total_cycles},
+                                      {"milliseconds", row.milliseconds},
+                                      {"empty_stall_cycles", row.empty_stall_cycles},
+                                      {"full_stall_cycles", row.full_stall_cycles},
+                                      {"port_conflict_cycles", row.port_conflict_cycles},
+                                      {"ramb36", row.ramb36},
+                                      {"judged_samples", row.judged_samples},
+                                      {"precision", row.precision},
+                                      {"recall", row.recall},
+                                      {"closed", row.closed},
+                                      {"thin", row.thin}});
 }
 
 ArchitectureRow row_from_text(std::string const& text) {

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include "kernel/base/files/json_file.hpp"
+
 namespace faster::report {
 
 namespace {
@@ -173,7 +175,7 @@ std::string sensitivities_file_json(RunStatistics const& run) {
     file["sensitivities"] = sensitivities_json(run);
     if (!run.alternatives.empty())
         file["alternatives"] = alternatives_json(run);
-    return file.dump(2) + "\n";
+    return io::text_of(file, 2) + "\n";
 }
 
 }  // namespace faster::report

@@ -1,5 +1,6 @@
 #include "kernel/report/summary.hpp"
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
@@ -50,7 +51,7 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
         summary["alternatives"] = alternatives_json(run);
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
-    return summary.dump(2) + "\n";
+    return io::text_of(summary, 2) + "\n";
 }
 
 std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run) {
@@ -75,7 +76,7 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
     summary["deadlock"] = {
         {"cycle", run.deadlock_cycle()}, {"wait_cycle", rows(run.wait_cycle())}, {"stuck", rows(run.stuck)}};
     summary["configuration"] = configuration(keys);
-    return summary.dump(2) + "\n";
+    return io::text_of(summary, 2) + "\n";
 }
 
 }  // namespace faster::report

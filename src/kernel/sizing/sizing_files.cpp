@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/config/enum_names.hpp"
 #include "kernel/config/idle_keys.hpp"
@@ -129,7 +130,7 @@ std::string sizing_json(Sizing const& sizing) {
     json["front"] = Json::array();
     for (FrontPoint const& point : sizing.front)
         json["front"].push_back(front_row(sizing, point));
-    return json.dump(2) + "\n";
+    return io::text_of(json, 2) + "\n";
 }
 
 /// The machine that was sized: depths and kinds, and what else is not the default. A preset has said what it had to.

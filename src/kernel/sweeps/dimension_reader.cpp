@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/sweeps/random_dimension.hpp"

@@ -1,6 +1,7 @@
 #include "kernel/sweeps/journal.hpp"
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/sweeps/journal_rows.hpp"
 

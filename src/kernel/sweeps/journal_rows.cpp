@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/fnv1a.hpp"
 
 namespace faster::sweeps {
@@ -26,7 +27,7 @@ bool read_row(std::string_view row, std::function<void(Json const&)> const& take
     try {
         if (!is_whole(row))
             return false;
-        take(Json::parse(row.substr(checksum_letters + 1)));
+        take(io::parse_json(row.substr(checksum_letters + 1)));
         return true;
     } catch (Json::exception const&) {
         return false;
@@ -36,7 +37,7 @@ bool read_row(std::string_view row, std::function<void(Json const&)> const& take
 }  // namespace
 
 std::string journal_row(Json const& json) {
-    std::string const text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string const text = io::text_of(json);
     return checksum_of(text) + " " + text + "\n";
 }
 

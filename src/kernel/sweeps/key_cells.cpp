@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "kernel/config/plain_text.hpp"
+#include "kernel/base/printable.hpp"
+#include "kernel/base/utf8.hpp"
 #include "kernel/config/plain_value.hpp"
 #include "kernel/config/value_reader.hpp"
 

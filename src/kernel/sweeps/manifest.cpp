@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/sweeps/sweep.hpp"
@@ -20,12 +21,12 @@ std::string to_text(Manifest const& manifest) {
     Json const json{{"format", "faster-sweep-folder"}, {"version", 1},
                     {"faster_sim", manifest.version},  {"sweep", manifest.sweep},
                     {"columns", manifest.columns},     {"points", points}};
-    return json.dump() + "\n";
+    return io::text_of(json) + "\n";
 }
 
 Manifest manifest_from_text(std::string const& text, std::string const& file) {
     try {
-        Json const json = Json::parse(text);
+        Json const json = io::parse_json(text);
         if (json.at("format") != "faster-sweep-folder" || json.at("version") != 1)
             throw InputError(file + ": is of another format or version, expected faster-sweep-folder, 1");
         Manifest manifest;

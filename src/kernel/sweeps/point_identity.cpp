@@ -24,9 +24,7 @@ void add_file(std::filesystem::path const& path, Fnv1a& hash) {
 
 PointIdentity Identifier::identity(RunConfig const& config) {
     Fnv1a point, function;
-    for (Key const& key : run_keys()) {
-        if (key.name() == "simulation.engine")
-            continue;
+    for (Key const& key : figure_keys()) {
         std::string const line = key.name() + "=" + text_of(key, config) + "\n";
         point.add(line);
         if (!is_retimable(key, config))

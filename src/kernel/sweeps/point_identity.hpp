@@ -16,7 +16,7 @@ struct PointIdentity {
 };
 
 /// Works identities out. Files and folders that keys name count by their content, not by their name; each is read
-/// once. simulation.engine does not count.
+/// once. What decides no figure does not count.
 class Identifier {
   public:
     /// Throws InputError for a file that is not there.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kernel/base/nearest_name.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/sweeps/draw.hpp"
 
 namespace faster::sweeps {

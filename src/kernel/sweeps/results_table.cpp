@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "kernel/base/printable.hpp"
+
 namespace faster::sweeps {
 
 namespace {
 
-std::string quoted(std::string const& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
+std::string quoted(std::string const& value) {
+    std::string const text = printable(value);
+    if (text.find_first_of(",\"") == std::string::npos)
         return text;
     std::string cell = "\"";
     for (char const letter : text)

@@ -6,12 +6,12 @@
 #include <map>
 #include <set>
 
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 #include "kernel/sweeps/dimension_reader.hpp"
 #include "kernel/sweeps/key_cells.hpp"
 

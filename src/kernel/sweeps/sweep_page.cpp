@@ -1,5 +1,6 @@
 #include "kernel/sweeps/sweep_page.hpp"
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/report/html/fill_page.hpp"
 #include "kernel/sweeps/page.hpp"
@@ -27,8 +28,7 @@ std::string sweep_page(Manifest const& manifest, Results const& results) {
     Json const data{{"format", "faster-sweep-page"}, {"version", 1},
                     {"sweep", manifest.sweep},       {"planned", manifest.points.size()},
                     {"columns", manifest.columns},   {"points", points_json(manifest, results)}};
-    return report::filled_page(sweep_page_template, manifest.sweep,
-                               data.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return report::filled_page(sweep_page_template, manifest.sweep, io::text_of(data));
 }
 
 }  // namespace faster::sweeps

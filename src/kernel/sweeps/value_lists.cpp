@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "kernel/base/printable.hpp"
 #include "kernel/config/plain_text.hpp"
 
 namespace faster::sweeps {

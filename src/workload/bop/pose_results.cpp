@@ -7,6 +7,7 @@
 
 #include "kernel/base/files/csv_cells.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 #include "workload/bop/pose_numbers.hpp"
 
 namespace faster::bop {
@@ -55,7 +56,7 @@ class Row {
     }
     [[noreturn]] void fail(Column column, std::string const& expected) const {
         throw InputError(fmt::format("{}:{}: column {} = {}, expected {}", path_.string(), line_, columns()[column],
-                                     cells_[column].empty() ? "nothing" : cells_[column], expected));
+                                     cells_[column].empty() ? "nothing" : shortened(cells_[column]), expected));
     }
 
   private:

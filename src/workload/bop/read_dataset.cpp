@@ -201,11 +201,15 @@ Observation load_observation(DatasetImage const& image) {
     return observation;
 }
 
-Mesh load_model(ObjectModel const& model) {
-    Mesh mesh = io::load_mesh(model.mesh);
-    for (Eigen::Vector3d& vertex : mesh.vertices)
-        vertex *= model.unit_m;
-    return mesh;
+std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std::size_t jobs) {
+    std::vector<std::filesystem::path> files;
+    for (ObjectModel const* const model : models)
+        files.push_back(model->mesh);
+    std::vector<Mesh> meshes = io::load_meshes(files, {}, jobs);
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        for (Eigen::Vector3d& vertex : meshes[i].vertices)
+            vertex *= models[i]->unit_m;
+    return meshes;
 }
 
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {

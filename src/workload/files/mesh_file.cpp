@@ -1,129 +1,79 @@
 #include "workload/files/mesh_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <cctype>
-#include <cstdint>
-#include <exception>
+#include <cstring>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <new>
+#include <string_view>
 
+#include "kernel/base/confinement.hpp"
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
-#include "workload/files/obj_vertices.hpp"
-#include "workload/files/ply_length.hpp"
-#include "workload/files/vertex_joiner.hpp"
+#include "kernel/base/process_pool.hpp"
+#include "workload/files/mesh_bytes.hpp"
+#include "workload/files/mesh_import.hpp"
 
 namespace faster::io {
 namespace {
 
 namespace fs = std::filesystem;
+using processes::Outcome;
 
-std::string lower_case_extension(fs::path const& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension;
-}
+/// The first byte of what the child sends.
+enum Reply : char { reply_mesh = 'm', reply_complaint = 'c', reply_no_memory = 'n' };
 
-/// assimp's complaints may span lines and end in one; ours are one line.
-std::string one_line(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
-    return text.substr(0, text.find_last_not_of(' ') + 1);
-}
-
-[[noreturn]] void fail_unreadable(fs::path const& path, std::string const& reason) {
-    fail(path, fmt::format("cannot be read as a mesh ({}), expected a valid {} file", one_line(reason),
-                           lower_case_extension(path).substr(1)));
-}
-
-Eigen::Vector3d position(aiVector3D const& vertex) { return {vertex.x, vertex.y, vertex.z}; }
-
-std::vector<aiMesh const*> parts_of(aiScene const& scene) { return {scene.mMeshes, scene.mMeshes + scene.mNumMeshes}; }
-
-[[noreturn]] void fail_vertex(fs::path const& path, std::size_t index, Eigen::Vector3d const& vertex) {
-    std::string place = path.string();
-    if (lower_case_extension(path) == ".obj") {  // assimp numbers corners there, not the vertices of the file
-        if (auto const found = first_bad_obj_vertex(read_file(path))) {
-            index = found->index;
-            place += fmt::format(":{}", found->line);
-        }
-    }
-    throw InputError(fmt::format("{}: vertex {} (counted from 0) is ({}, {}, {}), expected finite coordinates", place,
-                                 index, vertex.x(), vertex.y(), vertex.z()));
-}
-
-void check_vertices(fs::path const& path, aiScene const& scene) {
-    std::size_t index = 0;
-    for (aiMesh const* const part : parts_of(scene)) {
-        for (unsigned vertex = 0; vertex < part->mNumVertices; ++vertex, ++index) {
-            if (Eigen::Vector3d const point = position(part->mVertices[vertex]); !point.allFinite()) {
-                fail_vertex(path, index, point);
-            }
-        }
+std::string reply_of(fs::path const& path, MeshLimits const& limits) {
+    try {
+        processes::confine_process(limits.memory_bytes());
+        return char{reply_mesh} + mesh_bytes(import_mesh(path));
+    } catch (InputError const& error) {
+        return char{reply_complaint} + std::string(error.what());
+    } catch (std::bad_alloc const&) {
+        return {reply_no_memory};
     }
 }
 
-/// assimp hands out truncated and inconsistent face lists as they are; cutting polygons would then read out of bounds.
-void check_faces(fs::path const& path, aiScene const& scene) {
-    std::size_t index = 0;
-    for (aiMesh const* const part : parts_of(scene)) {
-        for (unsigned face = 0; face < part->mNumFaces; ++face, ++index) {
-            aiFace const& corners = part->mFaces[face];
-            bool const in_range = std::all_of(corners.mIndices, corners.mIndices + corners.mNumIndices,
-                                              [&](unsigned vertex) { return vertex < part->mNumVertices; });
-            if (corners.mNumIndices == 0 || !in_range) {
-                fail_unreadable(path, fmt::format("face {} (counted from 0) {}", index,
-                                                  in_range ? "is missing" : "names a vertex that does not exist"));
-            }
-        }
-    }
+[[noreturn]] void fail_reading(fs::path const& path, std::string const& why, std::string const& way_out = {}) {
+    fail(path, fmt::format("cannot be read as a mesh ({}), expected a valid {} file{}", why,
+                           lower_case_extension(path).substr(1), way_out));
 }
 
-/// The scene as it is in the file, checked, polygons cut into triangles.
-aiScene const* import_scene(fs::path const& path, Assimp::Importer& importer) {
-    if (lower_case_extension(path) == ".ply" && is_truncated_ply(read_file(path))) {
-        fail_unreadable(path, "it ends early");
-    }
-    aiScene const* scene = importer.ReadFile(path.string(), 0);
-    if (scene == nullptr) {
-        fail_unreadable(path, importer.GetErrorString());
-    }
-    check_vertices(path, *scene);
-    check_faces(path, *scene);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-    if (scene == nullptr) {
-        fail_unreadable(path, importer.GetErrorString());
-    }
-    return scene;
+[[noreturn]] void fail_limit(fs::path const& path, std::string const& why, MeshLimits const& limits,
+                             char const* limit) {
+    fail_reading(path, why, limits.section.empty() ? "" : fmt::format(", or a larger {}.{}", limits.section, limit));
 }
 
-void append_triangles(aiMesh const& part, VertexJoiner& joiner, Mesh& mesh) {
-    for (unsigned face = 0; face < part.mNumFaces; ++face) {
-        aiFace const& corners = part.mFaces[face];
-        if (corners.mNumIndices != 3) {
-            continue;  // a point or a line
-        }
-        std::array<std::uint32_t, 3> joined{};
-        for (unsigned corner = 0; corner < 3; ++corner) {
-            joined[corner] = joiner.index_of(position(part.mVertices[corners.mIndices[corner]]));
-        }
-        mesh.faces.push_back(joined);
-    }
+void require_readable(fs::path const& path, MeshLimits const& limits) {
+    require_file(path);
+    if (!has_mesh_extension(path))
+        fail(path,
+             fmt::format("is of an unknown format, expected a mesh file ({})", fmt::join(mesh_extensions(), ", ")));
+    std::error_code error;
+    auto const size = fs::file_size(path, error);
+    if (error)
+        fail(path, "is no regular file, expected a mesh file");
+    if (size > limits.file_bytes())
+        fail_limit(path, fmt::format("it is longer than {} MiB", limits.file_mib), limits, "file_limit_mib");
 }
 
-Mesh merged(aiScene const& scene) {
-    Mesh mesh;
-    VertexJoiner joiner(mesh.vertices);
-    for (aiMesh const* const part : parts_of(scene)) {
-        append_triangles(*part, joiner, mesh);
+Mesh mesh_of(fs::path const& path, MeshLimits const& limits, Outcome const& outcome) {
+    if (outcome.kind == Outcome::Kind::timed_out)
+        fail_limit(path, fmt::format("it took more than {:g} s", limits.seconds), limits, "time_limit_s");
+    if (outcome.kind == Outcome::Kind::crashed)
+        fail_reading(path, fmt::format("the library that reads it crashed: {}", strsignal(outcome.signal)));
+    std::string_view const output = outcome.output;
+    if (outcome.kind == Outcome::Kind::done && !output.empty()) {
+        if (output.front() == reply_complaint)
+            throw InputError(std::string(output.substr(1)));
+        if (output.front() == reply_no_memory)
+            fail_limit(path, fmt::format("it took more than {} MiB of memory", limits.memory_mib), limits,
+                       "memory_limit_mib");
+        if (auto mesh = output.front() == reply_mesh ? mesh_from_bytes(output.substr(1)) : std::nullopt)
+            return std::move(*mesh);
     }
-    return mesh;
+    fail_reading(path, "the library that reads it failed");
 }
 
 }  // namespace
@@ -138,25 +88,20 @@ bool has_mesh_extension(fs::path const& path) {
     return std::find(known.begin(), known.end(), lower_case_extension(path)) != known.end();
 }
 
-Mesh load_mesh(fs::path const& path) {
-    require_file(path);
-    if (!has_mesh_extension(path)) {
-        fail(path,
-             fmt::format("is of an unknown format, expected a mesh file ({})", fmt::join(mesh_extensions(), ", ")));
+std::vector<Mesh> load_meshes(std::vector<fs::path> const& paths, MeshLimits const& limits, std::size_t jobs) {
+    std::vector<processes::Task> tasks;
+    for (fs::path const& path : paths) {
+        require_readable(path, limits);
+        tasks.push_back({[&] { return reply_of(path, limits); }, limits.seconds, limits.memory_bytes()});
     }
-    Mesh mesh;
-    try {
-        Assimp::Importer importer;
-        mesh = merged(*import_scene(path, importer));
-    } catch (InputError const&) {
-        throw;
-    } catch (std::exception const& error) {
-        fail_unreadable(path, error.what());
-    }
-    if (mesh.faces.empty()) {
-        fail(path, "has no triangles, expected at least one");
-    }
-    return mesh;
+    processes::SignalWatch const watch;
+    std::vector<Outcome> const outcomes = processes::run_all(tasks, jobs, watch);
+    std::vector<Mesh> meshes;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        meshes.push_back(mesh_of(paths[i], limits, outcomes[i]));
+    return meshes;
 }
+
+Mesh load_mesh(fs::path const& path, MeshLimits const& limits) { return std::move(load_meshes({path}, limits, 1)[0]); }
 
 }  // namespace faster::io

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,13 +15,32 @@ std::vector<std::string> const& mesh_extensions();
 /// True if the path ends in one of mesh_extensions(), in any case.
 bool has_mesh_extension(std::filesystem::path const& path);
 
+/// What reading a mesh file may take.
+struct MeshLimits {
+    double seconds = 10;
+    std::uint64_t memory_mib = 1024;
+    std::uint64_t file_mib = 256;
+    std::string section;  ///< of the configuration, where these are keys; for messages
+
+    std::uint64_t memory_bytes() const { return memory_mib << 20U; }
+    std::uint64_t file_bytes() const { return file_mib << 20U; }
+};
+
 /// The triangles of a mesh file (obj, ply, stl, off) in file order: all its parts in one mesh, polygons cut into
 /// triangles, points and lines left out, axes and units as they are (metres expected). Vertices of exactly equal
 /// position are joined, vertices without a triangle dropped. Triangles without area and open or self-touching surfaces
 /// are kept: they are the rasterizer's to cope with. Positions are read in single precision, as assimp does, which also
 /// takes a vertex index beyond the end of an OFF file for the last vertex.
 ///
-/// Throws InputError: missing file, unknown or unreadable format, no triangles, a coordinate that is not finite.
-Mesh load_mesh(std::filesystem::path const& path);
+/// A process of its own reads it, since assimp may crash, hang or take all memory on damaged files; see MeshLimits.
+/// Call it while the program has one thread only.
+///
+/// Throws InputError: missing file, unknown or unreadable format, no triangles, a coordinate that is not finite, a
+/// limit exceeded.
+Mesh load_mesh(std::filesystem::path const& path, MeshLimits const& limits = {});
+
+/// The same of several, `jobs` at once.
+std::vector<Mesh> load_meshes(std::vector<std::filesystem::path> const& paths, MeshLimits const& limits,
+                              std::size_t jobs);
 
 }  // namespace faster::io

@@ -1,5 +1,6 @@
 #include "workload/files/ply_length.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -130,10 +131,15 @@ bool take_row(Element const& element, bool is_little_endian, std::string_view& b
     return true;
 }
 
+bool takes_no_room(Element const& element) {
+    return std::all_of(element.properties.begin(), element.properties.end(),
+                       [](Property const& property) { return property.count_bytes == 0 && property.value_bytes == 0; });
+}
+
 bool lacks_bytes(Header const& header, std::string_view body) {
     for (Element const& element : header.elements) {
-        if (element.properties.empty()) {
-            continue;  // takes no room, however many there are
+        if (takes_no_room(element)) {
+            continue;  // however many there are
         }
         for (std::uint64_t row = 0; row < element.count; ++row) {
             if (!take_row(element, header.format == "binary_little_endian", body)) {
@@ -149,7 +155,7 @@ bool lacks_bytes(Header const& header, std::string_view body) {
 bool is_truncated_ply(std::string_view file) {
     auto const header = take_header(file);
     if (!header) {
-        return false;
+        return true;
     }
     return header->format == "ascii" ? lacks_lines(*header, file) : lacks_bytes(*header, file);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/base/files/text_file.hpp"
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
 
@@ -115,21 +115,6 @@ class Section {
     YAML::Node node_;
 };
 
-YAML::Node parse(std::filesystem::path const& path) {
-    try {
-        std::string const text = read_file(path);
-        YAML::Node const document = YAML::Load(text);
-        // Not LoadAll: yaml-cpp 0.7 never returns from it on some malformed text. A manifest has no text blocks in
-        // which such a line could mean anything else.
-        if (text.find("\n---") != std::string::npos) {
-            throw InputError(fmt::format("{}: a second document, expected one", path.string()));
-        }
-        return document;
-    } catch (YAML::Exception const& error) {
-        throw InputError(fmt::format("{}:{}: {}, expected YAML", path.string(), error.mark.line + 1, error.msg));
-    }
-}
-
 void check_format(Section const& root) {
     if (root.text("format") != TraceManifest::format) {
         root.fail_value("format", root.text("format"), TraceManifest::format);
@@ -163,7 +148,7 @@ TraceManifest::Files read_files(std::filesystem::path const& path, YAML::Node co
 }  // namespace
 
 TraceManifest read_manifest(std::filesystem::path const& path) {
-    Section const root(path.string(), "", parse(path),
+    Section const root(path.string(), "", load_document(path, "a readable file"),
                        {"format", "version", "width", "height", "window", "fraction", "files"});
     check_format(root);
     TraceManifest manifest;

@@ -1,11 +1,11 @@
 #include "kernel/base/files/atomic_folder.hpp"
 
 #include <algorithm>
-#include <random>
 #include <system_error>
 #include <utility>
 
 #include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/hidden_name.hpp"
 
 namespace faster::io {
 namespace {
@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 fs::path resolved(fs::path const& target) {
     fs::path const absolute = fs::weakly_canonical(fs::absolute(target));
     return absolute.has_filename() ? absolute : absolute.parent_path();
-}
-
-/// A hidden name beside `folder` that two runs at once will not share.
-fs::path sibling(fs::path const& folder, char const* purpose) {
-    std::random_device random;
-    return folder.parent_path() / ("." + folder.filename().string() + "." + purpose + "-" + std::to_string(random()));
 }
 
 }  // namespace
@@ -117,13 +111,13 @@ void AtomicFolder::make_parents() {
 void AtomicFolder::make_scratch() {
     make_parents();
     do {
-        scratch_ = sibling(destination_, "partial");
+        scratch_ = hidden_name(destination_, "partial");
     } while (!fs::create_directory(scratch_));
 }
 
 void AtomicFolder::replace_older() {
     require_replaceable();  // it may have changed since the start of the run
-    fs::path const older = sibling(destination_, "older");
+    fs::path const older = hidden_name(destination_, "older");
     fs::rename(destination_, older);
     try {
         fs::rename(scratch_, destination_);

@@ -59,9 +59,12 @@ class Table {
     }
 
   private:
+    static constexpr std::size_t most_columns = 10'000;
     static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
 
     void read_header(std::string_view line) {
+        if (cell_count(line) > most_columns)
+            fail(fmt::format("{} columns, expected at most {}", cell_count(line), most_columns));
         std::vector<std::string> const names = cells_of(line);
         column_of_cell_.assign(names.size(), skipped);
         for (std::size_t column = 0; column < columns_.size(); ++column) {

@@ -6,6 +6,7 @@
 
 #include "kernel/base/files/csv_cells.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 
 namespace faster::io {
 namespace {
@@ -34,7 +35,7 @@ void read_csv_integers(std::filesystem::path const& path, std::vector<CsvColumn>
             auto const& [name, min, max] = columns[i];
             if (!parse(cells[i], values[i]) || values[i] < min || values[i] > max) {
                 throw InputError(fmt::format("{}:{}: column {} = {}, expected an integer in {}..{}", path.string(),
-                                             line, name, cells[i].empty() ? "nothing" : cells[i], min, max));
+                                             line, name, cells[i].empty() ? "nothing" : shortened(cells[i]), min, max));
             }
         }
         read_row(line, values.data());

@@ -28,11 +28,7 @@ bool sync(std::filesystem::path const& path, int flags) {
 
 void write_file_durably(std::filesystem::path const& path, std::string_view content) {
     PartialFile const partial(path);
-    try {
-        write_file(partial.path(), content);
-    } catch (InputError const&) {  // names the partial file, which means nothing to anybody
-        fail_to_write(path, "no room for it, or not allowed");
-    }
+    write_file(partial.path(), content);
     if (!sync(partial.path(), O_RDONLY))
         fail_to_write(path, std::strerror(errno));
     std::error_code error;

@@ -6,13 +6,50 @@
 
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
 
 namespace faster::io {
 
+namespace {
+
+constexpr std::uint64_t most_json_bytes = std::uint64_t{256} << 20U;
+constexpr std::size_t deepest = 64;
+
+/// Where arrays and objects are too deep, from 1; 0 if they are not.
+std::size_t first_too_deep(std::string_view text) {
+    std::size_t depth = 0;
+    bool is_in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        char const letter = text[i];
+        if (is_in_string) {
+            if (letter == '\\')
+                ++i;
+            else
+                is_in_string = letter != '"';
+        } else if (letter == '"') {
+            is_in_string = true;
+        } else if (letter == '[' || letter == '{') {
+            if (++depth > deepest)
+                return i + 1;
+        } else if ((letter == ']' || letter == '}') && depth > 0) {
+            --depth;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text) {
+    if (std::size_t const byte = first_too_deep(text); byte > 0)
+        throw Json::parse_error::create(101, byte, "arrays and objects too deep", nullptr);
+    return Json::parse(text);
+}
+
 Json read_json_file(std::filesystem::path const& path, std::string const& expected) {
-    std::string const text = read_file(path);
+    std::string const text = read_file(path, expected, most_json_bytes);
     try {
-        return Json::parse(text);
+        return parse_json(text);
     } catch (Json::parse_error const& error) {
         auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected {}", path.string(),
@@ -27,9 +64,11 @@ std::string shown(Json const& value) {
         return fmt::format("an array of {}", value.size());
     if (value.is_object())
         return "an object";
-    constexpr std::size_t most = 60;
-    std::string const text = value.dump();
-    return text.size() <= most ? text : text.substr(0, most) + "...";
+    return shortened(value.dump());
+}
+
+std::string text_of(Json const& value, int indent) {
+    return value.dump(indent, ' ', true, Json::error_handler_t::replace);
 }
 
 }  // namespace faster::io

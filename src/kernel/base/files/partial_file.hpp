@@ -1,18 +1,15 @@
 #pragma once
 #include <filesystem>
-#include <random>
-#include <string>
 #include <system_error>
+
+#include "kernel/base/files/hidden_name.hpp"
 
 namespace faster::io {
 
 /// A hidden file beside `file`, with a name that two programs at once will not share; removed unless renamed.
 class PartialFile {
   public:
-    explicit PartialFile(std::filesystem::path const& file) {
-        std::random_device random;
-        path_ = file.parent_path() / ("." + file.filename().string() + ".partial-" + std::to_string(random()));
-    }
+    explicit PartialFile(std::filesystem::path const& file) : path_(hidden_name(file, "partial")) {}
     ~PartialFile() {
         std::error_code ignored;
         std::filesystem::remove(path_, ignored);

@@ -1,6 +1,7 @@
 #include "kernel/report/html/fill_page.hpp"
 
 #include "kernel/base/markup_text.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/report/html/html_text.hpp"
 
 namespace faster::report {
@@ -14,7 +15,7 @@ static std::string_view take_until(std::string_view& rest, std::string_view mark
 }
 
 std::string filled_page(std::string_view page, std::string const& title, std::string const& data) {
-    std::string const name = markup_escaped(title);
+    std::string const name = markup_escaped(printable(title));
     std::string html;
     for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline
         html.append(take_until(page, "@title@")).append(name);

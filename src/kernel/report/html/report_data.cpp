@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernel/base/files/json_file.hpp"
 #include "kernel/config/plain_value.hpp"
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
@@ -188,7 +189,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["pictures"] = pictures(input.pictures);
     data["configuration"] = configuration(input.keys);
     // File names may hold any bytes.
-    return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return io::text_of(data);
 }
 
 }  // namespace faster::report

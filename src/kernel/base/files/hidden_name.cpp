@@ -1,0 +1,37 @@
+#include "kernel/base/files/hidden_name.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <random>
+
+namespace faster::io {
+namespace {
+
+bool is_number(std::string const& text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](unsigned char letter) { return std::isdigit(letter) != 0; });
+}
+
+std::string without_hiding(std::string const& name) {
+    std::size_t const number = name.rfind('-');
+    std::size_t const purpose = name.rfind(".partial-");
+    bool const is_hidden =
+        name.front() == '.' && purpose != std::string::npos && purpose > 1 && is_number(name.substr(number + 1));
+    return is_hidden ? name.substr(1, purpose - 1) : name;
+}
+
+}  // namespace
+
+std::filesystem::path hidden_name(std::filesystem::path const& file, std::string const& purpose) {
+    std::random_device random;
+    return file.parent_path() / ("." + file.filename().string() + "." + purpose + "-" + std::to_string(random()));
+}
+
+std::filesystem::path without_hidden_names(std::filesystem::path const& path) {
+    std::filesystem::path known;
+    for (std::filesystem::path const& part : path)
+        known /= part.empty() ? part : std::filesystem::path(without_hiding(part.string()));
+    return known;
+}
+
+}  // namespace faster::io

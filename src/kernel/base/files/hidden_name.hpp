@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace faster::io {
+
+/// A hidden name beside `file`, which two programs at once will not share: ".NAME.PURPOSE-NUMBER". What is written
+/// under it gets its own name once it is whole.
+std::filesystem::path hidden_name(std::filesystem::path const& file, std::string const& purpose);
+
+/// The path as people know it: the names that hidden_name() made of its parts, undone.
+std::filesystem::path without_hidden_names(std::filesystem::path const& path);
+
+}  // namespace faster::io

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace faster {
+
+/// Text from outside as it may stand on one line of a terminal or a page: valid UTF-8 without anything that moves the
+/// cursor, changes colours or the order of reading. Such characters, and bytes that are no UTF-8, are escaped: \n,
+/// \x1b, \u202e. A text without them stays as it is.
+std::string printable(std::string_view text);
+
+/// The same of a text of several lines: line ends and tabs stay.
+std::string printable_lines(std::string_view text);
+
+/// A name or a value from outside for a message: printable(), and cut after 80 characters or so.
+std::string shortened(std::string_view text);
+
+/// A whole message: printable(), on one line, and of bounded length whatever stands in it. Overlong words, and then an
+/// overlong whole, lose their middle, since the begin names the file and the end says what was expected.
+std::string message_line(std::string_view text);
+
+}  // namespace faster

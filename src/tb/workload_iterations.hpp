@@ -1,0 +1,11 @@
+#pragma once
+#include "channels/simulated_design.hpp"
+#include "common/stimulus.hpp"
+
+namespace faster {
+
+/// Each sample clears, compares and reads out its window, one pixel as the other, and scans the boxes around its
+/// triangles, of which some are looked at.
+LoopIterations loop_iterations(Stimulus const& stimulus);
+
+}  // namespace faster

@@ -1,0 +1,37 @@
+#include "tool/say.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
+
+namespace faster {
+
+namespace {
+
+[[noreturn]] void fail() {
+    std::string const why = std::strerror(errno);
+    throw InputError("standard output: cannot be written (" + why + "), expected an open one with room");
+}
+
+bool put(std::string const& text, std::FILE* stream) {
+    return std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+}
+
+}  // namespace
+
+void say_text(std::string_view text) {
+    if (!put(printable_lines(text), stdout))
+        fail();
+}
+
+void warn_text(std::string_view text) { put(printable_lines(text), stderr); }
+
+void finish_saying() {
+    if (std::fflush(stdout) != 0)
+        fail();
+}
+
+}  // namespace faster

@@ -1,0 +1,27 @@
+#pragma once
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace faster {
+
+/// Prints to stdout, with what came from outside escaped: see printable_lines(). Throws InputError if stdout is closed
+/// or full.
+void say_text(std::string_view text);
+
+template <class... Arguments> void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    say_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+/// The same to stderr, where a failure has nobody to be told to.
+void warn_text(std::string_view text);
+
+template <class... Arguments> void warn(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    warn_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+
+/// What was said has left the program. Throws InputError if it could not.
+void finish_saying();
+
+}  // namespace faster

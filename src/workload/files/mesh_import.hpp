@@ -1,0 +1,16 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "common/mesh.hpp"
+
+namespace faster::io {
+
+/// The ending of a file's name with the dot, lower case.
+std::string lower_case_extension(std::filesystem::path const& path);
+
+/// What load_mesh() returns, read in this process. assimp may crash, hang or take all memory on damaged files: only for
+/// a process that may. Throws InputError as load_mesh(), and std::bad_alloc.
+Mesh import_mesh(std::filesystem::path const& path);
+
+}  // namespace faster::io

@@ -7,9 +7,6 @@
 #include <memory>
 #include <optional>
 
-#include "workload/experiments/boxes_of_detector.hpp"
-#include "workload/experiments/experiment_file.hpp"
-#include "workload/experiments/made_dataset.hpp"
 #include "kernel/base/files/atomic_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
@@ -23,6 +20,9 @@
 #include "tool/progress_line.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/bop/read_dataset.hpp"
+#include "workload/experiments/boxes_of_detector.hpp"
+#include "workload/experiments/experiment_file.hpp"
+#include "workload/experiments/made_dataset.hpp"
 
 namespace faster {
 

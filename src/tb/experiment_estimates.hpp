@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "workload/experiments/estimate_journal.hpp"
-#include "workload/experiments/experiment.hpp"
 #include "kernel/config/load_config.hpp"
 #include "workload/bop/dataset.hpp"
 #include "workload/bop/detections.hpp"
+#include "workload/experiments/estimate_journal.hpp"
+#include "workload/experiments/experiment.hpp"
 
 namespace faster {
 

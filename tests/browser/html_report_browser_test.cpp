@@ -121,6 +121,25 @@ TEST_CASE("A run without samples is drawn, too", "[browser]") {
     CHECK(check["sections"] == Json::array({"summary", "modules", "fifos", "loops", "configuration"}));
 }
 
+TEST_CASE("The browser draws the traffic of an external memory", "[browser]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    RunStatistics run = example_run();
+    run.machine.external_memory.emplace();
+    MemoryTraffic traffic;
+    traffic.masters = {{0, "vertex", 0, 3, 768, 51, 60, 70, 80}, {1, "vertex", 1, 20, 5120, 52, 61, 71, 81}};
+    traffic.port_beats = {48, 320};
+    traffic.stretches = {{768, 1}, {5120, 4}};
+    run.memory = traffic;
+    folder.write("report.html", report::html_report({"memory", run, example_keys(), {}, {}}));
+    Json const check = self_check(folder, "report.html");
+    std::vector<std::string> const sections = check["sections"];
+    CHECK(std::find(sections.begin(), sections.end(), "external-memory") != sections.end());
+    CHECK(column(check, "Ports", "port")["ascending"] == Json::array({"0", "1"}));
+    CHECK(column(check, "Masters; latencies of bursts in cycles", "bytes")["descending"].front() == "5,120");
+}
+
 TEST_CASE("The page fits a phone, in the dark as well", "[browser]") {
     if (browser_is_missing())
         return;

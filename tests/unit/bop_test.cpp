@@ -83,8 +83,7 @@ TEST_CASE("What a BOP folder says of a depth image is what the renderer put ther
         Observation const seen = load_observation(image);
         workload::DepthImage rendered(seen.camera.height, seen.camera.width);
         for (GroundTruth const& object : image.objects)
-            workload::draw_mesh(load_models({&dataset.models.at(object.obj_id)})[0], object.pose, seen.camera,
-                                rendered);
+            workload::draw_mesh(load_model(dataset.models.at(object.obj_id)), object.pose, seen.camera, rendered);
         double largest = 0;
         for (std::size_t i = 0; i < rendered.pixels().size(); ++i)
             largest = std::max(largest, std::abs(rendered.pixels()[i] - seen.depth.pixels()[i]));
@@ -95,7 +94,7 @@ TEST_CASE("What a BOP folder says of a depth image is what the renderer put ther
 TEST_CASE("Meshes of a BOP folder are millimetres, and become metres", "[bop]") {
     BopFolder const folder;
     Dataset const dataset = read_dataset(folder.path());
-    Mesh const mesh = load_models({&dataset.models.at(1)})[0];
+    Mesh const mesh = load_model(dataset.models.at(1));
     double longest = 0;
     for (auto const& vertex : mesh.vertices)
         longest = std::max(longest, vertex.norm());
@@ -335,7 +334,7 @@ TEST_CASE("Real frames are a dataset: the rendered objects are where the camera 
     Observation const seen = load_observation(image);
     workload::DepthImage rendered(seen.camera.height, seen.camera.width);
     for (GroundTruth const& object : image.objects)
-        workload::draw_mesh(load_models({&dataset.models.at(object.obj_id)})[0], object.pose, seen.camera, rendered);
+        workload::draw_mesh(load_model(dataset.models.at(object.obj_id)), object.pose, seen.camera, rendered);
     std::size_t pixels = 0, near = 0;
     for (std::size_t i = 0; i < rendered.pixels().size(); ++i) {
         bool const both = rendered.pixels()[i] > 0 && seen.depth.pixels()[i] > 0;

@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <set>
 
+#include "kernel/base/files/text_file.hpp"
+#include "support/input_error_text.hpp"
+#include "support/temp_folder.hpp"
+#include "workload/bop/read_dataset.hpp"
 #include "workload/experiments/boxes_of_detector.hpp"
 #include "workload/experiments/estimate_journal.hpp"
 #include "workload/experiments/experiment_file.hpp"
 #include "workload/experiments/made_dataset.hpp"
 #include "workload/experiments/made_scene.hpp"
 #include "workload/experiments/ycb_classes.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "support/input_error_text.hpp"
-#include "support/temp_folder.hpp"
-#include "workload/bop/read_dataset.hpp"
 #include "workload/models/builtin_models.hpp"
 
 using namespace faster;

@@ -212,6 +212,8 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
     return meshes;
 }
 
+Mesh load_model(ObjectModel const& model) { return std::move(load_models({&model}, 1).front()); }
+
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {
     auto const found = dataset.models.find(obj_id);
     if (found != dataset.models.end())

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "workload/experiments/experiment.hpp"
 #include "workload/bop/detections.hpp"
+#include "workload/experiments/experiment.hpp"
 
 namespace faster::experiments {
 

@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 #include <set>
 
-#include "workload/experiments/ycb_classes.hpp"
+#include "kernel/base/files/yaml_document.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
+#include "kernel/base/printable.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
-#include "kernel/config/yaml_document.hpp"
 #include "kernel/sweeps/key_cells.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 
 namespace faster::experiments {
 
@@ -227,7 +228,7 @@ class ExperimentReader {
 }  // namespace
 
 Experiment read_experiment_file(std::filesystem::path const& path) {
-    return ExperimentReader(path).experiment(load_document(path));
+    return ExperimentReader(path).experiment(load_document(path, "an experiment file"));
 }
 
 }  // namespace faster::experiments

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <mutex>
 
-#include "workload/experiments/made_scene.hpp"
-#include "workload/experiments/ycb_classes.hpp"
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/json.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "workload/bop/write_dataset.hpp"
+#include "workload/experiments/made_scene.hpp"
+#include "workload/experiments/ycb_classes.hpp"
 #include "workload/files/png_image.hpp"
 #include "workload/models/builtin_models.hpp"
 

@@ -76,7 +76,7 @@ function show_stalls() {
 }
 
 /// Causes have the colours of what a module would call them.
-const path_colours = { read_latency: "empty_stall", backpressure: "full_stall" };
+const path_colours = { read_latency: "empty_stall", backpressure: "full_stall", memory: "memory_stall" };
 const path_colour = (cause) => path_colours[cause] || cause;
 
 function path_bars() {

@@ -7,6 +7,13 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/../shared/data)
   set(faster_test_environment ENVIRONMENT FASTER_SHARED_DATA=${faster_shared_data})
 endif()
 
+# Catch2's header, compiled once for all tests.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp "")
+add_library(faster_test_header OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp)
+target_precompile_headers(faster_test_header PRIVATE <catch2/catch.hpp>)
+target_link_libraries(faster_test_header PRIVATE faster_options Catch2::Catch2)
+faster_compile_quickly(faster_test_header)
+
 # faster_add_test_library(NAME <STATIC|OBJECT> SOURCES... [LIBRARIES...])
 function(faster_add_test_library name type)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -33,7 +40,7 @@ function(faster_add_test name)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # Each file has helpers of its own, so they stay apart; what takes the compiler longest they share.
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
-  target_precompile_headers(${name} PRIVATE <catch2/catch.hpp>)
+  target_precompile_headers(${name} REUSE_FROM faster_test_header)
   faster_compile_quickly(${name})  # what takes time in a test is in the libraries
   target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})
   catch_discover_tests(${name} TEST_PREFIX "${name}." EXTRA_ARGS --warn NoTests PROPERTIES

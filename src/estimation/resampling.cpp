@@ -10,6 +10,7 @@ namespace {
 
 std::vector<double> running_sums(std::vector<double> const& shares) {
     std::vector<double> sums;
+    sums.reserve(shares.size());
     double sum = 0;
     for (double const share : shares)
         sums.push_back(sum += share);

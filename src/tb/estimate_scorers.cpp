@@ -28,6 +28,7 @@ double overlap_with_box(estimation::Scene const& scene, estimation::Particle con
 
 std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {
     std::vector<Pose> poses;
+    poses.reserve(particles.size());
     for (estimation::Particle const& particle : particles)
         poses.push_back(pose_of(particle, scene.size));
     return poses;

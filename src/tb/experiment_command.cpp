@@ -225,6 +225,7 @@ std::string convergence_csv(std::vector<WantedEstimate> const& wanted, experimen
                 most = std::max(most, each.size());
             for (std::size_t k = 0; k < most; ++k) {
                 std::vector<double> errors;
+                errors.reserve(all.size());
                 for (std::vector<double> const& each : all)
                     errors.push_back(each[std::min(k, each.size() - 1)]);
                 auto const below = std::count_if(errors.begin(), errors.end(), [](double mm) { return mm < 20; });

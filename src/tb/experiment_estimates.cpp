@@ -96,6 +96,7 @@ std::vector<bop::Detection> const& SettingData::boxes_of(bop::Target const& targ
 std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
                                              std::vector<MethodData> const& methods) {
     std::vector<std::string> keys;
+    keys.reserve(methods.size());
     for (MethodData const& method : methods)
         keys.push_back(keys_text(method.loaded));
     Contents contents;

@@ -8,7 +8,7 @@
 #include "kernel/figures/sample_timeline.hpp"
 #include "kernel/machine/machine.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
 }
 

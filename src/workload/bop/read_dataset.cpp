@@ -203,6 +203,7 @@ Observation load_observation(DatasetImage const& image) {
 
 std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std::size_t jobs) {
     std::vector<std::filesystem::path> files;
+    files.reserve(models.size());
     for (ObjectModel const* const model : models)
         files.push_back(model->mesh);
     std::vector<Mesh> meshes = io::load_meshes(files, {}, jobs);

@@ -38,7 +38,7 @@ std::string one_line(std::string text) {
 
 /// Of a file that takes too much memory assimp says no more than of any other.
 [[noreturn]] void fail_import(fs::path const& path, Assimp::Importer const& importer) {
-    if (std::exception_ptr const error = importer.GetException()) {
+    if (std::exception_ptr const& error = importer.GetException()) {
         try {
             std::rethrow_exception(error);
         } catch (std::bad_alloc const&) {

@@ -5,32 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 sim=${1:-build/release/bin/faster-sim}
-classes=(potted_meat_can banana mustard_bottle cracker_box tomato_soup_can)
-always=() # settings of every run
-
-milliseconds() { # CLASS SETTING...
-    local words=()
-    for setting in "${always[@]}" "${@:2}"; do
-        words+=(--set "$setting")
-    done
-    "$sim" run "configs/$1.yaml" "${words[@]}" | sed -n 's/^total .* = \([0-9.]*\) ms$/\1/p'
-}
-
-header() {
-    printf '\n%s\n\n| ms |' "$1"
-    printf ' %s |' "${classes[@]}"
-    printf '\n| --- | --- | --- | --- | --- | --- |\n'
-}
-
-row() { # TITLE SETTING...
-    local class time
-    printf '| %s |' "$1"
-    for class in "${classes[@]}"; do
-        time=$(milliseconds "$class" "${@:2}")
-        printf ' %.2f |' "$time"
-    done
-    printf '\n'
-}
+source scripts/class-table.sh
 
 accelerator() { printf 'accelerator.%s\n' "$@"; }
 

@@ -6,35 +6,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 sim=${1:-build/release/bin/faster-sim}
-classes=(potted_meat_can banana mustard_bottle cracker_box tomato_soup_can)
 scans=$(mktemp -d)
 trap 'rm -r "$scans"' EXIT
-always=()  # settings of every run
-meshes=    # folder of meshes; empty: built-in models
-
-milliseconds() { # CLASS SETTING...
-    local words=()
-    for setting in "${@:2}" "${always[@]}" ${meshes:+"workload.object=$meshes/$1.obj"}; do
-        words+=(--set "$setting")
-    done
-    "$sim" run "configs/$1.yaml" "${words[@]}" | sed -n 's/^total .* = \([0-9.]*\) ms$/\1/p'
-}
-
-header() {
-    printf '| ms |'
-    printf ' %s |' "${classes[@]}"
-    printf '\n| --- | --- | --- | --- | --- | --- |\n'
-}
-
-row() { # TITLE SETTING...
-    local class time
-    printf '| %s |' "$1"
-    for class in "${classes[@]}"; do
-        time=$(milliseconds "$class" "${@:2}")
-        printf ' %.2f |' "$time"
-    done
-    printf '\n'
-}
+source scripts/class-table.sh
 
 # The window is centred on the origin, which the scans have beside them: moves it to the middle of the box around them.
 centred() { # OBJ

@@ -42,16 +42,6 @@ class Workspace {
     TempFolder folder_;
 };
 
-Words cells_in(std::string const& line) {
-    Words cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        std::size_t const end = std::min(line.find(',', begin), line.size());
-        cells.push_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return cells;
-}
-
 /// A detection of an object of BopFolder, where it is in image 0 of scene 1.
 std::string true_box(int object) {
     faster::bop::ImageBox const box =
@@ -81,10 +71,10 @@ TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]")
     CHECK(found["iterations"][24]["best_weight"] == found["weight"]);
     Words const rows = lines_of(workspace.text("out/iterations.csv"));
     REQUIRE(rows.size() == 26);
-    CHECK(cells_in(rows[0]).size() == 14);
+    CHECK(cells_of(rows[0]).size() == 14);
     double weight = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        Words const row = cells_in(rows[i]);
+        Words const row = cells_of(rows[i]);
         REQUIRE(row.size() == 14);
         CHECK(std::stod(row[2]) >= weight);
         CHECK(std::stod(row[4]) <= 200);

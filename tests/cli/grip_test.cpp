@@ -27,16 +27,6 @@ class Workspace {
     SmallWorkspace small_;
 };
 
-Words cells_of(std::string const& line) {
-    Words cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        std::size_t const end = std::min(line.find(',', begin), line.size());
-        cells.push_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return cells;
-}
-
 }  // namespace
 
 TEST_CASE("grip scores every sample, beside the counters that a run finds", "[grip]") {

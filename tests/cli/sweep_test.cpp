@@ -14,15 +14,6 @@ using Row = std::map<std::string, std::string>;
 
 namespace {
 
-/// For tables without commas in their cells.
-Words cells_of(std::string const& line) {
-    Words cells;
-    std::istringstream stream(line + ",");
-    for (std::string cell; std::getline(stream, cell, ',');)
-        cells.push_back(cell);
-    return cells;
-}
-
 std::vector<Row> rows_of(std::string const& csv) {
     Words const lines = lines_of(csv);
     Words const names = cells_of(lines.at(0));

@@ -36,4 +36,13 @@ inline std::vector<std::string> lines_of(std::string const& text) {
     return lines;
 }
 
+/// Of a line of CSV without commas in its cells.
+inline std::vector<std::string> cells_of(std::string const& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line + ",");
+    for (std::string cell; std::getline(stream, cell, ',');)
+        cells.push_back(cell);
+    return cells;
+}
+
 }  // namespace faster::test

@@ -12,7 +12,7 @@ file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp "")
 add_library(faster_test_header OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp)
 target_precompile_headers(faster_test_header PRIVATE <catch2/catch.hpp>)
 target_link_libraries(faster_test_header PRIVATE faster_options Catch2::Catch2)
-faster_compile_quickly(faster_test_header)
+target_compile_options(faster_test_header PRIVATE $<$<CONFIG:Release>:-O0>)
 
 # faster_add_test_library(NAME <STATIC|OBJECT> SOURCES... [LIBRARIES...])
 function(faster_add_test_library name type)
@@ -38,10 +38,11 @@ function(faster_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # Each file has helpers of its own, so they stay apart; what takes the compiler longest they share.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  # Each file of tests is a namespace of its own, so the build can join them: what takes the compiler longest they share.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
   target_precompile_headers(${name} REUSE_FROM faster_test_header)
-  faster_compile_quickly(${name})  # what takes time in a test is in the libraries
+  # What takes time in a test is in the libraries; optimizing its checks takes a quarter of its compiling.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O0>)
   target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})
   catch_discover_tests(${name} TEST_PREFIX "${name}." EXTRA_ARGS --warn NoTests PROPERTIES
     LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "skipped: " ${faster_test_environment})

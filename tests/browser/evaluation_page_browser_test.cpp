@@ -3,11 +3,11 @@
 #include "poses/evaluation_json.hpp"
 #include "support/browser.hpp"
 
+namespace evaluation_page_browser_test {
+
 using namespace faster;
 using namespace faster::test;
 using namespace faster::poses;
-
-namespace {
 
 JudgedMethod method(std::string const& name, double error_m) {
     JudgedMethod judged;
@@ -24,8 +24,6 @@ std::string page() {
     return evaluation_html(evaluate(dataset, {method("one", 0.01), method("two", 0.03)}, {0, 1, 10}));
 }
 
-}  // namespace
-
 TEST_CASE("The browser draws the page of an evaluation", "[browser]") {
     if (browser_is_missing())
         return;
@@ -37,3 +35,5 @@ TEST_CASE("The browser draws the page of an evaluation", "[browser]") {
     CHECK_THAT(drawn, Catch::Contains("100.0 (100.0 to 100.0)") && Catch::Contains("-100.0 (-100.0 to -100.0)"));
     CHECK_THAT(drawn, Catch::Contains("Points more than one"));
 }
+
+}  // namespace evaluation_page_browser_test

@@ -12,12 +12,12 @@
 #include "support/report_page.hpp"
 #include "support/temp_folder.hpp"
 
+namespace html_report_browser_test {
+
 using namespace faster;
 using namespace faster::test;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
-
-namespace {
 
 std::string png_of(int side) {
     std::vector<unsigned char> bytes;
@@ -40,8 +40,6 @@ Json const& column(Json const& check, std::string const& table, std::string cons
     REQUIRE(found != columns.end());
     return *found;
 }
-
-}  // namespace
 
 TEST_CASE("The browser draws every chart and section of the report without an error", "[browser]") {
     if (browser_is_missing())
@@ -158,3 +156,5 @@ TEST_CASE("The page fits a phone, in the dark as well", "[browser]") {
         CHECK(check["dark"] == !options.empty());
     }
 }
+
+}  // namespace html_report_browser_test

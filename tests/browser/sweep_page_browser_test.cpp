@@ -3,14 +3,14 @@
 #include "kernel/sweeps/sweep_page.hpp"
 #include "support/browser.hpp"
 
+namespace sweep_page_browser_test {
+
 using namespace faster;
 using namespace faster::test;
 using Json = nlohmann::ordered_json;
 using sweeps::Manifest;
 using sweeps::PointResult;
 using sweeps::Results;
-
-namespace {
 
 PointResult done(Cycles cycles, double ramb36) {
     PointResult result;
@@ -36,8 +36,6 @@ std::string page() {
     results["4"].status = PointResult::Status::deadlock;
     return sweep_page(manifest, results);
 }
-
-}  // namespace
 
 TEST_CASE("The browser draws the page of a sweep, and finds its Pareto front", "[browser]") {
     if (browser_is_missing())
@@ -66,3 +64,5 @@ TEST_CASE("The page of a sweep without results is drawn too", "[browser]") {
     folder.write("index.html", sweeps::sweep_page(manifest, {}));
     CHECK(self_check(folder, "index.html")["rows"] == 0);
 }
+
+}  // namespace sweep_page_browser_test

@@ -18,6 +18,8 @@
 #include "support/temp_folder.hpp"
 #include "workload/files/trace.hpp"
 
+namespace mutation_test {
+
 using namespace faster;
 using testing::bram_count;
 using testing::BramId;
@@ -29,8 +31,6 @@ namespace fs = std::filesystem;
 
 // Changes every timing parameter of a core, one at a time, and asks faster-sim check whether a budget broke and whom it
 // blames. Whether it had to break is found out without any budget: by two simulations, and comparing their figures.
-
-namespace {
 
 std::string const source = FASTER_SOURCE_DIR;
 std::vector<std::string> const traces{"edge_heavy", "fragment_heavy", "full_window", "banana"};
@@ -233,8 +233,6 @@ std::string page_of(std::string const& rows, Tally const& tally) {
         tally.named_without_shape, percent(tally.named_without_shape, tally.moved), traces.size(), rows);
 }
 
-}  // namespace
-
 TEST_CASE("Every change of a timing parameter that moves a figure breaks the budget, and is named") {
     std::vector<std::vector<std::uint64_t>> before;
     before.reserve(traces.size());
@@ -251,3 +249,5 @@ TEST_CASE("Every change of a timing parameter that moves a figure breaks the bud
     INFO("FASTER_APPROVE=1 writes docs/budget-mutations.md anew");
     CHECK(test::content_of(source + page_name) == page);
 }
+
+}  // namespace mutation_test

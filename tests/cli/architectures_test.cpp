@@ -10,10 +10,10 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace architectures_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
-
-namespace {
 
 struct Preset {
     std::string file;
@@ -41,8 +41,6 @@ nlohmann::json row_of(nlohmann::json const& table, std::string const& column, st
             return row;
     return {};
 }
-
-}  // namespace
 
 TEST_CASE("Our own designs hold with the FIFOs of every generation", "[architectures]") {
     fs::path const source = FASTER_SOURCE_DIR;
@@ -132,3 +130,5 @@ TEST_CASE("The presets of faster rasterizers run, with fewer iterations or loops
     for (nlohmann::json const& faster : {overlap, early, spans, flattened})
         CHECK(faster["total_cycles"] < thesis["total_cycles"]);
 }
+
+}  // namespace architectures_test

@@ -14,12 +14,12 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace check_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool is_instrumented = true;
@@ -98,8 +98,6 @@ std::vector<pid_t> wait_for_children(pid_t process, std::size_t count) {
 }
 
 bool is_gone(pid_t process) { return kill(process, 0) != 0; }
-
-}  // namespace
 
 TEST_CASE("check prints every limit with its margin, and passes") {
     TempFolder const folder;
@@ -345,3 +343,5 @@ TEST_CASE("All shipped budgets together are quick", "[resources]") {
     CAPTURE(fastest);
     CHECK((is_instrumented || fastest < 8));  // docs/performance.md: below 2 s
 }
+
+}  // namespace check_test

@@ -14,12 +14,12 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace cli_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 constexpr int cores = 2;
 constexpr int samples = 3;
@@ -143,8 +143,6 @@ void check_run_refused(Workspace const& workspace, Words const& arguments, Words
 void record_small_trace(Workspace const& workspace) { require_done(workspace.record(small + Words{"--out", "trace"})); }
 
 Words const replay = {"run", "config.yaml", "--trace", "trace", "--out", "out"};
-
-}  // namespace
 
 TEST_CASE("A run prints its report and without --out writes nothing") {
     Workspace const workspace;
@@ -474,3 +472,5 @@ TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes 
     }
     CHECK(reports["lockstep"] == reports["decoupled"]);
 }
+
+}  // namespace cli_test

@@ -7,11 +7,11 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace compare_architectures_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
-
-namespace {
 
 class Workspace {
   public:
@@ -49,8 +49,6 @@ std::uint64_t cycles_of(std::string const& row) {
     std::string const rest = row.substr(row.find(",finished,") + 10);
     return std::stoull(rest.substr(0, rest.find(',')));
 }
-
-}  // namespace
 
 TEST_CASE("compare-architectures finds what single runs find, in a table and a file", "[architectures]") {
     Workspace const workspace;
@@ -155,3 +153,5 @@ TEST_CASE("Our own design takes a twentieth of the time with the memory of the b
     CAPTURE(rows[1], rows[2]);
     CHECK(20 * cycles_of(rows[2]) <= cycles_of(rows[1]));
 }
+
+}  // namespace compare_architectures_test

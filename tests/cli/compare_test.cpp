@@ -9,12 +9,12 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace compare_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
 fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
@@ -73,8 +73,6 @@ void check_edited_run_refused(std::string const& file, std::string const& found,
     runs.edit("a/" + file, found, replacement);
     runs.check_refused({"a", "a"}, parts);
 }
-
-}  // namespace
 
 TEST_CASE("Compared runs of the same machine are identical, in one line") {
     Runs const runs;
@@ -187,3 +185,5 @@ TEST_CASE("Comparing with tables that are wrong or contradict each other is refu
     check_edited_run_refused("summary.json", "\"samples\": 1", "\"samples\": 2", {"a/samples.csv: 1 rows, expected 2"});
     check_edited_run_refused("loops.csv", "1,rasterizer", "0,rasterizer", {"a/loops.csv:"});
 }
+
+}  // namespace compare_test

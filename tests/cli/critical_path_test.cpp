@@ -3,6 +3,8 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace critical_path_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
@@ -59,3 +61,5 @@ TEST_CASE("A deadlocked run has neither critical path nor sensitivities") {
     CHECK(result.exit_code == 3);
     CHECK(workspace.files_in("stuck") == 1);
 }
+
+}  // namespace critical_path_test

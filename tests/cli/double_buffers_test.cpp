@@ -4,11 +4,11 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace double_buffers_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
-
-namespace {
 
 Words with_buffers(Words words) {
     words.insert(words.end(),
@@ -32,8 +32,6 @@ Words column(std::string const& csv, std::size_t number) {
 bool has_row(nlohmann::ordered_json const& rows, char const* key, std::string const& value) {
     return std::any_of(rows.begin(), rows.end(), [&](auto const& row) { return row[key] == value; });
 }
-
-}  // namespace
 
 TEST_CASE("Two buffers of each bring two modules and four FIFOs, and take the loops along", "[double_buffers]") {
     SmallWorkspace const workspace;
@@ -123,3 +121,5 @@ TEST_CASE("A run with two buffers is recorded, and retimed with keys that loops 
                                 workspace.folder().path()),
                     {"accelerator.inlier_unit.buffers"});
 }
+
+}  // namespace double_buffers_test

@@ -8,17 +8,15 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace edge_quality_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
-
-namespace {
 
 CommandResult judge(TempFolder const& folder, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "edge-quality");
     return run_command(FASTER_SIM_BINARY, arguments, folder.path());
 }
-
-}  // namespace
 
 TEST_CASE("edge-quality prints a table, and writes the rows and two pictures of each", "[quality]") {
     TempFolder const folder;
@@ -45,3 +43,5 @@ TEST_CASE("edge-quality refuses what it does not know in one line", "[quality]")
     check_bad_input(judge(folder, {"--poses", "0"}), {"--poses"});
     CHECK_FALSE(fs::exists(folder / "quality"));
 }
+
+}  // namespace edge_quality_test

@@ -8,12 +8,12 @@
 #include "support/tool_output.hpp"
 #include "workload/bop/read_dataset.hpp"
 
+namespace estimate_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
-
-namespace {
 
 /// A soup can in a small image; an estimate of it takes a tenth of a second.
 class Workspace {
@@ -50,8 +50,6 @@ std::string true_box(int object) {
            std::to_string(box.left) + "," + std::to_string(box.top) + "," + std::to_string(box.width) + "," +
            std::to_string(box.height) + R"(], "score": 0.9}])";
 }
-
-}  // namespace
 
 TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]") {
     Workspace const workspace;
@@ -299,3 +297,5 @@ TEST_CASE("A deadlock of the accelerator ends an estimate with its report", "[es
     CHECK_THAT(result.err, Contains("fragment_depth"));
     CHECK_FALSE(workspace.has("out"));
 }
+
+}  // namespace estimate_test

@@ -8,12 +8,12 @@
 #include "support/tool_output.hpp"
 #include "workload/bop/pose_results.hpp"
 
+namespace evaluate_test {
+
 using namespace faster;
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
-
-namespace {
 
 std::string const header = "scene_id,im_id,obj_id,score,R,t,time\n";
 
@@ -55,8 +55,6 @@ class Workspace {
     TempFolder work_;
     BopFolder dataset_;
 };
-
-}  // namespace
 
 TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[evaluate]") {
     Workspace const workspace;
@@ -138,3 +136,5 @@ TEST_CASE("A dataset without true poses cannot be evaluated on", "[evaluate]") {
             std::filesystem::remove(workspace.dataset() / ("test/" + scene + "/" + file));
     check_bad_input(workspace.evaluate({"right.csv", "DATASET"}), {"holds no true poses"});
 }
+
+}  // namespace evaluate_test

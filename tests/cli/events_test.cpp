@@ -5,12 +5,12 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace events_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
-
-namespace {
 
 /// A configuration, and the event file of its run.
 class Workspace {
@@ -34,8 +34,6 @@ class Workspace {
   private:
     SmallWorkspace small_;
 };
-
-}  // namespace
 
 TEST_CASE("whatif writes what a run with the same keys writes") {
     Workspace const workspace;
@@ -194,3 +192,5 @@ TEST_CASE("sensitivities of an event file are those of the run, with slack") {
     CHECK(2 * json["sensitivities"].size() + 1 == rows.size());
     CHECK(json["sensitivities"][0]["up"].contains("slack"));
 }
+
+}  // namespace events_test

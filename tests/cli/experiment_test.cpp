@@ -5,11 +5,11 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace experiment_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
-
-namespace {
 
 /// A banana in one image, three methods that hardly look.
 class Workspace {
@@ -35,8 +35,6 @@ class Workspace {
   private:
     TempFolder folder_;
 };
-
-}  // namespace
 
 TEST_CASE("An experiment makes scenes, looks for objects, judges, and goes on where it was", "[experiment]") {
     Workspace const workspace;
@@ -73,3 +71,5 @@ TEST_CASE("An experiment refuses in one line what it cannot use", "[experiment]"
     check_bad_input(workspace.experiment({"--out", "new"}), {"experiment.yaml:6", "estimator.iterations"});
     CHECK_FALSE(std::filesystem::exists(workspace.folder() / "new"));
 }
+
+}  // namespace experiment_test

@@ -5,12 +5,12 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace external_memory_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
-
-namespace {
 
 /// Two cores behind a memory that is slow enough to be felt.
 class Workspace {
@@ -25,8 +25,6 @@ class Workspace {
     }
     SmallWorkspace small;
 };
-
-}  // namespace
 
 TEST_CASE("A run behind external memory says what moved, and what compute and memory would take alone") {
     Workspace const workspace;
@@ -103,3 +101,5 @@ TEST_CASE("A deadlock behind external memory names who waits, and the path names
     require_done(path);
     CHECK_THAT(path.out, Contains("  memory  "));
 }
+
+}  // namespace external_memory_test

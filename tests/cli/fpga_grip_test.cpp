@@ -6,11 +6,11 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace fpga_grip_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
-
-namespace {
 
 Words const fpga_grip{"--set", "accelerator.flow=fpga_grip"};
 
@@ -42,8 +42,6 @@ Words rows_of(std::string const& csv, std::size_t cells) {
     }
     return rows;
 }
-
-}  // namespace
 
 TEST_CASE("Flow fpga_grip lists the parts it has, and no others", "[fpga_grip]") {
     SmallWorkspace const workspace;
@@ -125,3 +123,5 @@ TEST_CASE("A run of flow fpga_grip is recorded, and retimed with its own keys", 
     for (std::string const file : {"/samples.csv", "/fifos.csv", "/loops.csv"})
         CHECK(workspace.text("retimed" + file) == workspace.text("changed" + file));
 }
+
+}  // namespace fpga_grip_test

@@ -6,12 +6,12 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace grip_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
-
-namespace {
 
 class Workspace {
   public:
@@ -26,8 +26,6 @@ class Workspace {
   private:
     SmallWorkspace small_;
 };
-
-}  // namespace
 
 TEST_CASE("grip scores every sample, beside the counters that a run finds", "[grip]") {
     Workspace const workspace;
@@ -84,3 +82,5 @@ TEST_CASE("grip refuses what it cannot use in one line, and writes nothing", "[g
     check_bad_input(workspace.grip({"--out", "out", "--set", "workload.object=mugg"}), {"mug"});
     CHECK_FALSE(workspace.has("out"));
 }
+
+}  // namespace grip_test

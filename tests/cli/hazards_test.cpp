@@ -5,11 +5,11 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace hazards_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
-
-namespace {
 
 std::string const stages = "accelerator.loops.inlier_unit.fragment.depth_buffer.";
 
@@ -19,8 +19,6 @@ Json row_of(Json const& rows, std::string const& loop, std::string const& bram) 
             return row;
     return {};
 }
-
-}  // namespace
 
 TEST_CASE("run --hazards tells them in text, summary and page, and leaves the other files as they are") {
     SmallWorkspace const workspace;
@@ -72,3 +70,5 @@ TEST_CASE("Stages of a loop's accesses are keys, which have to lie in its pipeli
                     {stages + "write_stage=5", stages + "read_stage"});
     check_bad_input(workspace.run({"--set", stages + "hazards=interlock"}), {"interlock", "report, forward"});
 }
+
+}  // namespace hazards_test

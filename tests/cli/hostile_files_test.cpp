@@ -9,6 +9,8 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace hostile_files_test {
+
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using faster::test::check_bad_input;
@@ -16,8 +18,6 @@ using faster::test::CommandResult;
 using faster::test::run_command;
 using faster::test::SmallWorkspace;
 using Words = std::vector<std::string>;
-
-namespace {
 
 CommandResult tool(SmallWorkspace const& workspace, Words const& words) {
     return run_command(FASTER_SIM_BINARY, words, workspace.folder().path());
@@ -27,8 +27,6 @@ CommandResult tool(SmallWorkspace const& workspace, Words const& words) {
 CommandResult shell(SmallWorkspace const& workspace, std::string const& command) {
     return run_command("/bin/sh", {"-c", "exec " FASTER_SIM_BINARY " " + command}, workspace.folder().path());
 }
-
-}  // namespace
 
 TEST_CASE("Names with control characters and foreign bytes are escaped in messages") {
     SmallWorkspace const workspace;
@@ -135,3 +133,5 @@ TEST_CASE("A limit of file sizes is one line, and nothing half-written is left")
     limited("-f 1", "whatif a.events --out out", "out/summary.json: cannot be written (File too large)");
     limited("-f 1", "check --init config.yaml --out b.yaml", "b.yaml: cannot be written");
 }
+
+}  // namespace hostile_files_test

@@ -7,13 +7,13 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace report_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 using Workspace = SmallWorkspace;
 
@@ -34,8 +34,6 @@ std::string without_engine(std::string page) {
     REQUIRE(begin != std::string::npos);
     return page.erase(begin, page.find('}', begin) - begin);
 }
-
-}  // namespace
 
 TEST_CASE("A run writes its HTML report without --out, and nothing else") {
     Workspace const workspace;
@@ -122,3 +120,5 @@ TEST_CASE("A hostile name in the configuration stays in the data of the HTML rep
         return row["value"].get<std::string>().find(mesh) != std::string::npos;
     }));
 }
+
+}  // namespace report_test

@@ -7,15 +7,15 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace resources_test {
+
 using namespace faster::test;
 
-namespace {
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool is_instrumented = true;  // by a sanitizer, whose memory and time are not ours
 #else
 constexpr bool is_instrumented = false;
 #endif
-}  // namespace
 
 TEST_CASE("The tool starts in less than 0.2 seconds", "[resources]") {
     TempFolder const folder;
@@ -76,3 +76,5 @@ TEST_CASE("A run that is interrupted leaves nothing", "[resources]") {
         CHECK(entries_in(folder.path()) == 0);
     }
 }
+
+}  // namespace resources_test

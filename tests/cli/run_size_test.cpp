@@ -5,6 +5,8 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace run_size_test {
+
 using faster::test::check_bad_input;
 using faster::test::SmallWorkspace;
 
@@ -36,3 +38,5 @@ TEST_CASE("A short run says nothing of its size, and --force changes nothing of 
     CHECK(plain.out.find("about") == std::string::npos);
     CHECK(workspace.text("a/samples.csv") == workspace.text("b/samples.csv"));
 }
+
+}  // namespace run_size_test

@@ -10,11 +10,11 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace show_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 /// A folder with "out", the results of a stored trace with pictures of its first samples.
 class ShownRun {
@@ -61,8 +61,6 @@ std::string joined(Words const& lines) {
         text += line + "\n";
     return text;
 }
-
-}  // namespace
 
 TEST_CASE("show prints a sample's figures and its picture in letters") {
     ShownRun const run("one_triangle");
@@ -180,3 +178,5 @@ TEST_CASE("Pictures for people are about 600 pixels high, and the contact sheet 
     CHECK((sheet.width > 800 && sheet.width <= 4000));  // two samples of two pictures side by side
     CHECK((sheet.height > 600 && sheet.height <= 4000));
 }
+
+}  // namespace show_test

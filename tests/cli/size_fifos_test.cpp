@@ -6,12 +6,12 @@
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+namespace size_fifos_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
-
-namespace {
 
 /// The event file of a run of config.yaml on a window that is small enough to be sized quickly.
 class Workspace {
@@ -41,8 +41,6 @@ std::uint64_t total_cycles(std::string const& report) {
     REQUIRE(std::regex_search(report, match, std::regex("total  ([0-9]+) cycles")));
     return std::stoull(match[1]);
 }
-
-}  // namespace
 
 TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
     Workspace const workspace;
@@ -180,3 +178,5 @@ TEST_CASE("The help of size-fifos tells its options") {
     for (std::string const option : {"--within", "--out", "--ramb36-luts", "--points", "--jobs", "--set", "EVENTS"})
         CHECK_THAT(result.out, Contains(option));
 }
+
+}  // namespace size_fifos_test

@@ -12,11 +12,11 @@
 
 #include "support/sweep_workspace.hpp"
 
+namespace sweep_resume_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Seconds = std::chrono::duration<double>;
-
-namespace {
 
 /// Starts a sweep in the background, with what it prints thrown away. `prepare` is called in the new process.
 template <class Prepare> pid_t start_sweep(SweepWorkspace const& workspace, char const* out, Prepare prepare) {
@@ -57,8 +57,6 @@ void check_same(SweepWorkspace const& workspace, std::string const& out, std::st
     CHECK(rows == expected);  // no row twice, none lost
     CHECK_FALSE(workspace.has(out + "/events"));
 }
-
-}  // namespace
 
 TEST_CASE("A sweep that is killed at 20 random moments ends like one that is not", "[sweeps]") {
     SweepWorkspace const workspace;
@@ -125,3 +123,5 @@ TEST_CASE("Two sweeps in one folder are refused", "[sweeps]") {
     require_done(workspace.sweep("undisturbed"));
     check_same(workspace, "out", "undisturbed");
 }
+
+}  // namespace sweep_resume_test

@@ -6,13 +6,13 @@
 #include "support/report_page.hpp"
 #include "support/sweep_workspace.hpp"
 
+namespace sweep_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
-
-namespace {
 
 std::vector<Row> rows_of(std::string const& csv) {
     Words const lines = lines_of(csv);
@@ -70,8 +70,6 @@ void check_against_run(SweepWorkspace const& workspace, Row const& row) {
     CHECK(whole("fifo_empty_stall_cycles") == sum_of<Count>(run["fifos"], {"empty_stall_cycles"}));
     CHECK(std::stod(row.at("ramb36")) == sum_of<double>(run["brams"], {"ramb36"}));
 }
-
-}  // namespace
 
 TEST_CASE("Every point of a sweep has what faster-sim run finds, cell for cell", "[sweeps]") {
     SweepWorkspace const workspace;
@@ -250,3 +248,5 @@ TEST_CASE("A sweep shows on a terminal how long it will take", "[sweeps]") {
         output_on_terminal(FASTER_SIM_BINARY, {"sweep", path + "/sweep.yaml", "--out", path + "/out", "-j", "2"}, {});
     CHECK_THAT(shown, Contains("/96 points, ") && Contains(" s left"));
 }
+
+}  // namespace sweep_test

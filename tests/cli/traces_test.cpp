@@ -9,11 +9,11 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace traces_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const tables{"samples.csv", "fifos.csv", "loops.csv"};
@@ -73,8 +73,6 @@ std::uint64_t last_end_cycle(std::string const& samples) {
     return std::stoull(field);
 }
 
-}  // namespace
-
 TEST_CASE("The stored traces are there, and each is explained") {
     Words const names = trace_names();
     CHECK(names == Words{"banana", "cracker_box", "edge_heavy", "empty", "fragment_heavy", "full_window",
@@ -103,3 +101,5 @@ TEST_CASE("The trace without triangles takes the cycles of the closed form on on
         CHECK(total == 4 * pixels + 15 + (samples - 1) * (4 * pixels + 10));
     }
 }
+
+}  // namespace traces_test

@@ -10,12 +10,12 @@
 #include "support/tool_output.hpp"
 #include "support/vcd_reader.hpp"
 
+namespace waveform_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
-
-namespace {
 
 std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
 fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
@@ -136,8 +136,6 @@ void check_window(Vcd const& whole, Vcd const& part, std::uint64_t from, std::ui
         CHECK(part.within(signal, from, to) == whole.within(signal, from, to));
     }
 }
-
-}  // namespace
 
 TEST_CASE("A waveform says what the tables say, in both engines alike", "[vcd]") {
     for (std::string const trace : {"empty", "one_triangle", "edge_heavy", "full_window"}) {
@@ -488,3 +486,5 @@ TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
     refused({"--timeline", "nowhere/t.json"}, {"nowhere/t.json", "cannot be written"});
     refused({"--timeline", "t.json", "--timeline-samples", "0"}, {"--timeline-samples"});
 }
+
+}  // namespace waveform_test

@@ -17,8 +17,7 @@
 
 // Double buffers of which only the touched region is read out: the region has to stay with its buffer.
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::buffered_region_test {
 
 AcceleratorConfig with_two_of_each(SweepRegion region) {
     AcceleratorConfig config = with_cores(1);
@@ -110,8 +109,6 @@ Stimulus triangle_now_and_then(int window, int samples) {
     return stimulus;
 }
 
-}  // namespace
-
 TEST_CASE("Without triangles two buffers and a touched region take W^2 + 9 cycles per sample", "[double_buffers]") {
     // Edge map builder: cleared at T = W^2 + 2, End read, no tokens, the corners read at W^2 + 4 and W^2 + 5, map_full
     // written at W^2 + 6. map_free is read two cycles later, and clearing begins again: 9 cycles from map_full to
@@ -191,4 +188,4 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
     }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::buffered_region_test

@@ -6,8 +6,7 @@
 #include "support/forked_simulation.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::closed_form_test {
 
 Engine either_engine() { return GENERATE(Engine::lockstep, Engine::decoupled); }
 
@@ -16,8 +15,6 @@ LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.
 ProcessStatistics const& process_of(RunStatistics const& run, ModuleId id) {
     return run.cores.at(0).processes[index_of(id)];
 }
-
-}  // namespace
 
 TEST_CASE("The engines pass the contract's own check", "[closed_form]") {
     Engine const engine = either_engine();
@@ -185,4 +182,4 @@ TEST_CASE("A command FIFO of depth 1 alone is slow but goes on", "[closed_form]"
     CHECK_FALSE(stuck.wait_cycle().empty());
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::closed_form_test

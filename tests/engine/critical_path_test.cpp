@@ -8,8 +8,7 @@
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::critical_path_test {
 
 struct Trial {
     AcceleratorConfig config;
@@ -68,8 +67,6 @@ Trial plain_trial(std::uint64_t seed) {
     }
     return trial;
 }
-
-}  // namespace
 
 TEST_CASE("The critical path adds up to the total, the same from both engines: seeds 7000 to 7079", "[critical_path]") {
     for (std::uint64_t seed = 7000; seed < 7080; ++seed) {
@@ -200,4 +197,4 @@ TEST_CASE("What makes a row of the critical path longer makes the run longer by 
     CHECK(exact * 4 > compared);  // a path that is far too short would pass as well
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::critical_path_test

@@ -11,8 +11,7 @@
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::double_buffers_test {
 
 struct Trial {
     AcceleratorConfig config;
@@ -108,8 +107,6 @@ void watch_buffers(AcceleratorConfig const& config, std::size_t samples_per_core
     });
     watch.finish(samples_per_core, config.inlier_unit.sweep_region);
 }
-
-}  // namespace
 
 TEST_CASE("Engines and twin agree on double buffers: deadlock-free machines", "[double_buffers][engine_vs_twin]") {
     for (std::uint64_t seed = 20000; seed < 20140; ++seed) {
@@ -246,4 +243,4 @@ TEST_CASE("The critical path adds up with double buffers, the same from both eng
     CHECK(through_handovers > 10);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::double_buffers_test

@@ -5,8 +5,7 @@
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::edge_map_algorithms_test {
 
 AcceleratorConfig machine(EdgeMapAlgorithm algorithm) {
     AcceleratorConfig config = with_cores(1);
@@ -31,8 +30,6 @@ void check_schedule(AcceleratorConfig const& config, LoopId loop, Schedule const
 }
 
 LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.cores.at(0).loops[index_of(id)]; }
-
-}  // namespace
 
 TEST_CASE("Initiation intervals of the token loop, as derived in docs/timing-model.md", "[edge_map]") {
     using Algorithm = EdgeMapAlgorithm;
@@ -118,4 +115,4 @@ TEST_CASE("Each token costs bounded a cycle of port conflict, and more than the 
     CHECK(first_write.iterations * first_write.ii > dual.iterations * dual.ii);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::edge_map_algorithms_test

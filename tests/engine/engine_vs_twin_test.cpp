@@ -7,8 +7,7 @@
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::engine_vs_twin_test {
 
 struct TrialOptions {
     RandomConfigOptions config;
@@ -47,8 +46,6 @@ int check_seeds(std::uint64_t first, std::uint64_t count, TrialOptions const& op
         deadlocks += check_seed(seed, options) ? 0 : 1;
     return deadlocks;
 }
-
-}  // namespace
 
 TEST_CASE("Engines and twin agree: deadlock-free, seeds 1000 to 1119", "[engine_vs_twin]") {
     CHECK(check_seeds(1000, 120, small_windows()) == 0);
@@ -260,4 +257,4 @@ TEST_CASE("Engines and twin agree: every kind of triangle under the default mach
     }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::engine_vs_twin_test

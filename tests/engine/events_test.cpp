@@ -23,8 +23,7 @@
 #include "support/spelled_out.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::events_test {
 
 using timing::Operation;
 using timing::OperationLog;
@@ -188,8 +187,6 @@ std::vector<Operation::Code> codes_of(std::vector<Operation> const& operations) 
         codes.push_back(operation.code());
     return codes;
 }
-
-}  // namespace
 
 TEST_CASE("What a recorded run would take is what a run takes, in every figure", "[events]") {
     test::TempFolder const folder;
@@ -490,4 +487,4 @@ TEST_CASE("A key's slack is the largest change that costs nothing", "[events]") 
     CHECK(found > 0);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::events_test

@@ -4,7 +4,7 @@
 #include "support/memory_trials.hpp"
 #include "support/random_stimulus.hpp"
 
-namespace faster::testing {
+namespace faster::testing::external_memory_test {
 
 TEST_CASE("Engines and twin agree behind external memory, seeds 20000 to 20039", "[engine_vs_twin][memory]") {
     int const deadlocks = check_memory_seeds(20000, 40);
@@ -51,4 +51,4 @@ TEST_CASE("Engines and twin agree behind external memory where they did not at f
         CHECK(check_memory_seeds(seed, 1) >= 0);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::external_memory_test

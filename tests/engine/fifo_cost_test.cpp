@@ -12,8 +12,7 @@
 #include "support/raster_machine.hpp"
 #include "support/token_bits.hpp"
 
-namespace faster::sizing {
-namespace {
+namespace faster::sizing::fifo_cost_test {
 
 using testing::fifo_count;
 using testing::FifoId;
@@ -54,8 +53,6 @@ std::vector<std::string> names_in(std::string const& list) {
         names.push_back(name.back() == ',' ? name.substr(0, name.size() - 1) : name);
     return names;
 }
-
-}  // namespace
 
 TEST_CASE("A shift register takes half a LUT per bit up to depth 16, then a LUT per bit and 32 tokens", "[sizing]") {
     CHECK(primitives(srl, 1, 34) == Primitives{17, 0});
@@ -233,4 +230,4 @@ TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
     }
 }
 
-}  // namespace faster::sizing
+}  // namespace faster::sizing::fifo_cost_test

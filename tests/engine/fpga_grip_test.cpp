@@ -12,8 +12,7 @@
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::fpga_grip_test {
 
 AcceleratorConfig fpga_grip() {
     AcceleratorConfig config = with_cores(1);
@@ -63,8 +62,6 @@ bool check_seed(std::uint64_t seed, bool is_deadlock_free) {
     Stimulus const stimulus = random_work(seed);
     return check_agreement(random_machine(seed, stimulus, is_deadlock_free), stimulus);
 }
-
-}  // namespace
 
 TEST_CASE("Engines and twin agree on flow fpga_grip: deadlock-free machines", "[fpga_grip][engine_vs_twin]") {
     for (std::uint64_t seed = 8100; seed < 8180; ++seed)
@@ -164,4 +161,4 @@ TEST_CASE("The rows of the critical path of flow fpga_grip add up", "[fpga_grip]
     CHECK(in_extraction > 0);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::fpga_grip_test

@@ -13,8 +13,7 @@
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::hazards_test {
 
 using Counts = std::vector<std::uint64_t>;
 using PerDistance = std::map<std::uint64_t, std::uint64_t>;
@@ -61,8 +60,6 @@ AcceleratorConfig flattened() {
     config.inlier_unit.fragment_loop = FragmentLoop::flattened;
     return config;
 }
-
-}  // namespace
 
 TEST_CASE("Triangles that share a pixel meet in one loop over all of them, not in a loop each", "[hazards]") {
     // Iterations: the first triangle's command, its fragment, the second's command, its fragment of the same pixel.
@@ -185,8 +182,6 @@ TEST_CASE("Looking for hazards changes nothing, in either engine", "[hazards]") 
     }
 }
 
-namespace {
-
 /// The distances of the token loop's accesses to a memory, from the addresses that a waveform shows, into a file: they
 /// come from the tokens that go through the FIFOs. All writes of that memory have to happen whatever the data.
 void note_distances(std::vector<recording::RecordedCore> const& cores, BramId bram, std::filesystem::path const& path) {
@@ -228,8 +223,6 @@ PerDistance read_distances(std::filesystem::path const& path) {
     return distances;
 }
 
-}  // namespace
-
 TEST_CASE("The addresses of a waveform have the same distances", "[hazards]") {
     test::TempFolder const folder;
     std::uint64_t met = 0;
@@ -270,4 +263,4 @@ TEST_CASE("The addresses of a waveform have the same distances", "[hazards]") {
     CHECK(met > 500);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::hazards_test

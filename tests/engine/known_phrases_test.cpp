@@ -6,8 +6,7 @@
 
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::replay {
-namespace {
+namespace faster::replay::known_phrases_test {
 
 using timing::Operation;
 using timing::Phrase;
@@ -72,8 +71,6 @@ Phrase::Code mark(unsigned member, std::uint8_t next_ports, bool frozen = false)
 Phrase::Code part(unsigned member, std::uint8_t ports, unsigned length) {
     return Operation::mix(ports, length, 0).code() | (Phrase::Code{16 + member} << 39);
 }
-
-}  // namespace
 
 TEST_CASE("A phrase that no group could have written is not known", "[events]") {
     Pair pair;
@@ -169,4 +166,4 @@ TEST_CASE("A phrase awaits setups that were begun", "[events]") {
     CHECK_FALSE(Pair(false).knows({begin_setup}));  // none of its loops does that
 }
 
-}  // namespace faster::replay
+}  // namespace faster::replay::known_phrases_test

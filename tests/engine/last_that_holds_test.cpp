@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace faster::sizing {
-namespace {
+namespace faster::sizing::last_that_holds_test {
 
 /// Margins that never rise, of which those asked for are known.
 struct Margins {
@@ -55,8 +54,6 @@ std::vector<double> random_margins(std::uint64_t seed) {
     }
     return margins;
 }
-
-}  // namespace
 
 TEST_CASE("The last that holds is found whatever the margins are, with any number of jobs", "[sizing]") {
     for (std::uint64_t seed = 1; seed < 400; ++seed)
@@ -110,4 +107,4 @@ TEST_CASE("What is thrown where it is worked out ends the search of all", "[sizi
         CHECK_THROWS_WITH(last_that_holds(4096, jobs, monotone), "broken");
 }
 
-}  // namespace faster::sizing
+}  // namespace faster::sizing::last_that_holds_test

@@ -6,8 +6,7 @@
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::map_clearing_test {
 
 AcceleratorConfig machine(NeighbourAccess access, MapClearing clearing) {
     AcceleratorConfig config = with_cores(1);
@@ -20,8 +19,6 @@ AcceleratorConfig machine(NeighbourAccess access, MapClearing clearing) {
 Cycles sweep_ii(AcceleratorConfig const& config) { return initiation_interval(LoopId::sweep, config).achieved; }
 
 LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.cores.at(0).loops[index_of(id)]; }
-
-}  // namespace
 
 TEST_CASE("Line buffers bring the sweep to II 1, clearing on read-out costs it an access", "[map_clearing]") {
     CHECK(sweep_ii(machine(NeighbourAccess::direct, MapClearing::loop)) == 3);
@@ -137,4 +134,4 @@ TEST_CASE("How maps are cleared and read changes no result", "[map_clearing]") {
         }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::map_clearing_test

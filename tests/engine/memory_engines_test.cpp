@@ -6,8 +6,7 @@
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::memory_engines_test {
 
 template <class Value, std::size_t N> Value one_of(std::mt19937_64& random, std::array<Value, N> const& values) {
     return values[random() % N];
@@ -47,8 +46,6 @@ bool check_seed(std::uint64_t seed, RandomConfigOptions const& options) {
     return !decoupled.deadlocked();
 }
 
-}  // namespace
-
 TEST_CASE("Engines agree about an external memory, seeds 100 to 159", "[memory]") {
     RandomConfigOptions options;
     options.max_lanes = 6;
@@ -67,4 +64,4 @@ TEST_CASE("Engines agree about an external memory where FIFOs deadlock", "[memor
     CHECK(deadlocks > 5);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::memory_engines_test

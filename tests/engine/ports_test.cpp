@@ -10,8 +10,7 @@
 #include "kernel/replay/operation_columns.hpp"
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::ports_test {
 
 std::vector<unsigned> list_of(Ports ports) {
     std::vector<unsigned> list;
@@ -99,8 +98,6 @@ void run_step_by_step(CoreTiming& core) {
                 core.process(i).commit_front();
     }
 }
-
-}  // namespace
 
 TEST_CASE("A set of ports has a number, however many ports there are", "[ports]") {
     CHECK(Ports().is_empty());
@@ -196,4 +193,4 @@ TEST_CASE("Operations at many ports come out of a file as they were put in", "[p
     CHECK_FALSE(replay::decode_operations(again, smaller, read));
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::ports_test

@@ -14,8 +14,7 @@
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::replay_test {
 
 constexpr int samples = 40;
 
@@ -76,8 +75,6 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
     return asked;
 }
 
-}  // namespace
-
 TEST_CASE("Where nobody can go on any more, no further samples are read", "[replay]") {
     test::TempFolder const folder;
     events::EventFile const file = recorded_run(folder);
@@ -99,4 +96,4 @@ TEST_CASE("Where nobody can go on any more, no further samples are read", "[repl
     }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::replay_test

@@ -5,8 +5,7 @@
 #include "support/parts.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::scan_designs_test {
 
 LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.cores.at(0).loops[index_of(id)]; }
 
@@ -23,8 +22,6 @@ Stimulus back_faces(std::uint32_t count) {
     stimulus.samples[0].triangle_count = count;
     return stimulus;
 }
-
-}  // namespace
 
 TEST_CASE("Setups are waited for unless enough triangles are fetched ahead", "[scan_designs]") {
     // A setup takes 12 cycles and begins when its third vertex has been read. So N back faces, three iterations each,
@@ -121,4 +118,4 @@ TEST_CASE("One loop over all fragments saves draining it for each triangle", "[s
     CHECK(drained - flattened < 99 * (1 + 2 + 10 - 7) + 40);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::scan_designs_test

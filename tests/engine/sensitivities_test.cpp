@@ -9,8 +9,7 @@
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::sensitivities_test {
 
 struct Trial {
     AcceleratorConfig config;
@@ -65,8 +64,6 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
     }
     return changes;
 }
-
-}  // namespace
 
 TEST_CASE("A step of any timing key changes the total as a run with it says", "[sensitivities]") {
     std::size_t changes = 0;
@@ -162,4 +159,4 @@ TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
     CHECK(deadlocks >= 2);  // fragment_depth and fragment_index of depth 1
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::sensitivities_test

@@ -12,8 +12,7 @@
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::sizing {
-namespace {
+namespace faster::sizing::sizing_test {
 
 using testing::fifo_count;
 using testing::fifo_ids;
@@ -177,8 +176,6 @@ void check_certificate(Case const& of, Sizing const& sizing) {
         expected += has_token_step(sizing, i) ? 1U : 0U;
     CHECK(steps == expected);
 }
-
-}  // namespace
 
 TEST_CASE("More room or less latency never makes a run longer", "[sizing]") {
     std::size_t changed = 0;
@@ -430,4 +427,4 @@ TEST_CASE("A bound is a whole number of cycles, percent above", "[sizing]") {
     CHECK(bound_within(1, 99) == 99);
 }
 
-}  // namespace faster::sizing
+}  // namespace faster::sizing::sizing_test

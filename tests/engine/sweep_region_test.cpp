@@ -7,8 +7,7 @@
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::sweep_region_test {
 
 AcceleratorConfig touching() {
     AcceleratorConfig config = with_cores(1);
@@ -35,8 +34,6 @@ Stimulus small_triangle_in(int window) {
     stimulus.samples[0].triangle_count = 1;
     return stimulus;
 }
-
-}  // namespace
 
 TEST_CASE("Without triangles nothing is swept, and a sample takes W^2 + 8 cycles", "[sweep_region]") {
     // The maps are cleared at T = W^2 + 2. The end command, the corners, no sweep: the result leaves at W^2 + 6 and is
@@ -131,4 +128,4 @@ TEST_CASE("The FIFOs of a touched sweep are in its design only", "[sweep_region]
         }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::sweep_region_test

@@ -10,12 +10,12 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace examples_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-namespace {
 
 std::map<std::string, std::string> const binaries{
     {"pipeline", PIPELINE_BINARY}, {"cyclic", CYCLIC_BINARY}, {"convolution", CONVOLUTION_BINARY}};
@@ -72,8 +72,6 @@ Words timing_settings(std::string const& example) {
     return {"accelerator.brams.line_buffer.ports=1", "accelerator.fifos.pixel.depth=7",
             "accelerator.loops.convolve.convolve.depth=11"};
 }
-
-}  // namespace
 
 TEST_CASE("Every example runs, and its engines agree", "[examples]") {
     for (std::string const& name : all_examples) {
@@ -211,3 +209,5 @@ TEST_CASE("Ports and banks of the line buffer decide the convolution's pace", "[
             CHECK_THAT(lines_of(example.text("out/samples.csv")).at(1), Catch::Matchers::EndsWith(",0"));  // none wrong
         }
 }
+
+}  // namespace examples_test

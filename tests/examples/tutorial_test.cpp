@@ -10,11 +10,11 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace tutorial_test {
+
 using namespace faster::test;
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
-
-namespace {
 
 fs::path const example = fs::path(FASTER_SOURCE_DIR) / "examples" / "pipeline";
 
@@ -45,8 +45,6 @@ std::vector<std::string> words_of(std::string const& text) {
 bool has_line(Lines const& lines, std::string const& line) {
     return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
-
-}  // namespace
 
 TEST_CASE("The tutorial shows the program as it is", "[examples]") {
     Lines const program = lines_of(content_of(example / "pipeline.cpp"));
@@ -85,3 +83,5 @@ TEST_CASE("The tutorial's commands print what it says", "[examples]") {
         }
     }
 }
+
+}  // namespace tutorial_test

@@ -8,8 +8,7 @@
 #include "support/run_cells.hpp"
 #include "workload/build_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::engines_on_meshes_test {
 
 /// A few samples of a built-in object in its scene, at the scale of the main job.
 Stimulus scene_of(std::string const& object, std::uint64_t samples) {
@@ -27,8 +26,6 @@ void check_engines(AcceleratorConfig const& config, Stimulus const& stimulus) {
     REQUIRE_FALSE(lockstep.deadlocked());
     CHECK(first_difference(all_cells(decoupled), all_cells(lockstep)) == "");
 }
-
-}  // namespace
 
 TEST_CASE("Engines agree on meshes under the default machine", "[engines_on_meshes]") {
     AcceleratorConfig config;
@@ -64,4 +61,4 @@ TEST_CASE("Engines agree on meshes under random machines", "[engines_on_meshes]"
     }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::engines_on_meshes_test

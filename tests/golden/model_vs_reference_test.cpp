@@ -18,8 +18,7 @@
 #include "workload/models/builtin_models.hpp"
 #include "workload/object_mesh.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::model_vs_reference_test {
 
 using workload::Random;
 
@@ -171,8 +170,6 @@ void check_builtin_models(std::size_t first, std::size_t stride) {
     }
 }
 
-}  // namespace
-
 TEST_CASE("Model and reference agree on the built-in classes 0, 3, 6, ...", "[golden]") { check_builtin_models(0, 3); }
 TEST_CASE("Model and reference agree on the built-in classes 1, 4, 7, ...", "[golden]") { check_builtin_models(1, 3); }
 TEST_CASE("Model and reference agree on the built-in classes 2, 5, 8, ...", "[golden]") { check_builtin_models(2, 3); }
@@ -310,4 +307,4 @@ TEST_CASE("Model and reference agree on scanned meshes", "[golden]") {
     }
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::model_vs_reference_test

@@ -7,9 +7,9 @@
 #include "kernel/machine/machine.hpp"
 #include "kernel/replay/core_variant.hpp"
 
-using namespace faster;
+namespace read_stage_machine_test {
 
-namespace {
+using namespace faster;
 
 constexpr unsigned iterations = 100;
 
@@ -81,8 +81,6 @@ Keys keys_named(std::string const& field) {
     return keys;
 }
 
-}  // namespace
-
 TEST_CASE("A machine knows in which stage a loop reads", "[machine]") {
     MachineSettings settings;
     Machine const machine = make_machine(describe_cycle(), settings);
@@ -121,3 +119,5 @@ TEST_CASE("A recorded run is timed again with other stages of reads", "[machine]
     settings.fifo("response").write_latency = 0;
     CHECK(retimed_cycles(settings) == 2 * iterations + 2);
 }
+
+}  // namespace read_stage_machine_test

@@ -10,10 +10,10 @@
 #include "kernel/timing/core_timing.hpp"
 #include "kernel/timing/path_sweep.hpp"
 
+namespace read_stage_test {
+
 // Loops whose reads sit in later stages, against a simulation of the same processes cycle by cycle that shares nothing
 // with the timing but the description below.
-
-namespace {
 
 using namespace faster;
 using namespace faster::timing;
@@ -564,8 +564,6 @@ Design random_design(Dice& dice) {
     return design;
 }
 
-}  // namespace
-
 TEST_CASE("a loop whose reads are all in the first step is laid out as if nobody had told of them", "[timing]") {
     LoopShape silent;
     silent.depth = 4;
@@ -672,3 +670,5 @@ TEST_CASE("random machines take the cycles that a simulation step by step takes"
     CHECK(stuck > 50);
     CHECK(stuck < 1000);  // most get to their ends
 }
+
+}  // namespace read_stage_test

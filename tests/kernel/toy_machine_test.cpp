@@ -11,12 +11,12 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace toy_machine_test {
+
 using namespace faster;
 using namespace faster::test;
 using Numbers = std::vector<std::size_t>;
 using Names = std::vector<std::string>;
-
-namespace {
 
 constexpr std::size_t source = 0, worker = 1, sink = 2;
 constexpr std::size_t number = 0, answer = 1;
@@ -55,8 +55,6 @@ Key const& key_named(Keys const& keys, std::string const& name) {
             return key;
     throw std::out_of_range(name);
 }
-
-}  // namespace
 
 TEST_CASE("A machine has the parts of its description, by number and by name", "[machine]") {
     Machine const machine = machine_with({});
@@ -306,3 +304,5 @@ TEST_CASE("a number of a module is a key, has its default, and decides about mor
     CHECK(json_text(key.read(config)) == "7");
     CHECK(make_machine(core, config.machine()).processes[worker].numbers.at("tries") == 7);
 }
+
+}  // namespace toy_machine_test

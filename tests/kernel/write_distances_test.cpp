@@ -4,7 +4,7 @@
 
 #include "kernel/machine/dependence.hpp"
 
-namespace faster {
+namespace faster::write_distances_test {
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -74,4 +74,4 @@ TEST_CASE("A word is stale up to the cycle in which it is written, the cycle inc
     CHECK(dependence.reach(1) == 0);
 }
 
-}  // namespace faster
+}  // namespace faster::write_distances_test

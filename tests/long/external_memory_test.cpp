@@ -2,7 +2,7 @@
 
 #include "support/memory_trials.hpp"
 
-namespace faster::testing {
+namespace faster::testing::external_memory_test {
 
 TEST_CASE("Engines and twin agree behind external memory, seeds 21000 to 21599", "[engine_vs_twin][memory]") {
     CHECK(check_memory_seeds(21000, 600) > 20);
@@ -22,4 +22,4 @@ TEST_CASE("Recorded runs behind external memory are retimed as they would run, s
     CHECK(check_memory_retimings(21000, 600) > 400);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::external_memory_test

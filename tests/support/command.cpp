@@ -9,13 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/longest_run.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::test {
 
 namespace {
 
-constexpr unsigned longest_run_seconds = 120;
 constexpr int cannot_start = 127;
 
 bool redirect(int descriptor, char const* file) {

@@ -16,13 +16,12 @@
 #include "kernel/report/summary.hpp"
 #include "support/byte_stream.hpp"
 #include "support/idle_run.hpp"
+#include "support/longest_run.hpp"
 #include "support/raster_machine.hpp"
 
 namespace faster::testing {
 
 namespace {
-
-constexpr unsigned longest_run_seconds = 120;
 
 /// Keeps the maps of every sample.
 class MapCollector : public SampleProbe {
@@ -230,7 +229,7 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
                             ForkOptions const& options) {
     for (int const signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGTERM, SIGINT})
         std::signal(signal, SIG_DFL);
-    alarm(longest_run_seconds);
+    alarm(test::longest_run_seconds);
     std::string const bytes = simulated_bytes(config, stimulus, engine, options);
     for (std::size_t done = 0; done < bytes.size();) {
         ssize_t const count = write(pipe, bytes.data() + done, bytes.size() - done);

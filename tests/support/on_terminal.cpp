@@ -7,11 +7,11 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "support/longest_run.hpp"
+
 namespace faster::test {
 
 namespace {
-
-constexpr unsigned longest_run_seconds = 120;
 
 /// A terminal turns "\n" into "\r\n" unless told otherwise.
 termios without_output_processing() {

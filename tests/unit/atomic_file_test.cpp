@@ -5,6 +5,8 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace atomic_file_test {
+
 using Catch::Matchers::Contains;
 using faster::io::write_file_atomically;
 using faster::test::content_of;
@@ -43,3 +45,5 @@ TEST_CASE("Places where no file can be are refused, and nothing is left there", 
     CHECK(entries_in(folder.path()) == 1);
     CHECK(entries_in(folder / "folder") == 0);
 }
+
+}  // namespace atomic_file_test

@@ -6,14 +6,14 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace atomic_folder_test {
+
 using namespace faster::io;
 using faster::test::content_of;
 using faster::test::entries_in;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
 namespace fs = std::filesystem;
-
-namespace {
 
 FolderKind const kind{"result", "summary.json", {"samples.csv", "images"}};
 
@@ -22,8 +22,6 @@ void write_result(fs::path const& target, std::string const& content) {
     write_file(output.path() / "summary.json", content);
     output.commit();
 }
-
-}  // namespace
 
 TEST_CASE("A committed folder appears with its files and without leftovers", "[atomic_folder]") {
     TempFolder const folder;
@@ -111,3 +109,5 @@ TEST_CASE("A place where no folder can be made is an input error", "[atomic_fold
                Catch::Contains("/proc/none/out: cannot be written ("));
     CHECK_THAT(input_error_text([] { AtomicFolder("", kind); }), Catch::Contains("is empty"));
 }
+
+}  // namespace atomic_folder_test

@@ -9,8 +9,7 @@
 
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::automaton_test {
 
 /// Draws small numbers; the same with every compiler.
 class Dice {
@@ -218,8 +217,6 @@ std::shared_ptr<Automaton> compare(unsigned seed, bool irregular, unsigned porti
     return automaton;
 }
 
-}  // namespace
-
 TEST_CASE("The automaton gives every figure that working out every operation gives", "[automaton]") {
     std::uint64_t phrases = 0;
     std::uint64_t transitions = 0;
@@ -388,4 +385,4 @@ TEST_CASE("Joined operations mean what they were joined of", "[operation]") {
     }
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::automaton_test

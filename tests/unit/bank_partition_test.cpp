@@ -4,8 +4,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-namespace faster {
-namespace {
+namespace faster::bank_partition_test {
 
 constexpr PartitionType cyclic = PartitionType::cyclic;
 constexpr PartitionType block = PartitionType::block;
@@ -16,8 +15,6 @@ AccessPattern const read_and_write{{{0, 0}}, {{0, 0}}};
 std::uint64_t crowd(AccessPattern const& pattern, PartitionConfig const& config, int side = 200) {
     return BankPartition(config, side).accesses_per_bank(pattern);
 }
-
-}  // namespace
 
 TEST_CASE("Cyclic banks part neighbours, blocks do not", "[partition]") {
     CHECK(crowd(cross, {}) == 5);
@@ -76,4 +73,4 @@ TEST_CASE("Every word has a bank, and none has more than bank_words", "[partitio
     CHECK(BankPartition({block, 3, 2}, side).bank_words() == 40);
 }
 
-}  // namespace faster
+}  // namespace faster::bank_partition_test

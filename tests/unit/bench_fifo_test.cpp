@@ -5,8 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::bench_fifo_test {
 
 /// The cycles of all writes and reads of a FIFO, as close together as chance has it.
 struct Accesses {
@@ -49,8 +48,6 @@ StateWords words_of(Accesses const& accesses, unsigned room, StateWord latency, 
     counts.put(words.data());
     return words;
 }
-
-}  // namespace
 
 TEST_CASE("What happens to a FIFO on the bench shows its largest occupancy", "[bench_fifo]") {
     for (unsigned seed = 1; seed <= 2000; ++seed) {
@@ -111,4 +108,4 @@ TEST_CASE("A line keeps its cycles however many go through it", "[bench_fifo]") 
     CHECK(line.count_until(0) == 0);
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::bench_fifo_test

@@ -2,14 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-namespace faster {
-namespace {
+namespace faster::block_ram_test {
 
 double count_of(std::uint64_t words, std::uint64_t bits, std::uint64_t ports = 2, std::uint64_t partition = 1) {
     return ramb36_count({words, bits, ports, partition});
 }
-
-}  // namespace
 
 TEST_CASE("A memory takes the shape of primitive that needs fewest", "[block_ram]") {
     CHECK(count_of(32768, 1) == 1);
@@ -37,4 +34,4 @@ TEST_CASE("More ports than the banks have take copies, and banks take at least o
     CHECK(count_of(40000, 1, 2, 3) == 3 * 0.5);  // 13,334 x 1
 }
 
-}  // namespace faster
+}  // namespace faster::block_ram_test

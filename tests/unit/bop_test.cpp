@@ -12,14 +12,14 @@
 #include "workload/bop/read_dataset.hpp"
 #include "workload/scene_renderer.hpp"
 
+namespace bop_test {
+
 using namespace faster;
 using namespace faster::bop;
 using faster::test::BopFolder;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// What an InputError says of a file of a folder, one line, without the folder's name; nothing if there is no error.
 template <class Action> std::string complaint_in(fs::path const& folder, Action const& action) {
@@ -38,8 +38,6 @@ std::string results_complaint(std::string const& rows) {
     fs::path const file = folder.write("r.csv", "scene_id,im_id,obj_id,score,R,t,time\n" + rows);
     return complaint_in(folder.path(), [&] { read_pose_results(file); });
 }
-
-}  // namespace
 
 TEST_CASE("A BOP folder is read whole: cameras, poses, boxes, models, symmetries and targets", "[bop]") {
     BopFolder const folder;
@@ -344,3 +342,5 @@ TEST_CASE("Real frames are a dataset: the rendered objects are where the camera 
     CAPTURE(pixels, near);
     CHECK(static_cast<double>(near) > 0.95 * static_cast<double>(pixels));
 }
+
+}  // namespace bop_test

@@ -7,6 +7,8 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace bounds_of_files_test {
+
 using Catch::Matchers::Contains;
 using faster::load_document;
 using faster::io::parse_json;
@@ -14,8 +16,6 @@ using faster::io::read_csv_cells;
 using faster::io::read_json_file;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 std::string error_of(std::string const& text) {
     TempFolder const folder;
@@ -36,8 +36,6 @@ std::string billion_laughs(int lines) {
     }
     return text;
 }
-
-}  // namespace
 
 TEST_CASE("Aliases count as what they stand for") {
     CHECK(error_of(billion_laughs(4)) == "(no error)");
@@ -94,3 +92,5 @@ TEST_CASE("A table has ten thousand columns and no more") {
     CHECK(error(9'999) == "(no error)");
     CHECK_THAT(error(10'000), Contains("a.csv:1: 10001 columns, expected at most 10000"));
 }
+
+}  // namespace bounds_of_files_test

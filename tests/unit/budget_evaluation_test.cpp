@@ -15,11 +15,11 @@
 #include "support/input_error_text.hpp"
 #include "support/raster_machine.hpp"
 
+namespace budget_evaluation_test {
+
 using namespace faster::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
-
-namespace {
 
 Quantity count(double value) { return {Quantity::Kind::count, value, std::to_string(static_cast<int>(value))}; }
 Quantity microseconds(double value) { return {Quantity::Kind::microseconds, value, std::to_string(value) + " us"}; }
@@ -75,8 +75,6 @@ std::vector<Verdict> verdicts(std::vector<Limit> const& limits, std::vector<Figu
 }
 
 bool keeps(Limit const& limit, std::uint64_t value) { return !has_breach(verdicts({limit}, {{limit.figure, value}})); }
-
-}  // namespace
 
 TEST_CASE("A limit holds up to its bound and not a cycle further") {
     CHECK(keeps(at_most("total_cycles", count(10)), 10));
@@ -314,3 +312,5 @@ TEST_CASE("JUnit and JSON say of each limit whether it is kept, whatever the tex
                Contains("\"passed\": false") && Contains("\"margin\": -2") && Contains("\"status\": \"crashed\""));
     CHECK(totals_text({breached, crashed}) == "2 budgets: 1 breached, 1 crashed\n");
 }
+
+}  // namespace budget_evaluation_test

@@ -6,12 +6,12 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace budget_file_test {
+
 using namespace faster::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 std::string const head = "format: faster-budget\nversion: 1\nconfiguration: ../design.yaml\n";
 std::string const baseline =
@@ -35,8 +35,6 @@ std::string fault(std::string const& text) {
     std::size_t const place = message.find("b.yaml");
     return place == std::string::npos ? message : message.substr(place);
 }
-
-}  // namespace
 
 TEST_CASE("A budget file is read as it is written") {
     Budget const budget = read(head +
@@ -157,3 +155,5 @@ TEST_CASE("A baseline reads back as it was written") {
     CHECK(budget.baseline->reason == written.reason);
     CHECK(budget.baseline->date == written.date);
 }
+
+}  // namespace budget_file_test

@@ -13,10 +13,10 @@
 
 #include "kernel/base/input_error.hpp"
 
+namespace builtin_models_test {
+
 using faster::Mesh;
 namespace models = faster::models;
-
-namespace {
 
 struct ClassSize {
     std::string name;
@@ -119,8 +119,6 @@ double volume_litres(std::string const& name) {
     }
     return litres;
 }
-
-}  // namespace
 
 TEST_CASE("The built-in models are the 21 YCB classes, sorted by name", "[models]") {
     std::vector<std::string> expected;
@@ -247,3 +245,5 @@ TEST_CASE("A model comes out the same at every call", "[models]") {
     CHECK(first.vertices == second.vertices);
     CHECK(first.faces == second.faces);
 }
+
+}  // namespace builtin_models_test

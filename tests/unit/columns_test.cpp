@@ -7,9 +7,9 @@
 #include "kernel/figures/module_row.hpp"
 #include "support/temp_folder.hpp"
 
-using namespace faster;
+namespace columns_test {
 
-namespace {
+using namespace faster;
 
 std::string page(std::string const& name) {
     return test::content_of(std::filesystem::path(FASTER_SOURCE_DIR) / "docs" / name);
@@ -50,8 +50,6 @@ constexpr Column<Thing> thing_columns[]{
     {"twice", "tokens", &Thing::twice, Tells::work, "both ways"},
     {"half", "-", &Thing::half, Tells::shape, "of the depth"},
 };
-
-}  // namespace
 
 TEST_CASE("docs/formats.md has the tables of columns word for word", "[columns]") {
     using Catch::Matchers::Contains;
@@ -111,3 +109,5 @@ TEST_CASE("Only columns that are stored have a place", "[columns]") {
     CHECK(place_of<std::uint64_t>(thing_columns[0], thing) == nullptr);
     CHECK(place_of<std::uint64_t>(thing_columns[3], thing) == nullptr);
 }
+
+}  // namespace columns_test

@@ -7,6 +7,8 @@
 #include "kernel/compare/comparison_json.hpp"
 #include "kernel/compare/comparison_text.hpp"
 
+namespace compare_test {
+
 using namespace faster::runs;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -14,8 +16,6 @@ using faster::Cycles;
 using faster::FifoRow;
 using faster::LoopRow;
 using faster::SampleStatistics;
-
-namespace {
 
 ModuleRecord module_of(std::uint64_t core, Cycles busy, Cycles idle) {
     return {core, "rasterizer", {{"busy_cycles", busy}, {"idle_cycles", idle}}};
@@ -92,8 +92,6 @@ std::vector<std::string> words_of(std::vector<Change> const& changes) {
 }
 
 using Words = std::vector<std::string>;
-
-}  // namespace
 
 TEST_CASE("A run compared with itself is identical", "[compare]") {
     RunRecord const a = small_run();
@@ -282,3 +280,5 @@ TEST_CASE("The JSON file has the whole comparison", "[compare]") {
           R"([{"a":0,"b":3,"difference":3,"figure":"recurrence_cycles","item":"inlier_unit.sweep","percent":null}])");
     CHECK(json.at("figures").at("module_cycles").empty());
 }
+
+}  // namespace compare_test

@@ -18,6 +18,8 @@
 #include "kernel/config/resolved_config.hpp"
 #include "support/parts.hpp"
 
+namespace config_test {
+
 using faster::accelerator_of;
 using faster::LoadedConfig;
 using faster::RunConfig;
@@ -27,8 +29,6 @@ using faster::testing::FifoId;
 using faster::testing::LoopId;
 using faster::testing::ModuleId;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// A folder of this process to write into. It is the current one while it exists, so that messages name "test.yaml".
 class Scratch {
@@ -107,8 +107,6 @@ std::string table_of_readme() {
     std::size_t const start = readme.find(begin) + begin.size();
     return readme.substr(start, readme.find("\n<!-- keys: end -->") - start);
 }
-
-}  // namespace
 
 TEST_CASE("An empty configuration is the default machine", "[config]") {
     std::string const content = GENERATE("", "\n# nothing\n", "{}\n", "---\n", "accelerator:\nworkload:\n  # scene:\n");
@@ -723,3 +721,5 @@ TEST_CASE("The configurations of this project load", "[config]") {
     }
     CHECK(files >= 6);
 }
+
+}  // namespace config_test

@@ -8,8 +8,7 @@
 #include "reference/quality/survey_table.hpp"
 #include "workload/models/builtin_models.hpp"
 
-namespace faster::quality {
-namespace {
+namespace faster::quality::contour_quality_test {
 
 using Rows = std::vector<std::string>;
 
@@ -28,8 +27,6 @@ Image<std::uint8_t> picture(Rows const& rows, std::string const& lit) {
 ContourQuality judge(Rows const& rows, ContourSide side = ContourSide::outside) {
     return contour_quality(picture(rows, "#X"), picture(rows, "oX"), side);
 }
-
-}  // namespace
 
 TEST_CASE("The contour of a silhouette lies around it or within it", "[quality]") {
     Rows const shape{"......",  //
@@ -176,4 +173,4 @@ TEST_CASE("Equal seeds give equal poses", "[quality]") {
     CHECK(a[2].rotation != random_poses(mesh, 3, 6)[2].rotation);
 }
 
-}  // namespace faster::quality
+}  // namespace faster::quality::contour_quality_test

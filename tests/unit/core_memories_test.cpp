@@ -9,8 +9,7 @@
 
 // The memories of a raster core, and what its loops do to them.
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::core_memories_test {
 
 constexpr PartitionType cyclic = PartitionType::cyclic;
 
@@ -25,8 +24,6 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
 std::uint64_t crowd(AccessPattern const& pattern, PartitionConfig const& config, int side = 200) {
     return BankPartition(config, side).accesses_per_bank(pattern);
 }
-
-}  // namespace
 
 TEST_CASE("The two maps of ten cores are the 40 block RAMs of Table 6.2", "[block_ram]") {
     AcceleratorConfig const config;
@@ -120,4 +117,4 @@ TEST_CASE("A split memory takes the primitives of its banks", "[partition][block
     CHECK(ramb36_count(memory_shape(BramId::depth_buffer, config)) == 2 * 3 * 6);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::core_memories_test

@@ -6,6 +6,8 @@
 
 #include "kernel/base/portable_math.hpp"
 
+namespace counter_random_test {
+
 using namespace faster;
 using Block = CounterRandom::Block;
 
@@ -106,3 +108,5 @@ TEST_CASE("What portable functions and normal numbers are, to the last bit", "[r
     CHECK(random.normal() == -0x1.8410538bcae82p-4);
     CHECK(random.normal() == -0x1.9076facb59212p-1);
 }
+
+}  // namespace counter_random_test

@@ -7,8 +7,7 @@
 
 #include "support/random_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::cycle_twin_test {
 
 AcceleratorConfig one_core() {
     AcceleratorConfig config;
@@ -59,8 +58,6 @@ Stimulus one_small_triangle() {
 TwinFifo const& fifo_of(TwinResult const& result, FifoId id) { return result.fifos.at(0)[index_of(id)]; }
 TwinLoop const& loop_of(TwinResult const& result, LoopId id) { return result.loops.at(0)[index_of(id)]; }
 TwinProcess const& process_of(TwinResult const& result, ModuleId id) { return result.processes.at(0)[index_of(id)]; }
-
-}  // namespace
 
 TEST_CASE("The twin passes the contract's own check", "[cycle_twin]") {
     CHECK(run_twin(one_core(), empty_stimulus(200, 1)).total_cycles == 160015);
@@ -362,4 +359,4 @@ TEST_CASE("Random stimuli and configurations are reproducible and differ between
     CHECK(fixed.triangles[0].vertex[0].x == rejected_vertex_code);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::cycle_twin_test

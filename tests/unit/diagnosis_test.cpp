@@ -7,8 +7,7 @@
 #include "support/parts.hpp"
 #include "support/raster_machine.hpp"
 
-namespace faster {
-namespace {
+namespace faster::diagnosis_test {
 
 using testing::FifoId;
 using testing::LoopId;
@@ -43,8 +42,6 @@ RunStatistics example() {
     run.cores[0].loops[index_of(LoopId::sweep)].ii = 3;
     return run;
 }
-
-}  // namespace
 
 TEST_CASE("A run is bound by the module that waits least in the core that ends last", "[diagnosis]") {
     Diagnosis const diagnosis = diagnose(example());
@@ -87,4 +84,4 @@ TEST_CASE("Tokens that are left in a FIFO are named", "[diagnosis]") {
     CHECK(leftover_tokens(run) == "area of core 1 (2)");
 }
 
-}  // namespace faster
+}  // namespace faster::diagnosis_test

@@ -6,8 +6,7 @@
 #include "common/fixed_point.hpp"
 #include "reference/edge_extraction.hpp"
 
-namespace faster {
-namespace {
+namespace faster::edge_extraction_test {
 
 constexpr int fraction = 9;
 constexpr std::uint16_t metre = 1U << fraction;
@@ -35,8 +34,6 @@ std::vector<std::uint16_t> random_depths(std::mt19937& random, int window) {
         depth = random() % 3 == 0 ? far_depth_code : static_cast<std::uint16_t>(random() % 1100);
     return depths;
 }
-
-}  // namespace
 
 TEST_CASE("A wall has no edges, nor has an empty window", "[edge_extraction]") {
     CHECK(edges_of(std::vector<std::uint16_t>(64, metre), 8, of_three(0.01)) == Bits(64, 0));
@@ -99,4 +96,4 @@ TEST_CASE("Column sums give what the reference adds up term by term", "[edge_ext
     CHECK(edges_of(maps.depth_buffer.pixels(), window, config) == maps.edge_map.pixels());
 }
 
-}  // namespace faster
+}  // namespace faster::edge_extraction_test

@@ -7,8 +7,7 @@
 // What the thesis tells of its designs (chapter 5), on a shape small enough to look at: a rectangle of eight triangles
 // around a middle vertex, seen from the front.
 
-namespace faster {
-namespace {
+namespace faster::edge_map_designs_test {
 
 using Rows = std::vector<std::string>;
 
@@ -51,8 +50,6 @@ Rows framed(int first, int last, std::string const& above, std::string const& ro
 /// The rectangle covers rows 5 to 18 and columns 4 to 19.
 bool is_deep_inside(std::size_t row, std::size_t col) { return row >= 8 && row <= 15 && col >= 7 && col <= 16; }
 
-}  // namespace
-
 TEST_CASE("5.1 is too thick and finds edges inside the object", "[edge_map]") {
     Rows const rows = contour(EdgeMapAlgorithm::threshold);
     CHECK(rows[10].substr(3, 18) == "######oooooo######");  // where a seam meets the outline
@@ -81,4 +78,4 @@ TEST_CASE("7.2 is complete, one pixel wide, and on the object", "[edge_map]") {
     CHECK(contour(EdgeMapAlgorithm::inner_border) == framed(5, 18, edge, "....#oooooooooooooo#....", edge));
 }
 
-}  // namespace faster
+}  // namespace faster::edge_map_designs_test

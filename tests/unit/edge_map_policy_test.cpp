@@ -13,8 +13,7 @@
 #include "reference/edge_map/threshold.hpp"
 #include "reference/edge_map/transition.hpp"
 
-namespace faster::datapath {
-namespace {
+namespace faster::datapath::edge_map_policy_test {
 
 using Tokens = std::vector<EdgeToken>;
 using Rows = std::vector<std::string>;
@@ -68,8 +67,6 @@ Rows drawn(EdgeMapAlgorithm algorithm, int window, Tokens const& tokens) {
 Tokens const block{object(1, 2), edge(1, 1), object(1, 3), object(1, 4), edge(1, 5),
                    object(2, 4), edge(2, 5), object(2, 3), object(2, 2), edge(2, 1),
                    object(3, 2), edge(3, 1), object(3, 3), object(3, 4), edge(3, 5)};
-
-}  // namespace
 
 TEST_CASE("Transition misses the contour along rows", "[edge_map]") {
     CHECK(drawn(EdgeMapAlgorithm::transition, 7, block) == Rows{".......",  //
@@ -169,8 +166,6 @@ TEST_CASE("Only the inner border is known a row late", "[edge_map]") {
     CHECK(make_edge_map_policy(EdgeMapAlgorithm::inner_border, 9)->rows_read_ahead() == 1);
 }
 
-namespace {
-
 Tokens random_tokens(std::mt19937& random, int side, int count) {
     auto const draw = [&random](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
     Tokens tokens;
@@ -219,8 +214,6 @@ template <class Builder> void check_against_reference(EdgeMapAlgorithm algorithm
     }
 }
 
-}  // namespace
-
 TEST_CASE("Every policy leaves what the reference leaves after random tokens", "[edge_map]") {
     check_against_reference<reference::Threshold>(EdgeMapAlgorithm::threshold);
     check_against_reference<reference::Transition>(EdgeMapAlgorithm::transition);
@@ -247,4 +240,4 @@ TEST_CASE("Two maps, finished, hold what one map of two bits holds", "[edge_map]
     }
 }
 
-}  // namespace faster::datapath
+}  // namespace faster::datapath::edge_map_policy_test

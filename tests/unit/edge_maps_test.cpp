@@ -4,14 +4,11 @@
 #include <random>
 #include <vector>
 
-namespace faster::datapath {
-namespace {
+namespace faster::datapath::edge_maps_test {
 
 std::vector<std::uint8_t> copy_of(std::uint8_t const* map, int side) { return {map, map + side * side}; }
 
 int draw(std::mt19937& random, int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); }
-
-}  // namespace
 
 TEST_CASE("Marked tokens leave what their iterations leave", "[edge_maps]") {
     unsigned const seed = 7;
@@ -39,4 +36,4 @@ TEST_CASE("Marked tokens leave what their iterations leave", "[edge_maps]") {
     }
 }
 
-}  // namespace faster::datapath
+}  // namespace faster::datapath::edge_maps_test

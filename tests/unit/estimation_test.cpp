@@ -11,10 +11,10 @@
 #include "kernel/base/portable_math.hpp"
 #include "workload/models/builtin_models.hpp"
 
+namespace estimation_test {
+
 using namespace faster;
 using namespace faster::estimation;
-
-namespace {
 
 constexpr Resampling all_methods[]{Resampling::systematic, Resampling::stratified, Resampling::multinomial};
 
@@ -68,8 +68,6 @@ EstimatorConfig plain_config() {
     config.accelerator_weights = {0, 0, 1, 0, 0};
     return config;
 }
-
-}  // namespace
 
 TEST_CASE("Each method of resampling draws in proportion to the shares", "[estimation]") {
     Resampling const method = all_methods[GENERATE(0, 1, 2)];
@@ -426,3 +424,5 @@ TEST_CASE("The box around an object ends at the image, and an object outside has
     CHECK(readings_in({-5, -5, 7, 6, 1}, Image<std::uint16_t>(120, 160, 9)) == 2);
     CHECK(readings_in({300, 5, 7, 6, 1}, Image<std::uint16_t>(120, 160, 9)) == 0);
 }
+
+}  // namespace estimation_test

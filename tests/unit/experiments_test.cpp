@@ -15,12 +15,12 @@
 #include "workload/experiments/ycb_classes.hpp"
 #include "workload/models/builtin_models.hpp"
 
+namespace experiments_test {
+
 using namespace faster;
 using namespace faster::experiments;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 std::map<int, Mesh> const& all_meshes() {
     static std::map<int, Mesh> const meshes = [] {
@@ -58,8 +58,6 @@ std::string complaint_about(TempFolder const& folder, std::string const& from, s
     folder.write("experiment.yaml", text);
     return input_error_text([&] { read_experiment_file(folder / "experiment.yaml"); });
 }
-
-}  // namespace
 
 TEST_CASE("Every class of YCB-Video is a built-in model, under its published number", "[experiments]") {
     CHECK(ycb_classes().size() == models::names().size());
@@ -259,3 +257,5 @@ TEST_CASE("The shipped experiments can be read", "[experiments]") {
     }
     CHECK(files >= 2);
 }
+
+}  // namespace experiments_test

@@ -6,6 +6,8 @@
 #include "fuzz/targets.hpp"
 #include "support/temp_folder.hpp"
 
+namespace fuzz_corpus_test {
+
 namespace fs = std::filesystem;
 using faster::fuzz::Target;
 using faster::fuzz::targets;
@@ -33,3 +35,5 @@ TEST_CASE("Every corpus belongs to a target") {
         CHECK(faster::fuzz::find_target(entry.path().filename().string()) != nullptr);
     }
 }
+
+}  // namespace fuzz_corpus_test

@@ -8,8 +8,7 @@
 #include "reference/grip/rendered_object.hpp"
 #include "reference/grip/score_poses.hpp"
 
-namespace faster::grip {
-namespace {
+namespace faster::grip::grip_test {
 
 Camera small_camera() {
     Camera camera;
@@ -61,8 +60,6 @@ PointCloud cloud_of(std::vector<Eigen::Vector3d> const& points) {
     cloud.pixels() = points;
     return cloud;
 }
-
-}  // namespace
 
 TEST_CASE("Eq. 2.1: points agree if they are less than epsilon apart, in all three coordinates", "[grip]") {
     CHECK(is_inlier({0, 0, 1}, {0, 0, 1}, 0.008));
@@ -214,4 +211,4 @@ TEST_CASE("Ranks share places among equals, and correlations are those by hand",
     CHECK(best_of({2, 7, 7}) == 1);
 }
 
-}  // namespace faster::grip
+}  // namespace faster::grip::grip_test

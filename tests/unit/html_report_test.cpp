@@ -8,7 +8,7 @@
 #include "support/raster_machine.hpp"
 #include "support/report_page.hpp"
 
-namespace faster::report {
+namespace faster::report::html_report_test {
 
 using Json = nlohmann::ordered_json;
 using test::example_keys;
@@ -16,8 +16,6 @@ using test::example_run;
 using test::example_timeline;
 using test::hostile_text;
 using test::json_element;
-
-namespace {
 
 std::string example_page() {
     return html_report({"example.yaml",
@@ -33,8 +31,6 @@ std::size_t count_of(std::string const& part, std::string const& text) {
         ++count;
     return count;
 }
-
-}  // namespace
 
 TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     RunStatistics const run = example_run();
@@ -146,4 +142,4 @@ TEST_CASE("The page is complete in itself", "[html]") {
     CHECK(count_of("Chart.js v3", page) == 1);  // with its licence
 }
 
-}  // namespace faster::report
+}  // namespace faster::report::html_report_test

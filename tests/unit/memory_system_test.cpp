@@ -7,8 +7,7 @@
 
 #include "kernel/timing/core_timing.hpp"
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::memory_system_test {
 
 constexpr Cycles entered = 7;  ///< when the loop is entered
 constexpr Cycles depth = 5;    ///< of the loop
@@ -78,8 +77,6 @@ Cycles cycles_of_loop(ExternalMemory const& shape, std::uint64_t tokens, std::ui
 
 constexpr std::uint64_t beats = 16;  ///< of a burst of 256 bytes
 constexpr std::uint64_t granules = 4;
-
-}  // namespace
 
 TEST_CASE("A loop that is slower than its port pays the latency once", "[memory]") {
     ExternalMemory const shape = default_shape();
@@ -187,4 +184,4 @@ TEST_CASE("Tokens that lie beside what is fetched need nothing", "[memory]") {
     CHECK(cutter.take_free_tokens() == 2 + 10);
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::memory_system_test

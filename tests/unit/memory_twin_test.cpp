@@ -6,8 +6,7 @@
 #include <deque>
 #include <stdexcept>
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::memory_twin_test {
 
 /// A loop of II 1, entered in some cycle, that takes a token per iteration.
 struct Stream {
@@ -121,8 +120,6 @@ TwinMemory nothing_limits() {
     memory.dram_gb_per_s = 1e6;
     return memory;
 }
-
-}  // namespace
 
 TEST_CASE("A stream of vertices pays latency once", "[memory_twin]") {
     // Asked for in 7, at the controller in 31, 155000 ps; ready 120000 ps later, in 55; two vertices in each beat.
@@ -340,8 +337,6 @@ TEST_CASE("Headers and results lie by sample, the mesh at its address", "[memory
     CHECK(mesh_ranges(memory, 2).at(0).token_bytes == std::vector<std::uint64_t>(6, 8));
 }
 
-namespace {
-
 /// A window of 4 at row -1, column 6 of an image of 5 rows and 8 columns.
 Stimulus at_the_corner() {
     Stimulus stimulus;
@@ -351,8 +346,6 @@ Stimulus at_the_corner() {
     stimulus.samples.push_back({1, 8, 0, 0});
     return stimulus;
 }
-
-}  // namespace
 
 TEST_CASE("What lies outside the image is not fetched", "[memory_twin]") {
     TwinMemory memory;
@@ -428,4 +421,4 @@ TEST_CASE("The memory twin refuses what the page does not allow", "[memory_twin]
     CHECK_THROWS_AS(TwinMemoryModel({}, 3e6), std::invalid_argument);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::memory_twin_test

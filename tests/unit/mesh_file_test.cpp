@@ -8,13 +8,13 @@
 #include "workload/files/mesh_bytes.hpp"
 #include "workload/files/ply_length.hpp"
 
+namespace mesh_file_test {
+
 using Catch::Matchers::Contains;
 using faster::Mesh;
 using faster::io::load_mesh;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 std::string const tetrahedron_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 std::string const tetrahedron_faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -30,8 +30,6 @@ std::string load_error(std::filesystem::path const& path) {
     CHECK(text.find('\n') == std::string::npos);
     return text;
 }
-
-}  // namespace
 
 TEST_CASE("An OBJ mesh keeps its triangles, their order and their orientation", "[mesh_file]") {
     TempFolder const folder;
@@ -232,3 +230,5 @@ TEST_CASE("A mesh comes whole from one process to another, or not at all", "[mes
     damaged.back() = 1;  // the last vertex of the last face
     CHECK_FALSE(faster::io::mesh_from_bytes(damaged));
 }
+
+}  // namespace mesh_file_test

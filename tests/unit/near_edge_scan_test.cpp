@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::datapath {
-namespace {
+namespace faster::datapath::near_edge_scan_test {
 
 using Rows = std::vector<std::string>;
 
@@ -35,8 +34,6 @@ TriangleCode triangle(int x0, int y0, int x1, int y1, int x2, int y2) {
     };
     return {{vertex(x0, y0), vertex(x1, y1), vertex(x2, y2)}};
 }
-
-}  // namespace
 
 TEST_CASE("Pixels near an edge lie on both of its sides", "[near_edge]") {
     // Corners (0,0), (0,8) and (8,0) in whole pixels. w0 = 64 - 8 (x + y), w1 = 8 x, w2 = 8 y. With 8 px^2 a pixel is
@@ -106,4 +103,4 @@ TEST_CASE("Each line of random triangles holds what the edge values say", "[near
     CHECK(drawn > 1000);
 }
 
-}  // namespace faster::datapath
+}  // namespace faster::datapath::near_edge_scan_test

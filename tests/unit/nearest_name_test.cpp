@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace nearest_name_test {
+
 using namespace faster;
 
 TEST_CASE("The edit distance counts insertions, deletions, substitutions and swaps", "[nearest_name]") {
@@ -31,3 +33,5 @@ TEST_CASE("A name far from all others has no nearest name", "[nearest_name]") {
     CHECK(nearest_name("width", std::vector<std::string>{}).empty());
     CHECK(did_you_mean("seed", names).empty());
 }
+
+}  // namespace nearest_name_test

@@ -5,9 +5,8 @@
 #include <random>
 #include <utility>
 
-namespace faster::timing {
+namespace faster::timing::numbered_transitions_test {
 
-namespace {
 constexpr NumberedTransitions::Number numbers = NumberedTransitions::numbers;
 
 NumberedTransitions::Known find(NumberedTransitions const& table, NumberedTransitions::Number state,
@@ -24,7 +23,6 @@ std::pair<std::uint32_t, std::uint32_t> key_with(std::uint64_t hash) {
     std::uint64_t const key = hash * inverse % hashes;
     return {static_cast<std::uint32_t>(key / numbers), static_cast<std::uint32_t>(key % numbers)};
 }
-}  // namespace
 
 TEST_CASE("Numbered transitions are found as they were added, and no others", "[numbered_transitions]") {
     // From few numbers, most of which come together, to all there are.
@@ -103,4 +101,4 @@ TEST_CASE("A look-up for what is not there ends behind a long row of others", "[
         REQUIRE_FALSE(is_known(first + tag));  // one of them looks like one so far behind
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::numbered_transitions_test

@@ -7,10 +7,10 @@
 
 #include "kernel/base/random.hpp"
 
+namespace observed_edges_test {
+
 using namespace faster;
 using namespace faster::workload;
-
-namespace {
 
 Camera small_camera(int width, int height) { return {width, height, 100, 110, width / 2.0, height / 2.0}; }
 
@@ -47,8 +47,6 @@ DepthImage step_at(int first) {
     }
     return depth;
 }
-
-}  // namespace
 
 TEST_CASE("Observed edges follow equation 2.2 at every pixel, border and gaps included", "[observed_edges]") {
     int const side = GENERATE(3, 5, 9, 51);
@@ -107,3 +105,5 @@ TEST_CASE("A reading without any neighbour is no edge", "[observed_edges]") {
     CHECK(count(observed_edges(depth, small_camera(9, 9), {5, 0.0})) == 0);
     CHECK(count(observed_edges(DepthImage(1, 1, 1.0), small_camera(1, 1), {5, 0.0})) == 0);
 }
+
+}  // namespace observed_edges_test

@@ -5,6 +5,8 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace output_file_test {
+
 using namespace faster::io;
 using faster::test::content_of;
 using faster::test::entries_in;
@@ -61,3 +63,5 @@ TEST_CASE("A place where no file can be written is an input error", "[output_fil
     CHECK_THAT(input_error_text([] { OutputFile("/dev/null"); }), Catch::Contains("/dev/null: is no regular file"));
     CHECK_THAT(input_error_text([] { OutputFile(""); }), Catch::Contains("names no file"));
 }
+
+}  // namespace output_file_test

@@ -4,7 +4,7 @@
 #include "kernel/report/sensitivity_report.hpp"
 #include "support/example_run.hpp"
 
-namespace faster::report {
+namespace faster::report::path_report_test {
 
 using test::example_run;
 
@@ -74,4 +74,4 @@ TEST_CASE("sensitivities.csv has a row per step, with its outcome", "[report]") 
     CHECK(rows[2]["up"] == Json{{"outcome", "finished"}, {"total_cycles", 1007500}, {"change_cycles", 7500}});
 }
 
-}  // namespace faster::report
+}  // namespace faster::report::path_report_test

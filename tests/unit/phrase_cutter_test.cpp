@@ -10,8 +10,7 @@
 #include "kernel/timing/lookup/transition_store.hpp"
 #include "support/spelled_out.hpp"
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::phrase_cutter_test {
 
 /// A driver that writes fragments and edge tokens, and a reader of each.
 enum Process : unsigned { driver, drawer, builder };
@@ -97,8 +96,6 @@ Transition transition_of(Cycles cycles, std::uint32_t entered, std::uint64_t ite
     transition.iterations[1] = iterations;
     return transition;
 }
-
-}  // namespace
 
 TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
     std::size_t cut = 0;
@@ -210,15 +207,15 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
         Scan const scan(seed);
         auto const bench = scanner();
         Group const bench_group(*bench, lead());
-        for (Phrase read; read.read(scan.group, 0) == Phrase::Reading::complete; read.consume(), ++phrases) {
+        for (Phrase phrase; phrase.read(scan.group, 0) == Phrase::Reading::complete; phrase.consume(), ++phrases) {
             Phrase recalled;
-            recalled.recall(read.codes(), read.size(), scan.group);
-            CHECK(recalled.due() == read.due());
-            CHECK(recalled.active() == read.active());
-            CHECK(Phrase::is_readable(read.codes(), read.size(), bench_group));
+            recalled.recall(phrase.codes(), phrase.size(), scan.group);
+            CHECK(recalled.due() == phrase.due());
+            CHECK(recalled.active() == phrase.active());
+            CHECK(Phrase::is_readable(phrase.codes(), phrase.size(), bench_group));
         }
     }
     CHECK(phrases > 1000);
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::phrase_cutter_test

@@ -12,10 +12,10 @@
 #include "workload/pictures/overlay.hpp"
 #include "workload/pictures/palette.hpp"
 
+namespace pictures_test {
+
 using namespace faster;
 using namespace faster::pictures;
-
-namespace {
 
 constexpr std::uint16_t far = far_depth_code;
 constexpr int default_fraction_bits = 9;
@@ -41,8 +41,6 @@ bool has_colour(Image<Colour> const& picture, Colour colour) {
             return true;
     return false;
 }
-
-}  // namespace
 
 TEST_CASE("An overlay has the edge map over the object map over the observed edges", "[pictures]") {
     // All eight combinations: edge, object, observed.
@@ -238,3 +236,5 @@ TEST_CASE("Plots stand two in a row, each line in its colour", "[pictures]") {
     CHECK_FALSE(has_colour(one, palette::lines[2]));
     CHECK(has_colour(drawn_plots({{"one value", "iteration", {{"best", {0.4}}}}}), palette::lines[0]));
 }
+
+}  // namespace pictures_test

@@ -10,13 +10,13 @@
 #include "support/temp_folder.hpp"
 #include "workload/files/colour_png.hpp"
 
+namespace png_image_test {
+
 using faster::Image;
 using namespace faster::io;
 using faster::test::content_of;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 Image<std::uint16_t> gradient16() {
     Image<std::uint16_t> image(3, 5);
@@ -81,8 +81,6 @@ template <class Pixel> cv::Mat as_opencv(Image<Pixel> const& image) {
 bool are_equal(cv::Mat const& one, cv::Mat const& other) {
     return one.size() == other.size() && one.type() == other.type() && cv::norm(one, other, cv::NORM_INF) == 0;
 }
-
-}  // namespace
 
 TEST_CASE("Another library reads the images that we write, and we read its", "[png_image]") {
     TempFolder const folder;
@@ -213,3 +211,5 @@ TEST_CASE("An image that cannot be written is an input error", "[png_image]") {
     CHECK(input_error_text([] { write_png("/nowhere/a.png", gradient16()); }) ==
           "/nowhere/a.png: cannot be written (No such file or directory)");
 }
+
+}  // namespace png_image_test

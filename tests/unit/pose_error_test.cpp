@@ -9,13 +9,13 @@
 #include "poses/symmetries.hpp"
 #include "support/bop_folder.hpp"
 
+namespace pose_error_test {
+
 using namespace faster;
 using namespace faster::poses;
 using Eigen::Vector3d;
 using faster::test::BopFolder;
 using faster::workload::Random;
-
-namespace {
 
 Pose at(Vector3d const& translation) { return {Eigen::Matrix3d::Identity(), translation}; }
 
@@ -41,8 +41,6 @@ bop::ObjectModel cylinder_about(Vector3d const& offset) {
     model.axes.push_back({Vector3d::UnitZ(), offset});
     return model;
 }
-
-}  // namespace
 
 TEST_CASE("ADD of a shift is its length, ADD of a half turn the mean diameter of the points' circles", "[pose_error]") {
     Points const points{{0.1, 0, 0}, {-0.1, 0, 0.3}, {0, 0.2, 0}};
@@ -144,3 +142,5 @@ TEST_CASE("The diameter is the largest distance of two points", "[pose_error]") 
     CHECK(diameter_of(BopFolder::mesh_of(BopFolder::box).vertices) ==
           Approx(std::sqrt(0.06 * 0.06 + 0.04 * 0.04 + 0.01)));
 }
+
+}  // namespace pose_error_test

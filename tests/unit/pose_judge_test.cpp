@@ -11,6 +11,8 @@
 #include "support/input_error_text.hpp"
 #include "workload/bop/read_dataset.hpp"
 
+namespace pose_judge_test {
+
 using namespace faster;
 using namespace faster::poses;
 using faster::bop::Dataset;
@@ -18,8 +20,6 @@ using faster::bop::PoseEstimate;
 using faster::test::BopFolder;
 using faster::test::input_error_text;
 using Estimates = std::vector<PoseEstimate>;
-
-namespace {
 
 /// Every target's true pose, shifted along x.
 Estimates shifted_truths(Dataset const& dataset, double metres) {
@@ -59,8 +59,6 @@ Evaluation two_methods(Dataset const& dataset, std::size_t jobs = 2) {
                      {"worse", judged(dataset, worse, jobs), -1}},
                     {0, 3, 200});
 }
-
-}  // namespace
 
 TEST_CASE("Estimates that are off by a known shift have that error, and perfect ones have none", "[pose_judge]") {
     BopFolder const folder;
@@ -256,3 +254,5 @@ TEST_CASE("A curve rises where its errors are, in the colour of its method", "[p
     CHECK(pixel(6, 100) == good);
     CHECK(pixel(7, 90) == Colour{255, 255, 255});
 }
+
+}  // namespace pose_judge_test

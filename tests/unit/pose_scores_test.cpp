@@ -10,10 +10,10 @@
 #include "poses/matching.hpp"
 #include "poses/scores.hpp"
 
+namespace pose_scores_test {
+
 using namespace faster::poses;
 using faster::workload::Random;
-
-namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -44,8 +44,6 @@ double area_with_arrays(std::vector<double> errors) {
 InstanceErrors instance(int im_id, double add_m, double add_s_m, int hits) {
     return {{1, im_id}, 1, std::nullopt, add_m, add_s_m, add_m, hits};
 }
-
-}  // namespace
 
 TEST_CASE("The area under the curve of accuracy, by hand", "[pose_scores]") {
     CHECK(area_under_accuracy({0, 0, 0}) == Approx(1));
@@ -145,3 +143,5 @@ TEST_CASE("The interval of a share is as wide as the binomial distribution says"
     double const expected = 1.96 * std::sqrt(100 * 0.25 * 0.75);
     CHECK(interval.high - interval.low == Approx(2 * expected).epsilon(0.1));
 }
+
+}  // namespace pose_scores_test

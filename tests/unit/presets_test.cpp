@@ -12,10 +12,10 @@
 #include "kernel/config/load_config.hpp"
 #include "support/temp_folder.hpp"
 
+namespace presets_test {
+
 using namespace faster;
 namespace fs = std::filesystem;
-
-namespace {
 
 LoadedConfig loaded(std::string const& text, std::vector<std::string> const& overrides = {}) {
     test::TempFolder const folder;
@@ -31,8 +31,6 @@ std::vector<std::string> values_of(RunConfig const& config) {
             values.push_back(key.name() + " = " + json_text(key.read(config)));
     return values;
 }
-
-}  // namespace
 
 TEST_CASE("Every file of configs/architectures is a preset that the key names", "[config][presets]") {
     std::vector<std::string> const names = preset_names();
@@ -84,3 +82,5 @@ TEST_CASE("An unknown architecture is refused, with the nearest name", "[config]
         CHECK_THAT(error.what(), Catch::Contains("accelerator.architecture") && Catch::Contains("bounded"));
     }
 }
+
+}  // namespace presets_test

@@ -8,6 +8,8 @@
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/base/utf8.hpp"
 
+namespace printable_test {
+
 using faster::first_bad_byte;
 using faster::InputError;
 using faster::message_line;
@@ -74,3 +76,5 @@ TEST_CASE("A megabyte of a name is like nothing, and that is found out at once")
     CHECK(faster::nearest_name(name, std::vector<std::string>(1000, "window")).empty());
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
 }
+
+}  // namespace printable_test

@@ -11,12 +11,12 @@
 
 #include "support/temp_folder.hpp"
 
+namespace process_pool_test {
+
 using namespace faster::processes;
 using faster::test::content_of;
 using faster::test::TempFolder;
 using Kind = Outcome::Kind;
-
-namespace {
 
 Task quick(std::string const& answer) {
     return {[answer] { return answer; }, 30};
@@ -75,8 +75,6 @@ pid_t start_caller(std::filesystem::path const& file) {
     }
     return caller;
 }
-
-}  // namespace
 
 TEST_CASE("Progress counts up to all tasks, whatever becomes of them", "[processes]") {
     SignalWatch const watch;
@@ -178,3 +176,5 @@ TEST_CASE("A caller that is killed leaves no task behind") {
         return status.empty() || (name_end != std::string::npos && status.compare(name_end, 3, ") Z") == 0);
     }));
 }
+
+}  // namespace process_pool_test

@@ -5,6 +5,8 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace read_run_test {
+
 using Catch::Matchers::Contains;
 using faster::Counters;
 using faster::runs::CycleClass;
@@ -13,8 +15,6 @@ using faster::runs::RunRecord;
 using faster::test::content_of;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
-
-namespace {
 
 char const* const summary = R"({
   "format": "faster-summary", "version": 1, "total_cycles": 100, "milliseconds": 0.0005, "samples": 2,
@@ -73,8 +73,6 @@ class RunFolder {
   private:
     TempFolder folder_;
 };
-
-}  // namespace
 
 TEST_CASE("A run's folder is read back into a record", "[runs]") {
     RunRecord const run = RunFolder().read();
@@ -184,3 +182,5 @@ TEST_CASE("A folder without results is refused", "[runs]") {
     CHECK_THAT(input_error_text([&] { (void)read_run(folder.path()); }), Contains("summary.json: no such file"));
     CHECK_THAT(input_error_text([&] { (void)read_run(folder / "gone"); }), Contains("gone: no such folder"));
 }
+
+}  // namespace read_run_test

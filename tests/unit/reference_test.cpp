@@ -19,10 +19,10 @@
 #include "reference/scorer.hpp"
 #include "reference/vertex_transform.hpp"
 
+namespace reference_test {
+
 using namespace faster;
 using reference::Pixel;
-
-namespace {
 
 // What the rasterizer tells, one entry per call and in order: O object, E edge.
 struct RecordedToken {
@@ -98,8 +98,6 @@ bool is_rejected(TriangleCode const& triangle) {
 TriangleCode transform_one(Mesh const& mesh, Pose const& pose = {}, FractionBits const& fraction = {}) {
     return reference::transform(mesh, pose, round_camera, fraction).at(0);
 }
-
-}  // namespace
 
 TEST_CASE("A triangle is scanned in a zig-zag whose tokens mark what it enters and leaves", "[reference][rasterizer]") {
     // Walls are columns 1 and 4; the start (1,1) is at the left one, so line 1 goes right, line 2 left, line 3 right.
@@ -654,3 +652,5 @@ TEST_CASE("A posed stimulus gives the scores of its transformed triangles", "[re
         CHECK(from_mesh.run(i).valid_raster > 50);
     }
 }
+
+}  // namespace reference_test

@@ -4,11 +4,11 @@
 
 #include "support/input_error_text.hpp"
 
+namespace replace_baseline_test {
+
 using namespace faster::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
-
-namespace {
 
 Baseline new_baseline() {
     Baseline baseline{"2026-05-06", "deeper FIFO # not a comment", "fnv1a64:2", {}, {}};
@@ -27,8 +27,6 @@ std::string const old_lines =
     "    total_cycles: 5\n    fifos.vertex: {depth: 2}\n";
 
 std::string replaced(std::string const& text) { return replace_baseline(text, new_baseline(), "b.yaml"); }
-
-}  // namespace
 
 TEST_CASE("A new baseline replaces the old one, and every other letter stays") {
     std::string const before =
@@ -67,3 +65,5 @@ TEST_CASE("What cannot be replaced alone is refused") {
                Contains("b.yaml:1: the baseline cannot be replaced without touching something else"));
     CHECK_THAT(input_error_text([] { replaced("a: 1\n...\n"); }), Contains("cannot be replaced"));
 }
+
+}  // namespace replace_baseline_test

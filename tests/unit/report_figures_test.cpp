@@ -5,7 +5,7 @@
 #include "kernel/report/html/timeline_view.hpp"
 #include "support/example_run.hpp"
 
-namespace faster::report {
+namespace faster::report::report_figures_test {
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -37,12 +37,8 @@ TEST_CASE("Equal latencies are one bin, no latencies none", "[html]") {
     CHECK(latency_histogram({}).counts.empty());
 }
 
-namespace {
-
 constexpr auto loop = TimelineSpan::Kind::loop;
 constexpr auto stall = TimelineSpan::Kind::full_stall;
-
-}  // namespace
 
 TEST_CASE("Spans closer than the resolution become one, with the cycles and number of both", "[html]") {
     std::vector<MergedSpan> const merged =
@@ -108,4 +104,4 @@ TEST_CASE("The cycles of an example add up like those of a run", "[html]") {
             CHECK(core.processes[i].sum() == run.total_cycles);
 }
 
-}  // namespace faster::report
+}  // namespace faster::report::report_figures_test

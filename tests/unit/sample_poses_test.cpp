@@ -7,10 +7,10 @@
 #include "kernel/base/random.hpp"
 #include "workload/object_pose.hpp"
 
+namespace sample_poses_test {
+
 using namespace faster;
 using namespace faster::workload;
-
-namespace {
 
 SamplesConfig many(double translation_sigma_m, double rotation_sigma_deg) {
     SamplesConfig config;
@@ -26,8 +26,6 @@ Pose some_truth() {
     object.rotation_deg = {30, 40, 50};
     return configured_pose(object);
 }
-
-}  // namespace
 
 TEST_CASE("Random numbers are the same on every platform", "[random]") {
     std::mt19937_64 engine(5489);  // the standard gives the 10000th output of this seed
@@ -124,3 +122,5 @@ TEST_CASE("Samples spread as configured around the true pose", "[sample_poses]")
     }
     CHECK(std::sqrt(angle_variance) / radians_per_degree == Approx(5).epsilon(0.03));
 }
+
+}  // namespace sample_poses_test

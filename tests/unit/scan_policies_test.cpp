@@ -9,8 +9,7 @@
 #include "reference/edge_tokens.hpp"
 #include "reference/rasterize.hpp"
 
-namespace faster::datapath {
-namespace {
+namespace faster::datapath::scan_policies_test {
 
 constexpr int image_side = 100;
 constexpr int xy_fraction = 4;
@@ -104,8 +103,6 @@ template <class Visit> void for_random_triangles(unsigned seed, Visit visit) {
     CHECK(drawn > 1500);
 }
 
-}  // namespace
-
 TEST_CASE("Every scan covers the pixels of the reference, in its order", "[scan]") {
     for_random_triangles(21, [](int trial, TriangleCode const& triangle, TriangleSetup const& setup) {
         std::vector<Covered> const expected = reference_of(triangle);
@@ -172,8 +169,6 @@ TEST_CASE("An early exit does not turn where the next row goes on", "[scan]") {
     CHECK(visits == std::vector<int>{6, 6, 14, 14, 22, 22});
 }
 
-namespace {
-
 /// The covered pixels of a scan's groups; in a line scanned leftwards each group's are put in that order.
 template <class Lines> std::vector<Covered> covered_in_groups(TriangleSetup const& setup, int lanes, int offset) {
     std::vector<Covered> covered;
@@ -232,8 +227,6 @@ class GroupWalk {
     int col_;
 };
 
-}  // namespace
-
 TEST_CASE("Groups cover the pixels of the reference, in the order of their lines", "[scan][lanes]") {
     for_random_triangles(24, [](int trial, TriangleCode const& triangle, TriangleSetup const& setup) {
         int const lanes = 1 + trial % 32;
@@ -290,4 +283,4 @@ TEST_CASE("Groups of a line begin at multiples of the lanes, and its ends lie wi
     CHECK(moved.pixels(0).mask == 0b0001);
 }
 
-}  // namespace faster::datapath
+}  // namespace faster::datapath::scan_policies_test

@@ -19,12 +19,12 @@
 #include "workload/scene_renderer.hpp"
 #include "workload/sensor_noise.hpp"
 
+namespace scene_test {
+
 using namespace faster;
 using namespace faster::workload;
 using test::input_error_text;
 using test::TempFolder;
-
-namespace {
 
 Camera const small_camera{64, 48, 60, 60, 31.5, 23.5};
 
@@ -84,8 +84,6 @@ WorkloadConfig small_workload() {
 std::string build_error(WorkloadConfig const& config) {
     return input_error_text([&] { build_stimulus(config, 40, {}); });
 }
-
-}  // namespace
 
 TEST_CASE("A square facing the camera covers the pixels its outline says, at its depth", "[scene_renderer]") {
     DepthImage depth(48, 64);
@@ -361,8 +359,6 @@ TEST_CASE("An object whose origin is too near is an input error that names key o
     CHECK_THAT(build_error(config), Catch::Contains("sample 0 has its origin at pixel"));
 }
 
-namespace {
-
 /// The median of |measured - rendered| [m] over the pixels that have both.
 double median_difference_m(DepthImage const& measured, DepthImage const& rendered) {
     std::vector<double> differences;
@@ -393,8 +389,6 @@ Pose scan_pose(nlohmann::json const& object) {
     }
     return pose;
 }
-
-}  // namespace
 
 TEST_CASE("Scenes rendered by others look the same here, to a millimetre", "[scene_renderer][shared_data]") {
     char const* const data = std::getenv("FASTER_SHARED_DATA");
@@ -441,3 +435,5 @@ TEST_CASE("All scans can be simplified to the triangles the machine gets", "[obj
         CHECK(volume(coarse) == Approx(volume(scan)).epsilon(0.2));  // the thin bowl loses most
     }
 }
+
+}  // namespace scene_test

@@ -6,8 +6,7 @@
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
 
-namespace faster::testing {
-namespace {
+namespace faster::testing::shared_memory_twin_test {
 
 // Cores of the cycle twin with a memory that they share; window 4 in an image of 8 x 8. Cycles with memory `ideal`:
 // "A window of 4 without triangles" and "One small triangle" in cycle_twin_test.cpp.
@@ -60,8 +59,6 @@ TwinProcess const& process_of(TwinResult const& result, std::size_t core, Module
 TwinTraffic const& traffic_of(TwinResult const& result, std::size_t core, TwinMaster master) {
     return result.traffic.at(core)[static_cast<std::size_t>(master)];
 }
-
-}  // namespace
 
 TEST_CASE("With ideal memory nothing is moved", "[memory_twin]") {
     TwinResult const result = run_twin(with_cores(1), empty_windows(1));
@@ -255,4 +252,4 @@ TEST_CASE("Memory never makes a run faster, and never another one", "[memory_twi
     CHECK(slower > 20);
 }
 
-}  // namespace faster::testing
+}  // namespace faster::testing::shared_memory_twin_test

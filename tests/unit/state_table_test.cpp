@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-namespace faster::timing {
+namespace faster::timing::state_table_test {
 
 TEST_CASE("Equal states have one number, and stay where they are", "[state_table]") {
     std::mt19937 random(1);
@@ -71,4 +71,4 @@ TEST_CASE("What the words of a state say is what was put there", "[state_table]"
     CHECK(code_of(words) == 0xFEDCBA9876543210U);
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::state_table_test

@@ -8,13 +8,13 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace sweep_file_test {
+
 using namespace faster;
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using sweeps::Sweep;
 using Values = std::vector<std::string>;
-
-namespace {
 
 std::string const start = "format: faster-sweep\nversion: 1\n";
 
@@ -41,8 +41,6 @@ class Folder {
 };
 
 std::string item(std::string const& text) { return "dimensions:\n  - " + text + "\n"; }
-
-}  // namespace
 
 TEST_CASE("A sweep is every combination of its dimensions, the last one quickest", "[sweeps]") {
     Folder const folder;
@@ -165,3 +163,5 @@ TEST_CASE("What is wrong with a sweep file is said with file, line, key and the 
     check(item("{key: accelerator.window, range: [1, 1000]}") + "  - {seeds: [workload.samples.seed], count: 1000}\n",
           {"1000000 points, expected at most 100000"});
 }
+
+}  // namespace sweep_file_test

@@ -8,12 +8,12 @@
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 
+namespace sweep_identity_test {
+
 using namespace faster;
 using namespace faster::test;
 using sweeps::Identifier;
 using sweeps::PointIdentity;
-
-namespace {
 
 PointIdentity identity_of(RunConfig const& config) { return Identifier().identity(config); }
 
@@ -22,8 +22,6 @@ PointIdentity with(std::function<void(RunConfig&)> const& change) {
     change(config);
     return identity_of(config);
 }
-
-}  // namespace
 
 TEST_CASE("Timing keys make another point of the same function", "[sweeps]") {
     PointIdentity const plain = identity_of({});
@@ -99,3 +97,5 @@ TEST_CASE("A trace counts by the content of all of its files", "[sweeps]") {
     }
     CHECK(id() == before);
 }
+
+}  // namespace sweep_identity_test

@@ -4,13 +4,13 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
+namespace sweep_journal_test {
+
 using namespace faster;
 using namespace faster::test;
 using sweeps::Journal;
 using sweeps::PointResult;
 using sweeps::Results;
-
-namespace {
 
 PointResult result(Cycles cycles) {
     PointResult made;
@@ -28,8 +28,6 @@ std::filesystem::path written_journal(TempFolder const& folder) {
     journal.append({{"b", result(2)}, {"c", sweeps::failed("x, \"y\"\nz")}});
     return folder / "journal";
 }
-
-}  // namespace
 
 TEST_CASE("A journal keeps results", "[sweeps]") {
     TempFolder const folder;
@@ -80,3 +78,5 @@ TEST_CASE("Unwanted results are taken out of a journal", "[sweeps]") {
     CHECK(journal.results().size() == 2);
     CHECK(sweeps::read_journal(folder / "journal").results.count("c") == 0);
 }
+
+}  // namespace sweep_journal_test

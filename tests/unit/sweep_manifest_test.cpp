@@ -3,6 +3,8 @@
 #include "kernel/sweeps/manifest.hpp"
 #include "support/input_error_text.hpp"
 
+namespace sweep_manifest_test {
+
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using faster::sweeps::Manifest;
@@ -10,11 +12,7 @@ using faster::sweeps::manifest_from_text;
 using faster::sweeps::to_text;
 using faster::sweeps::why_no_part_of;
 
-namespace {
-
 Manifest const small{"small.yaml", "1.0", {"a.b", "design"}, {{"01", {"1", "x, \"y\""}}, {"02", {"2", "z"}}}};
-
-}  // namespace
 
 TEST_CASE("A manifest is read as it was written", "[sweeps]") {
     Manifest const read = manifest_from_text(to_text(small), "sweep.json");
@@ -50,3 +48,5 @@ TEST_CASE("What is no manifest is refused", "[sweeps]") {
     text.replace(text.find("[\"2\",\"z\"]"), 9, "[\"2\"]");
     CHECK_THAT(error(text), Contains("another number of values"));
 }
+
+}  // namespace sweep_manifest_test

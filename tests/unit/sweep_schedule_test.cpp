@@ -4,6 +4,8 @@
 #include "kernel/sweeps/schedule.hpp"
 #include "kernel/sweeps/shard.hpp"
 
+namespace sweep_schedule_test {
+
 using faster::sweeps::Assignment;
 using faster::sweeps::Ending;
 using faster::sweeps::PointIdentity;
@@ -11,8 +13,6 @@ using faster::sweeps::points_of_shard;
 using faster::sweeps::Schedule;
 using Kind = Assignment::Kind;
 using Points = std::vector<std::size_t>;
-
-namespace {
 
 /// The next assignment, which there has to be.
 Assignment next(Schedule& schedule) {
@@ -24,8 +24,6 @@ Assignment next(Schedule& schedule) {
 Ending done(Assignment const& assignment, bool has_events = false) {
     return {assignment.points, has_events, false, false};
 }
-
-}  // namespace
 
 TEST_CASE("A function is recorded once, and its other points retimed", "[sweeps]") {
     Schedule schedule({{0, "f"}, {1, "f"}, {2, "f"}}, {});
@@ -120,3 +118,5 @@ TEST_CASE("Shards are disjoint, complete, of the same size, and keep functions t
     for (std::size_t const point : points_of_shard(points, {1, 2}))
         CHECK((point % 2 == 0));
 }
+
+}  // namespace sweep_schedule_test

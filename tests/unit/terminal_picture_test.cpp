@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+namespace terminal_picture_test {
+
 using namespace faster;
 using namespace faster::pictures;
-
-namespace {
 
 /// Edge '#', object '.', both '&', nothing ' '.
 Image<Mark> contour_of(std::vector<std::string> const& lines) {
@@ -27,8 +27,6 @@ Image<Mark> const small_contour = contour_of({" ## ",    //
                                               "#..#",    //
                                               "#..&",    //
                                               " .. "});  //
-
-}  // namespace
 
 TEST_CASE("Plain text has a letter for two marks, the edge before the object before nothing", "[terminal_picture]") {
     CHECK(plain_text(small_contour) == "####\n#..#\n");
@@ -79,3 +77,5 @@ TEST_CASE("Depths go from a dense letter to a point, and nothing drawn is blank"
     CHECK(plain_text(depth_marks(depth, scale)) == "@+.\n");
     CHECK(depth_marks(depth, scale).at(0, 1).colour == scale.colour(360));
 }
+
+}  // namespace terminal_picture_test

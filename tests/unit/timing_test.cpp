@@ -8,8 +8,7 @@
 #include "kernel/timing/initiation_interval.hpp"
 #include "kernel/timing/process_timing.hpp"
 
-namespace faster::timing {
-namespace {
+namespace faster::timing::timing_test {
 
 FifoShape shape(char const* name, std::uint64_t capacity, Cycles read_latency = 1) {
     FifoShape result;
@@ -62,8 +61,6 @@ void run(CoreTiming& core, std::vector<ProcessTiming*> const& processes, bool on
     core.resolve();
     REQUIRE(core.waits().empty());
 }
-
-}  // namespace
 
 TEST_CASE("A FIFO access is legal from the cycle its other side allows", "[timing]") {
     FifoTiming fifo(shape("fifo", 2, 2));
@@ -123,8 +120,6 @@ TEST_CASE("The stages of a squeezing pipeline are room in front of its FIFO", "[
     CHECK(fifo.max_occupancy() == 1);  // what is still in the pipeline does not count
 }
 
-namespace {
-
 /// A unit of some stages that reads numbers which are there from cycle 0 on, and whose results wait for a reader.
 struct FlushingUnit {
     CoreTiming core;
@@ -150,8 +145,6 @@ struct FlushingUnit {
         core.resolve();
     }
 };
-
-}  // namespace
 
 TEST_CASE("A flushing pipeline freezes with its bubbles while there is no room behind it", "[timing]") {
     FlushingUnit machine(4, 1);
@@ -378,4 +371,4 @@ TEST_CASE("Accesses that nobody answers are waits, with both ends named", "[timi
     CHECK(waits[0].other == "reader");
 }
 
-}  // namespace faster::timing
+}  // namespace faster::timing::timing_test

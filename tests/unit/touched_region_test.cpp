@@ -7,8 +7,7 @@
 #include "datapath/valid_depth_table.hpp"
 #include "faster/lane_rows.hpp"
 
-namespace faster {
-namespace {
+namespace faster::touched_region_test {
 
 using Random = std::mt19937;
 
@@ -26,8 +25,6 @@ void check_same(PixelBox const& a, PixelBox const& b) {
     CHECK(a.end_row == b.end_row);
     CHECK(a.end_col == b.end_col);
 }
-
-}  // namespace
 
 TEST_CASE("A touched box holds its pixels and their margin, within the window", "[sweep_region]") {
     datapath::TouchedBox touched(10, 1);
@@ -111,4 +108,4 @@ TEST_CASE("Four reads of the table count the valid depths of any window", "[swee
     }
 }
 
-}  // namespace faster
+}  // namespace faster::touched_region_test

@@ -8,6 +8,8 @@
 #include "support/temp_folder.hpp"
 #include "workload/files/png_image.hpp"
 
+namespace trace_test {
+
 using namespace faster;
 using io::read_trace;
 using io::write_trace;
@@ -16,8 +18,6 @@ using test::entries_in;
 using test::input_error_text;
 using test::TempFolder;
 namespace fs = std::filesystem;
-
-namespace {
 
 /// Small, with every limit of the formats in it.
 Stimulus small_stimulus() {
@@ -89,8 +89,6 @@ std::string edited_error(std::string const& name, std::string const& old_text, s
     trace.edit(name, old_text, new_text);
     return trace.error();
 }
-
-}  // namespace
 
 TEST_CASE("A trace comes back as it was written", "[trace]") {
     Trace const trace;
@@ -327,3 +325,5 @@ TEST_CASE("Only a stimulus with explicit triangles and images of its size can be
     CHECK_THROWS_AS(write_trace(lopsided, folder / "t"), std::logic_error);
     CHECK(entries_in(folder.path()) == 0);
 }
+
+}  // namespace trace_test

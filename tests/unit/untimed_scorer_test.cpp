@@ -7,9 +7,9 @@
 #include "reference/scorer.hpp"
 #include "workload/build_stimulus.hpp"
 
-using namespace faster;
+namespace untimed_scorer_test {
 
-namespace {
+using namespace faster;
 
 WorkloadConfig small_scene(std::uint32_t seed) {
     std::mt19937 random(seed);
@@ -30,8 +30,6 @@ WorkloadConfig small_scene(std::uint32_t seed) {
     config.camera = {160, 120, 140, 140, 79.5, 59.5};
     return config;
 }
-
-}  // namespace
 
 TEST_CASE("Pixel runs give the counters and maps of the reference, with every edge map it knows", "[untimed_scorer]") {
     std::uint32_t const seed = GENERATE(range(1U, 41U));
@@ -57,3 +55,5 @@ TEST_CASE("Pixel runs give the counters and maps of the reference, with every ed
         CHECK(scorer.depth_buffer() == reference.maps().depth_buffer.pixels());
     }
 }
+
+}  // namespace untimed_scorer_test

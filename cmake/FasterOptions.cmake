@@ -6,7 +6,7 @@ target_include_directories(faster_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/faster-sim>)
 target_compile_features(faster_options INTERFACE cxx_std_17)
 set(faster_compile_options
-  -ffp-contract=off -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -ffp-contract=off -fno-semantic-interposition -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual)
 if(FASTER_WARNINGS_AS_ERRORS)
   list(APPEND faster_compile_options -Werror)

@@ -1,9 +1,9 @@
 #include "kernel/report/sensitivity_report.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 
 #include "kernel/base/files/json_file.hpp"
 
@@ -53,12 +53,13 @@ std::string slack_text(RunStatistics const& run) {
     return text;
 }
 
-std::int64_t best_of(Sensitivity const& row, RunStatistics const& run) {
-    std::int64_t best = std::numeric_limits<std::int64_t>::max();
+/// Of either step, in cycles, whether won or lost; a deadlock is told, but has none.
+std::int64_t effect_of(Sensitivity const& row, RunStatistics const& run) {
+    std::int64_t largest = 0;
     for (SensitivityStep const* step : {&row.down, &row.up})
         if (finishes(*step))
-            best = std::min(best, change_of(*step, run));
-    return best;
+            largest = std::max(largest, std::abs(change_of(*step, run)));
+    return largest;
 }
 
 std::string cell(SensitivityStep const& step, RunStatistics const& run) {
@@ -118,7 +119,7 @@ std::string sensitivities_text(RunStatistics const& run) {
         if (changes(row.down, run) || changes(row.up, run))
             rows.push_back(row);
     std::stable_sort(rows.begin(), rows.end(),
-                     [&run](Sensitivity const& a, Sensitivity const& b) { return best_of(a, run) < best_of(b, run); });
+                     [&run](Sensitivity const& a, Sensitivity const& b) { return effect_of(a, run) > effect_of(b, run); });
     std::string text =
         fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n", run.total_cycles);
     text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", "key", "value", "one less", "one more");

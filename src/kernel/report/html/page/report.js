@@ -146,13 +146,13 @@ function show_sensitivities() {
   by_id("sensitivity-note").textContent =
     `${count_of(rows.length, "key")} of ${data.sensitivities.length} change something by a step; cycles of the total.` +
     data.alternatives.map(alternative_text).join("");
-  const best = (row) => Math.min(...[row.down, row.up].map((step) => (step.outcome === "finished" ? step.change_cycles : Number.MAX_VALUE)));
+  const effect = (row) => Math.max(...[row.down, row.up].map((step) => Math.abs(step.change_cycles ?? 0)));
   new SortableTable(by_id("sensitivity-table"), "Sensitivities", [
     { title: "key", value: (row) => row.key },
     figure("value", (row) => row.value),
     step_column("one less", "down"),
     step_column("one more", "up"),
-  ], rows.sort((a, b) => best(a) - best(b)), { box: "high" });
+  ], rows.sort((a, b) => effect(b) - effect(a)), { box: "high" });
 }
 
 function spark_options(profile, capacity) {

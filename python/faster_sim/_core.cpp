@@ -1,0 +1,216 @@
+// What re-times recorded runs in the process of Python. Simulations are processes of their own (program.py): SystemC can
+// elaborate one design per process.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <chrono>
+#include <fmt/format.h>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <systemc>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/on_threads.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/retimed_config.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/retime_many.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/csv.hpp"
+#include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/summary.hpp"
+#include "kernel/report/text_report.hpp"
+#include "kernel/sizing/sizing_files.hpp"
+
+namespace py = pybind11;
+
+/// The SystemC library brings main(), which nobody calls here.
+PYBIND11_EXPORT int sc_main(int, char**) {
+    return 1;
+}
+
+namespace faster::python {
+namespace {
+
+using Overrides = std::vector<std::string>;  // KEY=VALUE
+using Progress = std::optional<py::function>;
+using Row = std::pair<std::optional<Cycles>, double>;
+
+struct Cancelled {};
+
+/// Work in a thread of its own, so that Python's main thread can tell its progress and notice Ctrl-C, which it throws as
+/// KeyboardInterrupt once the work has stopped.
+class Work {
+  public:
+    /// Called by the work, from any of its threads.
+    void at(std::size_t done, std::size_t all) {
+        if (is_cancelled_)
+            throw Cancelled();
+        done_ = done;
+        all_ = all;
+    }
+
+    template <class Function> auto result_of(Function const& function, Progress const& progress) {
+        auto result = std::async(std::launch::async, function);
+        while (is_running(result))
+            look_after(progress);
+        if (!is_cancelled_)
+            return result.get();
+        try {
+            result.get();
+        } catch (Cancelled const&) {
+        }
+        throw py::error_already_set();
+    }
+
+  private:
+    template <class Result> static bool is_running(std::future<Result> const& result) {
+        py::gil_scoped_release const others_may_run;
+        return result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready;
+    }
+
+    /// What Python raised stays raised until the work has stopped.
+    void look_after(Progress const& progress) {
+        if (is_cancelled_)
+            return;
+        if (PyErr_CheckSignals() != 0) {
+            is_cancelled_ = true;
+            return;
+        }
+        if (!progress || all_ == 0)
+            return;
+        PyObject* const answer = PyObject_CallFunction(progress->ptr(), "nn", static_cast<Py_ssize_t>(done_),
+                                                       static_cast<Py_ssize_t>(all_));
+        is_cancelled_ = answer == nullptr;
+        Py_XDECREF(answer);
+    }
+
+    std::atomic<bool> is_cancelled_{false};
+    std::atomic<std::size_t> done_{0};
+    std::atomic<std::size_t> all_{0};
+};
+
+/// The figures of a run with other timing.
+struct Retimed {
+    LoadedConfig loaded;
+    RunStatistics run;
+
+    double milliseconds() const { return static_cast<double>(run.total_cycles) / (run.machine.clock_mhz * 1e3); }
+    std::string summary() const { return report::summary_json(resolved_keys(loaded.config), run, {}); }
+};
+
+class Events {
+  public:
+    explicit Events(std::string const& path) : path_(path), file_(events::read_event_file(path)) {}
+
+    std::string const& path() const { return path_; }
+    std::string const& recorded_summary() const { return file_.summary; }
+
+    /// Each key with its value, as JSON.
+    std::string config() const {
+        std::string text;
+        for (ResolvedKey const& key : resolved_keys(file_.loaded.config))
+            text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key.key, json_text(key.value));
+        return "{" + text + "}";
+    }
+
+    Retimed retime(Overrides const& overrides) const {
+        py::gil_scoped_release const others_may_run;
+        LoadedConfig loaded = events::retimed_config(file_.loaded, overrides);
+        RunStatistics run = replay::retime(file_.run, machine_of(loaded.config));
+        return {std::move(loaded), std::move(run)};
+    }
+
+    /// For each its cycles, none if it deadlocks, and its clock in MHz.
+    std::vector<Row> retime_many(std::vector<Overrides> const& list, Progress const& progress) const {
+        Work work;
+        return work.result_of([&] { return rows(list, work); }, progress);
+    }
+
+    std::string sensitivities(Overrides const& overrides, Progress const& progress) const {
+        Work work;
+        return work.result_of(
+            [&] {
+                LoadedConfig const loaded = events::retimed_config(file_.loaded, overrides);
+                RunStatistics run = replay::retime(file_.run, machine_of(loaded.config));
+                run.sensitivities = replay::sensitivities(
+                    file_.run, loaded, [&work](std::size_t done, std::size_t all) { work.at(done, all); });
+                run.alternatives = replay::alternatives(file_.run, loaded);
+                return report::sensitivities_csv(run);
+            },
+            progress);
+    }
+
+    std::string size_fifos(Overrides const& overrides, double within_percent, unsigned front_points, unsigned jobs,
+                           Progress const& progress) const {
+        Work work;
+        return work.result_of(
+            [&] {
+                sizing::SizingOptions options;
+                options.within_percent = within_percent;
+                options.front_points = front_points;
+                options.jobs = static_cast<unsigned>(jobs_or_host_cores(jobs));
+                LoadedConfig const loaded = events::retimed_config(file_.loaded, overrides);
+                return sizing::sizing_json(
+                    sizing::size_fifos(file_.run, loaded.config, options,
+                                       [&work](std::size_t done, std::size_t all) { work.at(done, all); }));
+            },
+            progress);
+    }
+
+  private:
+    std::vector<Row> rows(std::vector<Overrides> const& list, Work& work) const {
+        std::vector<Machine> machines;
+        std::vector<Row> rows;
+        for (Overrides const& overrides : list) {
+            work.at(0, list.size());
+            machines.push_back(machine_of(events::retimed_config(file_.loaded, overrides).config));
+            rows.emplace_back(std::nullopt, machines.back().clock_mhz);
+        }
+        std::size_t done = 0;
+        replay::retime_many(file_.run, machines, [&](std::size_t i, RunStatistics const& run) {
+            if (!run.deadlocked())
+                rows[i].first = run.total_cycles;
+            work.at(++done, machines.size());
+        });
+        return rows;
+    }
+
+    std::string path_;
+    events::EventFile file_;
+};
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+    module.doc() = "Re-times recorded runs; faster_sim has what is meant to be used.";
+    py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+    py::class_<Retimed>(module, "Retimed")
+        .def_property_readonly("total_cycles", [](Retimed const& r) { return r.run.total_cycles; })
+        .def_property_readonly("milliseconds", &Retimed::milliseconds)
+        .def_property_readonly("deadlocked", [](Retimed const& r) { return r.run.deadlocked(); })
+        .def_property_readonly("deadlock_report", [](Retimed const& r) { return report::deadlock_report(r.run); })
+        .def_property_readonly("summary", &Retimed::summary)
+        .def_property_readonly("samples", [](Retimed const& r) { return report::samples_csv(r.run); })
+        .def_property_readonly("fifos", [](Retimed const& r) { return report::fifos_csv(r.run); })
+        .def_property_readonly("loops", [](Retimed const& r) { return report::loops_csv(r.run); });
+    py::class_<Events>(module, "Events")
+        .def(py::init<std::string const&>(), py::arg("path"))
+        .def_property_readonly("path", &Events::path)
+        .def_property_readonly("config", &Events::config)
+        .def_property_readonly("recorded_summary", &Events::recorded_summary)
+        .def("retime", &Events::retime, py::arg("overrides"))
+        .def("retime_many", &Events::retime_many, py::arg("list"), py::arg("progress"))
+        .def("sensitivities", &Events::sensitivities, py::arg("overrides"), py::arg("progress"))
+        .def("size_fifos", &Events::size_fifos, py::arg("overrides"), py::arg("within_percent"),
+             py::arg("front_points"), py::arg("jobs"), py::arg("progress"));
+}
+
+}  // namespace faster::python

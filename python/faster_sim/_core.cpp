@@ -102,8 +102,14 @@ struct Retimed {
     LoadedConfig loaded;
     RunStatistics run;
 
-    double milliseconds() const { return static_cast<double>(run.total_cycles) / (run.machine.clock_mhz * 1e3); }
-    std::string summary() const { return report::summary_json(resolved_keys(loaded.config), run, {}); }
+    /// 0 if it deadlocked.
+    Cycles total_cycles() const { return run.deadlocked() ? 0 : run.total_cycles; }
+    double milliseconds() const { return run.machine.milliseconds(total_cycles()); }
+    std::string deadlock_report() const { return run.deadlocked() ? report::deadlock_report(run) : ""; }
+    std::string summary() const {
+        std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
+        return run.deadlocked() ? report::deadlock_summary_json(keys, run) : report::summary_json(keys, run, {});
+    }
 };
 
 class Events {
@@ -193,10 +199,9 @@ PYBIND11_MODULE(_core, module) {
     module.doc() = "Re-times recorded runs; faster_sim has what is meant to be used.";
     py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
     py::class_<Retimed>(module, "Retimed")
-        .def_property_readonly("total_cycles", [](Retimed const& r) { return r.run.total_cycles; })
+        .def_property_readonly("total_cycles", &Retimed::total_cycles)
         .def_property_readonly("milliseconds", &Retimed::milliseconds)
-        .def_property_readonly("deadlocked", [](Retimed const& r) { return r.run.deadlocked(); })
-        .def_property_readonly("deadlock_report", [](Retimed const& r) { return report::deadlock_report(r.run); })
+        .def_property_readonly("deadlock_report", &Retimed::deadlock_report)
         .def_property_readonly("summary", &Retimed::summary)
         .def_property_readonly("samples", [](Retimed const& r) { return report::samples_csv(r.run); })
         .def_property_readonly("fifos", [](Retimed const& r) { return report::fifos_csv(r.run); })

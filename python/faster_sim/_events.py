@@ -37,10 +37,8 @@ class Events:
     def whatif(self, values: Mapping[str, object] = {}, /, **more: object) -> Result:
         """What the run would have taken with other values of some keys. A deadlock is a result."""
         retimed = self._core.retime(_program.overrides({**values, **more}))
-        if retimed.deadlocked:
-            return Result(0, 0.0, retimed.deadlock_report, "{}", {})
-        tables = {name: getattr(retimed, name) for name in ("samples", "fifos", "loops")}
-        return Result(retimed.total_cycles, retimed.milliseconds, "", retimed.summary, tables)
+        return Result(retimed.total_cycles, retimed.milliseconds, retimed.deadlock_report,
+                      lambda name: getattr(retimed, name))
 
     def whatif_matrix(self, configurations: Sequence[Mapping[str, object]], *,
                       progress: Optional[Progress] = None) -> numpy.ndarray:

@@ -4,7 +4,7 @@ import io
 import json
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Mapping
+from typing import Any, Callable
 
 import numpy
 
@@ -31,8 +31,8 @@ class Result:
     milliseconds: float
     deadlock_report: str = field(repr=False)
     """Who waits for whom; empty if the run ended."""
-    summary_json: str = field(repr=False)
-    _tables: Mapping[str, str] = field(repr=False)
+    _text: Callable[[str], str] = field(repr=False)
+    """Of "summary", "samples", "fifos" or "loops", as the files have it."""
 
     @property
     def deadlocked(self) -> bool:
@@ -41,19 +41,19 @@ class Result:
     @cached_property
     def summary(self) -> dict[str, Any]:
         """summary.json: configuration, totals, modules, FIFOs, block RAMs, loops."""
-        return json.loads(self.summary_json)
+        return json.loads(self._text("summary"))
 
     @cached_property
     def samples(self) -> numpy.ndarray:
         """samples.csv: a row per pose sample."""
-        return table(self._tables["samples"])
+        return table(self._text("samples"))
 
     @cached_property
     def fifos(self) -> numpy.ndarray:
         """fifos.csv: a row per FIFO of each core."""
-        return table(self._tables["fifos"])
+        return table(self._text("fifos"))
 
     @cached_property
     def loops(self) -> numpy.ndarray:
         """loops.csv: a row per loop of each core."""
-        return table(self._tables["loops"])
+        return table(self._text("loops"))

@@ -41,9 +41,7 @@ def sweep(file: Path_, out: Path_, *, jobs: int = 0, progress: Optional[Progress
 
 
 def _result_in(folder: Path, deadlock_report: str) -> Result:
-    summary = (folder / "summary.json").read_text(encoding="utf-8")
-    if deadlock_report:
-        return Result(0, 0.0, deadlock_report, summary, {})
-    figures = json.loads(summary)
-    tables = {name: (folder / f"{name}.csv").read_text(encoding="utf-8") for name in ("samples", "fifos", "loops")}
-    return Result(figures["total_cycles"], figures["milliseconds"], "", summary, tables)
+    names = ["summary.json"] if deadlock_report else ["summary.json", "samples.csv", "fifos.csv", "loops.csv"]
+    texts = {Path(name).stem: (folder / name).read_text(encoding="utf-8") for name in names}
+    figures = {"total_cycles": 0, "milliseconds": 0.0} if deadlock_report else json.loads(texts["summary"])
+    return Result(figures["total_cycles"], figures["milliseconds"], deadlock_report, texts.__getitem__)

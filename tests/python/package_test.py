@@ -68,6 +68,7 @@ class PackageTest(unittest.TestCase):
         run = faster_sim.run(CONFIG, **SMALL, **stuck)
         self.assertTrue(retimed.deadlocked and run.deadlocked)
         self.assertIn("waits", retimed.deadlock_report)
+        self.assertEqual(retimed.summary["deadlock"], run.summary["deadlock"])
         self.assertTrue(self.events.whatif_matrix([stuck])["deadlocked"][0])
 
     def test_bad_input_is_said_in_the_tool_s_line(self) -> None:

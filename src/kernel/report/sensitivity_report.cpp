@@ -118,8 +118,9 @@ std::string sensitivities_text(RunStatistics const& run) {
     for (Sensitivity const& row : run.sensitivities)
         if (changes(row.down, run) || changes(row.up, run))
             rows.push_back(row);
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&run](Sensitivity const& a, Sensitivity const& b) { return effect_of(a, run) > effect_of(b, run); });
+    std::stable_sort(rows.begin(), rows.end(), [&run](Sensitivity const& a, Sensitivity const& b) {
+        return effect_of(a, run) > effect_of(b, run);
+    });
     std::string text =
         fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n", run.total_cycles);
     text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", "key", "value", "one less", "one more");

@@ -6,6 +6,10 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 config=${1:-}
+if [[ "$config" == -h || "$config" == --help ]]; then
+    sed -n '2,4s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    exit 0
+fi
 if (($# > 0)); then
     shift
 fi
@@ -16,6 +20,10 @@ if [[ -z "$config" ]]; then
 else
     if [[ ! -e "$config" && -e "$root/$config" ]]; then
         config=$root/$config
+    fi
+    if [[ ! -f "$config" ]]; then
+        echo "run: no configuration $config; shipped are $(cd "$root" && ls configs/*.yaml | paste -sd ' ')" >&2
+        exit 2
     fi
     name=$(basename "$config")
     out=$root/out/${name%.*}

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that faster-sim needs, and only those that are missing.
-#   scripts/setup.sh          what building, testing and running need
-#   scripts/setup.sh --dev    also clang-format, clang-tidy and Chromium, for the test of the HTML report
+#   scripts/setup.sh             what building, testing and running need
+#   scripts/setup.sh --package   also what makes a .deb with man pages
+#   scripts/setup.sh --dev       also clang-format, clang-tidy and Chromium, for the test of the HTML report
 set -euo pipefail
 
 packages=(
@@ -13,13 +14,14 @@ packages=(
 
 for argument in "$@"; do
     case "$argument" in
+        --package) packages+=(dpkg-dev help2man) ;;
         --dev) packages+=(clang-format clang-tidy chromium) ;;
         -h | --help)
-            echo "usage: setup.sh [--dev]"
+            echo "usage: setup.sh [--package] [--dev]"
             exit 0
             ;;
         *)
-            echo "setup: unknown argument '$argument'; expected --dev" >&2
+            echo "setup: unknown argument '$argument'; expected --package or --dev" >&2
             exit 2
             ;;
     esac

@@ -1,12 +1,8 @@
 #include "kernel/sweeps/sweep_folder.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
 #include "kernel/base/files/durable_file.hpp"
@@ -39,10 +35,10 @@ SweepFolder::SweepFolder(fs::path const& folder) : folder_(folder) {
     if (folder_.empty())
         throw InputError("the name of the output folder is empty, expected a path");
     make();
-    lock();
+    lock_.emplace(folder_);
 }
 
-SweepFolder::~SweepFolder() { close(lock_); }
+SweepFolder::~SweepFolder() { remove_partial_files(); }
 
 void SweepFolder::make() const {
     std::error_code error;
@@ -56,21 +52,6 @@ void SweepFolder::make() const {
     bool const is_free = std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_hidden);
     if (!is_free)
         throw InputError(folder_.string() + ": holds other files, expected a new or empty folder or that of a sweep");
-}
-
-/// Not flock(): that would be shared with child processes, which may outlive this one by a moment.
-void SweepFolder::lock() {
-    lock_ = open((folder_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0)
-        throw InputError(folder_.string() + ": cannot be written (" + std::strerror(errno) + ")");
-    struct flock whole {};
-    whole.l_type = F_WRLCK;
-    whole.l_whence = SEEK_SET;
-    if (fcntl(lock_, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN)) {
-        close(lock_);
-        throw InputError(folder_.string() +
-                         ": another faster-sim sweep is at work in it, expected a folder of its own");
-    }
 }
 
 void SweepFolder::adopt(Manifest const& manifest) {
@@ -94,6 +75,10 @@ void SweepFolder::prepare_events() const {
     fs::create_directory(folder_ / "events", error);
     if (error)
         throw InputError((folder_ / "events").string() + ": cannot be made (" + error.message() + ")");
+    remove_partial_files();
+}
+
+void SweepFolder::remove_partial_files() const {
     remove_partial_files_in(folder_);
     remove_partial_files_in(folder_ / "events");
 }

@@ -8,6 +8,7 @@
 
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/held_signals.hpp"
 
 namespace faster::io {
 namespace {
@@ -64,6 +65,7 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
 }
 
 void write_file(std::filesystem::path const& path, std::string_view content) {
+    processes::give_up_if_interrupted();
     errno = 0;
     std::ofstream stream(path, std::ios::binary | std::ios::trunc);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));

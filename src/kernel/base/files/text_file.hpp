@@ -17,7 +17,8 @@ void require_file(std::filesystem::path const& path, std::string const& expected
 std::string read_file(std::filesystem::path const& path, std::string const& expected = "a readable file",
                       std::uint64_t most_bytes = most_file_bytes);
 
-/// Replaces the content of a file. Throws InputError if it cannot be written completely.
+/// Replaces the content of a file. Throws InputError if it cannot be written completely, and Interrupted if a signal is
+/// held back (HeldSignals): of many files the next is not begun.
 void write_file(std::filesystem::path const& path, std::string_view content);
 
 }  // namespace faster::io

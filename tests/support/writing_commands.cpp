@@ -208,7 +208,8 @@ bool WritingScene::is_in_place(std::string const& file) const {
     return std::count(command_.in_place.begin(), command_.in_place.end(), top_of(file)) > 0;
 }
 
-std::string WritingScene::complaint(fs::path const& folder, bool may_be_left, bool may_be_missing) const {
+std::string WritingScene::complaint(fs::path const& folder, bool may_be_left, bool may_be_missing,
+                                    bool has_failed) const {
     Tree const tree = tree_of(folder);
     std::string text;
     std::set<std::string> tops;
@@ -226,7 +227,7 @@ std::string WritingScene::complaint(fs::path const& folder, bool may_be_left, bo
     }
     for (std::string const& file : command_.whole_files_in_place) {
         std::string const is = content_in(tree, file);
-        if (is != content_in(older_, file) && is != content_in(newer_, file))
+        if (!has_failed && is != content_in(older_, file) && is != content_in(newer_, file))
             text += file + " is neither missing nor the new one\n";
     }
     return text;

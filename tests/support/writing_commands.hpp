@@ -35,7 +35,9 @@ class WritingScene {
     void lay_out(std::filesystem::path const& folder) const;
     /// What is wrong with a folder in which the command was stopped; empty if nothing is: every output is the older
     /// one or the new one (or missing, if `may_be_missing`), and nothing hidden is there unless `may_be_left`.
-    std::string complaint(std::filesystem::path const& folder, bool may_be_left, bool may_be_missing = false) const;
+    /// `has_failed`: tables of a sweep say of some points that they failed.
+    std::string complaint(std::filesystem::path const& folder, bool may_be_left, bool may_be_missing = false,
+                          bool has_failed = false) const;
     /// What is wrong with a folder in which it was done undisturbed afterwards.
     std::string complaint_after_repeat(std::filesystem::path const& folder) const;
 

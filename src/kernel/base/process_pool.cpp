@@ -33,8 +33,8 @@ class Child {
         : number_(number), time_limit_s_(task.time_limit_s), most_output_bytes_(task.most_output_bytes) {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0)
-            throw InputError(std::string("no pipe for another process (") + std::strerror(errno) +
-                             "), expected room for more open files");
+            throw HostError(std::string("no pipe for another process (") + std::strerror(errno) +
+                            "), expected room for more open files");
         pid_t const parent = getpid();
         process_ = fork();
         if (process_ == 0) {
@@ -45,8 +45,8 @@ class Child {
         pipe_ = ends[0];
         if (process_ < 0) {
             close(pipe_);
-            throw InputError(std::string("no further process (") + std::strerror(errno) +
-                             "), expected room for more processes");
+            throw HostError(std::string("no further process (") + std::strerror(errno) +
+                            "), expected room for more processes");
         }
     }
     ~Child() {
@@ -67,10 +67,13 @@ class Child {
         ssize_t const count = read(pipe_, buffer.data(), buffer.size());
         if (count > 0)
             outcome_.output.append(buffer.data(), static_cast<std::size_t>(count));
-        return count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN);
+        is_broken_ = count < 0 && errno != EINTR && errno != EAGAIN;
+        return count == 0 || is_broken_;
     }
 
     Outcome finish() {
+        if (is_broken_)
+            return end_as(Outcome::Kind::failed);
         int const status = wait_for_end();
         if (WIFSIGNALED(status)) {
             outcome_.kind = Outcome::Kind::crashed;
@@ -153,6 +156,7 @@ class Child {
     Clock::time_point start_ = Clock::now();
     pid_t process_ = -1;
     int pipe_ = -1;
+    bool is_broken_ = false;  // the pipe
     Outcome outcome_;
 };
 

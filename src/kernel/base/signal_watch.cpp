@@ -14,8 +14,8 @@ SignalWatch::SignalWatch() {
     sigset_t const watched = ending_signals();
     descriptor_ = signalfd(-1, &watched, SFD_CLOEXEC | SFD_NONBLOCK);
     if (descriptor_ < 0)
-        throw InputError(std::string("no descriptor to watch for signals (") + std::strerror(errno) +
-                         "), expected room for more open files");
+        throw HostError(std::string("no descriptor to watch for signals (") + std::strerror(errno) +
+                        "), expected room for more open files");
 }
 
 SignalWatch::~SignalWatch() { close(descriptor_); }

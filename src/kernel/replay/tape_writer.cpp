@@ -31,7 +31,7 @@ TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t p
     try {
         thread_ = std::thread([this] { work(); });
     } catch (std::system_error const& error) {
-        throw InputError("no thread to record with (" + error.code().message() + "), expected room for more of them");
+        throw HostError("no thread to record with (" + error.code().message() + "), expected room for more of them");
     }
 }
 

@@ -58,7 +58,7 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
         stream.read(content.data(), static_cast<std::streamsize>(content.size()));
     }
     if (!stream)
-        fail(path, "cannot be read, expected " + expected);
+        throw HostError(path.string() + ": cannot be read, expected " + expected);
     if (content.size() > most_bytes)
         fail_length(path, expected, most_bytes);
     return content;

@@ -142,9 +142,10 @@ CommandResult run_traced(WritingCommand const& command, Words const& options, Te
 }
 
 /// Whether an error of it can keep something from being removed.
-bool removes(std::string const& call, std::string const& line) {
-    static std::set<std::string> const all{"unlink", "unlinkat", "rmdir", "getdents64", "flock", "link", "linkat"};
-    return all.count(call) > 0 || line.find("O_DIRECTORY") != std::string::npos;
+bool removes(std::string const& call) {
+    static std::set<std::string> const all{"unlink", "unlinkat", "rmdir",  "getdents64",
+                                           "flock",  "link",     "linkat", "openat"};
+    return all.count(call) > 0;
 }
 
 /// Of all calls that an undisturbed run makes, but for those that load libraries or look at the host.
@@ -177,7 +178,7 @@ std::vector<Fault> faults_of(WritingScene const& scene) {
     for (auto const& [which, line] : found) {
         faults.push_back({which.first, which.second, "KILL", true, line});
         for (std::string const& error : errors_of_calls().at(which.first))
-            faults.push_back({which.first, which.second, error, removes(which.first, line), line});
+            faults.push_back({which.first, which.second, error, removes(which.first), line});
     }
     return faults;
 }
@@ -205,8 +206,10 @@ void check_fault(WritingScene const& scene, Fault const& fault, Words const& mor
     CHECK(exit_code <= 2);
     if (!fault.kills() && exit_code == 2)
         CHECK(std::count(err.begin(), err.end(), '\n') <= 1);  // none if that is what cannot be written
-    CHECK(err.find("unexpected error") == std::string::npos);
-    CHECK(scene.complaint(folder.path(), fault.may_be_left, fault.may_be_missing, exit_code == 1) == "");
+    bool const is_of_library = fault.call == "clone3";         // which starts a thread
+    if (!is_of_library)
+        CHECK(err.find("unexpected error") == std::string::npos);
+    CHECK(scene.complaint(folder.path(), fault.may_be_left, fault.may_be_missing, exit_code != 0) == "");
     if (exit_code == 0 && !fault.may_be_left)
         CHECK(scene.complaint_after_repeat(folder.path()) == "");
     check_repeat(scene, folder);
@@ -270,7 +273,7 @@ TEST_CASE("A folder is replaced in two steps where the file system cannot do it 
     WritingScene const scene(commands.front());
     Words const without_exchange{"-e", "inject=renameat2:error=EINVAL"};
     check_fault(scene, {"renameat2", 1, "EINVAL", false, ""});
-    for (unsigned const number : {1U, 2U, 3U, 4U, 5U, 6U, 7U})
+    for (unsigned const number : {5U, 6U, 7U})
         for (std::string const how : {"KILL", "EIO"})
             check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, without_exchange);
 }

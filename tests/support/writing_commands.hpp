@@ -15,6 +15,8 @@ struct WritingCommand {
     /// Folders that grow in place: a repeat goes on where it was. What in them appears complete or not at all.
     std::vector<std::string> in_place = {};
     std::vector<std::string> whole_files_in_place = {};
+    /// Those that also say what failed, if not all did.
+    std::vector<std::string> reports = {};
 };
 
 /// One for every command that writes.
@@ -35,7 +37,7 @@ class WritingScene {
     void lay_out(std::filesystem::path const& folder) const;
     /// What is wrong with a folder in which the command was stopped; empty if nothing is: every output is the older
     /// one or the new one (or missing, if `may_be_missing`), and nothing hidden is there unless `may_be_left`.
-    /// `has_failed`: tables of a sweep say of some points that they failed.
+    /// `has_failed`: so reports may say something else.
     std::string complaint(std::filesystem::path const& folder, bool may_be_left, bool may_be_missing = false,
                           bool has_failed = false) const;
     /// What is wrong with a folder in which it was done undisturbed afterwards.

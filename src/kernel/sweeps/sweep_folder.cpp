@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <system_error>
-#include <vector>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/files/hidden_name.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 
@@ -21,11 +21,7 @@ bool is_hidden(fs::directory_entry const& entry) { return entry.path().filename(
 
 void remove_partial_files_in(fs::path const& folder) {
     std::error_code ignored;
-    std::vector<fs::path> files;
-    for (fs::directory_entry const& entry : fs::directory_iterator(folder, ignored))
-        if (is_hidden(entry) && entry.path().filename().string().find(".partial-") != std::string::npos)
-            files.push_back(entry.path());
-    for (fs::path const& file : files)
+    for (fs::path const& file : io::all_hidden_in(folder, "partial"))
         fs::remove(file, ignored);
 }
 

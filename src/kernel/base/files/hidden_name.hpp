@@ -9,8 +9,11 @@ namespace faster::io {
 /// under it gets its own name once it is whole. Purposes: partial, older.
 std::filesystem::path hidden_name(std::filesystem::path const& file, std::string const& purpose);
 
-/// All that has such a name of `file`. Empty if the folder cannot be listed.
+/// All that has such a name of `file`; as many as can be listed.
 std::vector<std::filesystem::path> all_hidden_beside(std::filesystem::path const& file, std::string const& purpose);
+
+/// All that has such a name of any file in `folder`.
+std::vector<std::filesystem::path> all_hidden_in(std::filesystem::path const& folder, std::string const& purpose);
 
 /// The path as people know it: the names that hidden_name() made of its parts, undone.
 std::filesystem::path without_hidden_names(std::filesystem::path const& path);

@@ -1,6 +1,7 @@
 #include "kernel/base/files/scratch.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -85,8 +86,11 @@ void Scratch::hold() {
 
 void Scratch::remove() {
     std::error_code ignored;
-    if (!path_.empty())
+    if (!path_.empty() && std::remove(path_.c_str()) != 0 && errno != ENOENT) {
         fs::remove_all(path_, ignored);
+        hold_.reset();  // its descriptor may be the one that was missing
+        fs::remove_all(path_, ignored);
+    }
     for (; !made_parents_.empty(); made_parents_.pop_back())
         rmdir(made_parents_.back().c_str());  // only if it is empty
 }

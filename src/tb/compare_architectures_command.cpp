@@ -20,6 +20,7 @@
 #include "modules/faster_simulation.hpp"
 #include "tb/edge_map_judge.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -161,6 +162,13 @@ report::ArchitectureRow row_of(Point const& point, processes::Outcome const& out
 }  // namespace
 
 int compare_architectures(CompareArchitecturesRequest const& request) {
+    CommandPaths paths;
+    for (std::string const& workload : request.workloads)
+        paths.reads(workload);
+    for (std::string const& architecture : request.architectures)
+        paths.reads(architecture);
+    paths.writes("--csv", request.csv);
+    paths.writes("--html", request.html);
     auto const csv = io::optional_output_file(request.csv);
     auto const html = io::optional_output_file(request.html);
     std::vector<Point> const points = points_of(request);

@@ -74,6 +74,8 @@ int edge_quality(EdgeQualityRequest const& request) {
         folder->commit();
     }
     say("{}", quality::survey_markdown(rows));
+    if (folder != nullptr)
+        say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 

@@ -21,6 +21,7 @@
 #include "tb/estimate_scorers.hpp"
 #include "tb/timed_iterations.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -91,11 +92,11 @@ class EstimateRun {
     }
 
     /// False: the accelerator got stuck.
-    bool find_times() {
+    bool find_times(io::AtomicFolder* folder) {
         if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
             return true;
         IterationCycles const times =
-            simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(), jobs_);
+            simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(folder), jobs_);
         if (!times.deadlock.empty()) {
             fmt::print(stderr, "{}", times.deadlock);
             return false;
@@ -143,14 +144,19 @@ class EstimateRun {
     }
 
   private:
-    /// Nothing if there is nothing to record.
-    std::optional<IterationRecording> recorded_iteration() const {
+    /// Nothing if there is nothing to record. What is to be in the folder in the end is written to its place there.
+    std::optional<IterationRecording> recorded_iteration(io::AtomicFolder* folder) const {
         if (!request_.records())
             return std::nullopt;
         if (request_.recorded_iteration >= scored_.size())
             throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
                                          request_.recorded_iteration, scored_.size()));
-        return IterationRecording{request_.recorded_iteration, request_.events, request_.recording};
+        IterationRecording recording{request_.recorded_iteration, request_.events, request_.recording};
+        if (folder != nullptr)
+            for (std::string* const file : {&recording.events, &recording.request.vcd, &recording.request.timeline})
+                if (!file->empty())
+                    *file = folder->place_of(*file).string();
+        return recording;
     }
 
     /// Of the frame of the scene's mesh.
@@ -213,11 +219,18 @@ int estimate_pose(EstimateRequest const& request) {
         throw InputError("--traces: expected --out DIR as well");
     if (request.records() && (request.untimed || estimator_of(loaded.config).backend == EstimatorBackend::grip))
         throw InputError("--events, --vcd and --timeline: expected neither --untimed nor the backend grip with them");
+    CommandPaths paths;
+    for (std::string const& input : {request.config, request.bop.folder, request.bop.detections})
+        paths.reads(input);
+    paths.reads(loaded.config);
+    paths.writes("--out", request.out, estimate_folder);
+    paths.writes("--events", request.events);
+    add_paths(request.recording, paths);
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
     run.find_pose();
-    if (!run.find_times())
+    if (!run.find_times(folder.get()))
         return exit_deadlock;
     EstimateReport const report = run.report();
     if (folder != nullptr) {
@@ -227,6 +240,9 @@ int estimate_pose(EstimateRequest const& request) {
     fmt::print("{}", estimate_text(report));
     if (folder != nullptr)
         fmt::print("\nwritten: {}\n", request.out);
+    for (std::string const& written : {request.events, written_files(request.recording)})
+        if (!written.empty())
+            fmt::print("\nwritten: {}\n", written);
     return exit_done;
 }
 

@@ -16,6 +16,7 @@
 #include "poses/evaluation.hpp"
 #include "poses/evaluation_json.hpp"
 #include "poses/evaluation_text.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -95,6 +96,10 @@ void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
 int evaluate(EvaluateRequest const& request) {
     std::vector<std::string> const results(request.files.begin(), request.files.end() - 1);
     check_methods(results);
+    CommandPaths paths;
+    for (std::string const& file : request.files)
+        paths.reads(file);
+    paths.writes("--out", request.out, evaluation_folder);
     auto const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, evaluation_folder);
     bop::Dataset const dataset = load_dataset(request);

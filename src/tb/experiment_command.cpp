@@ -7,7 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/base/files/folder_lock.hpp"
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/base/process_pool.hpp"
@@ -40,7 +41,9 @@ void take_folder(fs::path const& folder) {
     fs::create_directories(folder, error);
     if (error)
         throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
-    if (!fs::exists(folder / journal_file) && !fs::is_empty(folder))
+    bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                                     [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
+    if (!fs::exists(folder / journal_file) && !is_free)
         throw InputError(folder.string() +
                          ": holds other files, expected a new or empty folder or that of an experiment");
 }
@@ -282,6 +285,7 @@ int experiment(ExperimentRequest const& request) {
     fs::path const out = request.out;
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
     take_folder(out);
+    io::FolderLock const lock(out);
     experiments::EstimateJournal journal(out / journal_file);
     std::vector<SettingData> const settings = prepared(wish, out, jobs);
     std::vector<WantedEstimate> const wanted = wanted_estimates(settings, methods);
@@ -292,6 +296,7 @@ int experiment(ExperimentRequest const& request) {
     write_results(out, wanted, journal, settings, methods);
     for (SettingData const& setting : settings)
         judge(out, setting, methods, jobs);
+    fmt::print("\nwritten: {}\n", request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;
 }
 

@@ -15,6 +15,7 @@
 #include "reference/scorer.hpp"
 #include "tb/grip_comparison.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
@@ -85,17 +86,22 @@ GripComparison compare_with_flow(GripRequest const& request, RunConfig const& co
 int grip_baseline(GripRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
     require_poses(loaded);
+    CommandPaths paths;
+    paths.reads(request.config);
+    paths.reads(loaded.config);
+    paths.writes("--out", request.out, grip_folder);
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
     Stimulus const stimulus = load_stimulus(loaded);
     GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
+    if (folder != nullptr) {
+        io::write_file(folder->path() / "scores.csv", grip_csv(comparison));
+        io::write_file(folder->path() / "summary.json", grip_json(comparison));
+        folder->commit();
+    }
     say("{}", grip_text(comparison));
-    if (folder == nullptr)
-        return exit_done;
-    io::write_file(folder->path() / "scores.csv", grip_csv(comparison));
-    io::write_file(folder->path() / "summary.json", grip_json(comparison));
-    folder->commit();
-    say("\nwritten: {}\n", request.out);
+    if (folder != nullptr)
+        say("\nwritten: {}\n", request.out);
     return exit_done;
 }
 

@@ -4,6 +4,7 @@
 
 #include "kernel/config/load_config.hpp"
 #include "tb/workload_source.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
@@ -13,6 +14,10 @@ namespace faster {
 
 int record(RecordRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
+    CommandPaths paths;
+    paths.reads(request.config);
+    paths.reads(loaded.config);
+    paths.writes("--out", request.out, io::trace_kind());
     Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
     io::write_trace(stimulus, request.out);
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);

@@ -95,8 +95,8 @@ IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& 
     std::vector<processes::Outcome> const outcomes = simulate_all(simulation, iterations, jobs);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (outcomes[i].kind != processes::Outcome::Kind::done)
-            throw std::runtime_error(
-                fmt::format("iteration {}: the simulation crashed, failed or took more than an hour", i));
+            throw HostError(fmt::format(
+                "iteration {}: the simulation crashed, failed or took more than an hour, expected a result", i));
         std::string const& output = outcomes[i].output;
         if (output.front() == input_error_mark)
             throw InputError(output.substr(1));

@@ -30,8 +30,8 @@ struct IterationRecording {
 };
 
 /// Simulates every iteration on the configured accelerator, each in a process of its own, as the SystemC kernel
-/// elaborates once; `jobs` at once. A model whose counters are not those that the loop went by is a
-/// std::runtime_error, and so is a simulation that crashes. Throws InputError for a recording that cannot be written.
+/// elaborates once; `jobs` at once. A model whose counters are not those that the loop went by is a std::runtime_error.
+/// Throws InputError for a recording that cannot be written, and for a simulation that crashes.
 IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
                                     std::vector<ScoredPoses> const& iterations,
                                     std::optional<IterationRecording> const& recording, std::size_t jobs);

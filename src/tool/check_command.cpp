@@ -6,7 +6,6 @@
 #include <memory>
 #include <set>
 
-#include "kernel/base/files/atomic_file.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
@@ -21,6 +20,7 @@
 #include "kernel/budgets/replace_baseline.hpp"
 #include "kernel/config/keys.hpp"
 #include "tool/budget_run.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
@@ -151,9 +151,20 @@ int exit_code_of(std::vector<CheckResult> const& results) {
     return any([](CheckResult const& result) { return result.is_failure(); }) ? exit_failed_check : exit_done;
 }
 
+void require_distinct_paths(CheckRequest const& request, std::vector<Budget> const& budgets) {
+    CommandPaths paths;
+    for (Budget const& budget : budgets) {
+        paths.reads(budget.file);
+        paths.reads(budget.file.parent_path() / budget.configuration);
+    }
+    paths.writes("--junit", request.junit);
+    paths.writes("--json", request.json);
+}
+
 int check_budgets(CheckRequest const& request) {
     require_reason(request);
     std::vector<Budget> const all = read_budgets(request);
+    require_distinct_paths(request, all);
     auto const junit = io::optional_output_file(request.junit);
     auto const json = io::optional_output_file(request.json);
     processes::SignalWatch const watch;
@@ -166,6 +177,9 @@ int check_budgets(CheckRequest const& request) {
     if (json)
         json->commit(budgets::check_json(results));
     print(results);
+    for (std::string const& file : {request.junit, request.json})
+        if (!file.empty())
+            say("written: {}\n", file);
     return exit_code_of(results);
 }
 

@@ -1,21 +1,30 @@
 #include "tool/compare_command.hpp"
 
-#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/compare/compare.hpp"
 #include "kernel/compare/comparison_json.hpp"
 #include "kernel/compare/comparison_text.hpp"
 #include "kernel/compare/read_run.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/results_folder.hpp"
 #include "tool/say.hpp"
 
 namespace faster {
 
 int compare(CompareRequest const& request) {
+    CommandPaths paths;
+    paths.reads(request.run_a, ResultsFolder::kind());
+    paths.reads(request.run_b, ResultsFolder::kind());
+    paths.writes("--json", request.json);
+    auto const json = io::optional_output_file(request.json);
     runs::Comparison const comparison = runs::compare(runs::read_run(request.run_a), runs::read_run(request.run_b));
-    if (!request.json.empty())
-        io::write_file_atomically(request.json, runs::comparison_json(comparison));
+    if (json)
+        json->commit(runs::comparison_json(comparison));
     say("{}", runs::comparison_text(comparison, static_cast<std::size_t>(request.top)));
+    if (json)
+        say("\nwritten: {}\n", request.json);
     return comparison.is_functionally_equal() ? exit_done : exit_failed_check;
 }
 

@@ -1,15 +1,13 @@
 #include "tool/recording_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 
-#include "kernel/base/files/atomic_file.hpp"
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/machine/core_share.hpp"
+#include "kernel/recording/gtkwave_save.hpp"
 #include "kernel/recording/timeline_json.hpp"
 #include "kernel/recording/vcd_trace.hpp"
 
@@ -68,14 +66,9 @@ RecordingWindow vcd_window(RecordingRequest const& request, Machine const& machi
 }
 
 /// Before the work whose results would be lost.
-void require_writable(char const* option, std::string const& file) {
-    bool const was_there = std::ifstream(file).good();
-    std::ofstream const stream(file, std::ios::app);
-    if (!stream)
-        throw InputError(fmt::format("{} {}: cannot be written: {}, expected a file in a folder that is there", option,
-                                     file, std::strerror(errno)));
-    if (!was_there)
-        std::remove(file.c_str());
+void require_writable(std::string const& file) {
+    if (!io::is_device(file))
+        io::OutputFile const probe(file);
 }
 
 /// The first samples of every core, as far as they go.
@@ -150,26 +143,45 @@ Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
     return recording;
 }
 
-std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
+void add_paths(RecordingRequest const& request, CommandPaths& paths) {
+    paths.writes_vcd("--vcd", request.vcd);
+    paths.writes("--timeline", request.timeline);
+}
+
+std::string written_files(RecordingRequest const& request) {
+    std::vector<std::string> files;
+    if (!request.timeline.empty())
+        files.push_back(request.timeline);
+    if (!request.vcd.empty())
+        files.push_back(request.vcd);
+    if (!request.vcd.empty() && !io::is_device(request.vcd))
+        for (std::filesystem::path const& beside : recording::files_beside(request.vcd))
+            files.push_back(beside.string());
+    return fmt::format("{}", fmt::join(files, ", "));
+}
+
+std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples,
+                                       PlaceOf const& place_of) {
     std::vector<Recording> recordings;
     if (!request.timeline.empty()) {
-        require_writable("--timeline", request.timeline);
+        require_writable(request.timeline);
         auto const timelines = std::make_shared<std::vector<recording::CoreTimeline>>();
         recordings = timeline_recordings(request, machine, samples, timelines);
         Recording last;  // after those of all cores
         last.window.samples = RecordingWindow::Samples{~std::size_t{0} - 1, ~std::size_t{0} - 1};
-        last.done = [timelines, &request, &machine](std::vector<recording::RecordedCore> const&) {
-            io::write_file_atomically(request.timeline, recording::timeline_json(*timelines, machine.clock_mhz));
+        last.done = [timelines, &request, &machine, place_of](std::vector<recording::RecordedCore> const&) {
+            io::write_file_atomically(place_of(request.timeline),
+                                      recording::timeline_json(*timelines, machine.clock_mhz));
         };
         recordings.push_back(std::move(last));
     }
     if (!request.vcd.empty()) {
-        require_writable("--vcd", request.vcd);
+        require_writable(request.vcd);
         Recording vcd;
         vcd.window = vcd_window(request, machine, samples);
         recording::SignalFilter const filter(request.vcd_modules, machine);
-        vcd.done = [&request, &machine, filter](std::vector<recording::RecordedCore> const& cores) {
-            recording::write_vcd(request.vcd, machine, cores, filter);
+        vcd.done = [&request, &machine, filter, place_of](std::vector<recording::RecordedCore> const& cores) {
+            recording::write_vcd(place_of(request.vcd), machine, cores, filter);
         };
         recordings.push_back(std::move(vcd));
     }

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "channels/simulate.hpp"
 #include "kernel/figures/sample_timeline.hpp"
 #include "kernel/machine/machine.hpp"
+#include "tool/command_paths.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
@@ -33,8 +36,19 @@ void add_recording_options(CLI::App& command, RecordingRequest& request);
 Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
                                     std::vector<SampleTimeline>& timelines);
 
-/// The recordings that a request asks of a run; each writes its files when the run is over. Both must outlive them.
-/// Errors: InputError for what the run cannot give, and for files that cannot be written.
-std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples);
+/// Says what of its paths is written.
+void add_paths(RecordingRequest const& request, CommandPaths& paths);
+
+/// Where to write a file that is to have that name in the end.
+using PlaceOf = std::function<std::filesystem::path(std::filesystem::path const& file)>;
+
+/// The recordings that a request asks of a run; each writes its files when the run is over. Request and machine must
+/// outlive them. Errors: InputError for what the run cannot give, and for files that cannot be written.
+std::vector<Recording> make_recordings(
+    RecordingRequest const& request, Machine const& machine, std::size_t samples,
+    PlaceOf const& place_of = [](std::filesystem::path const& file) { return file; });
+
+/// All files that it writes, as "a, b, c"; empty if none.
+std::string written_files(RecordingRequest const& request);
 
 }  // namespace faster

@@ -12,6 +12,8 @@ io::FolderKind const results_folder{
     "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "sensitivities.csv", "images"}};
 }  // namespace
 
+io::FolderKind const& ResultsFolder::kind() { return results_folder; }
+
 ResultsFolder::ResultsFolder(std::filesystem::path const& folder) : folder_(folder, results_folder) {}
 
 void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,

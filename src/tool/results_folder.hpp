@@ -14,6 +14,10 @@ class ResultsFolder {
   public:
     /// Throws InputError if it cannot be written: before the work whose results would be lost.
     explicit ResultsFolder(std::filesystem::path const& folder);
+    static io::FolderKind const& kind();
+
+    /// Where to write a file that is to be at `file` when all is written, see AtomicFolder.
+    std::filesystem::path place_of(std::filesystem::path const& file) { return folder_.place_of(file); }
 
     /// Writes all files; `write_pictures` may put images into the folder it is given, and be empty.
     void write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,

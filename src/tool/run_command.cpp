@@ -28,6 +28,7 @@ namespace faster {
 
 namespace {
 
+namespace fs = std::filesystem;
 using HostClock = std::chrono::steady_clock;
 
 double seconds_since(HostClock::time_point start) {
@@ -58,6 +59,16 @@ struct Outputs {
     std::unique_ptr<io::OutputFile> report;
     std::unique_ptr<io::OutputFile> events;
 };
+
+void require_distinct_paths(RunRequest const& request, RunConfig const& config) {
+    CommandPaths paths;
+    paths.reads(request.config);
+    paths.reads(config);
+    paths.writes("--out", request.out, ResultsFolder::kind());
+    paths.writes("--report", request.report);
+    paths.writes("--events", request.events);
+    add_paths(request.recording, paths);
+}
 
 /// What the cores would take if everything were there at once, for the roofline.
 void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& loaded, RunStatistics& run) {
@@ -98,6 +109,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     for (std::string const& setting : extras.overrides())
         overrides.push_back(setting);
     LoadedConfig loaded = load_config(request.config, overrides);
+    require_distinct_paths(request, loaded.config);
     Outputs const outputs(request);
 
     report::HostTime host;
@@ -121,7 +133,9 @@ int run(RunRequest const& request, RunExtras& extras) {
         options.hazards = request.hazards;
         bool const shows_roofline = machine.external_memory && outputs.report;
         options.recorded = request.sensitivities || outputs.events || shows_roofline ? &recorded : nullptr;
-        options.recordings = make_recordings(request.recording, machine, samples);
+        options.recordings = make_recordings(request.recording, machine, samples, [&](fs::path const& file) {
+            return outputs.folder ? outputs.folder->place_of(file) : file;
+        });
         if (outputs.report)
             options.recordings.push_back(sample_timeline_recording(machine, samples, timelines));
         options.progress = [&](std::uint64_t done) { progress.show(done, samples); };
@@ -138,17 +152,17 @@ int run(RunRequest const& request, RunExtras& extras) {
         statistics.sensitivities = work_out_sensitivities(recorded, loaded);
         statistics.alternatives = replay::alternatives(recorded, loaded);
     }
-    if (outputs.events)
-        write_events(*outputs.events, loaded, recorded, statistics);
     if (outputs.folder && extras.writes_pictures())
         outputs.folder->write(loaded.config, statistics, host,
                               [&](std::filesystem::path const& images) { extras.write(images, statistics.samples); });
     else if (outputs.folder)
         outputs.folder->write(loaded.config, statistics, host);
-    if (outputs.report)  // may lie in the folder
+    if (outputs.events)  // these may lie in the folder
+        write_events(*outputs.events, loaded, recorded, statistics);
+    if (outputs.report)
         write_report(*outputs.report, request, loaded, statistics, timelines, extras);
     say("{}", report::text_report(statistics, host));
-    for (std::string const& written : {request.out, request.report, request.events})
+    for (std::string const& written : {request.out, request.report, request.events, written_files(request.recording)})
         if (!written.empty())
             say("\nwritten: {}\n", written);
     return exit_done;

@@ -7,6 +7,7 @@
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/replay/slack.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -32,6 +33,10 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
 }  // namespace
 
 int print_sensitivities(SensitivitiesRequest const& request) {
+    CommandPaths paths;
+    paths.reads(request.events);
+    paths.writes("--csv", request.csv);
+    paths.writes("--json", request.json);
     events::EventFile const recorded = events::read_event_file(request.events);
     auto const csv = io::optional_output_file(request.csv);
     auto const json = io::optional_output_file(request.json);

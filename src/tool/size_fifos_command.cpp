@@ -15,6 +15,7 @@
 #include "kernel/report/html/sizing_html.hpp"
 #include "kernel/sizing/sizing_files.hpp"
 #include "kernel/sizing/sizing_text.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -69,6 +70,9 @@ void require_ideal_memory(SizeFifosRequest const& request, events::EventFile con
 }  // namespace
 
 int print_fifo_sizes(SizeFifosRequest const& request) {
+    CommandPaths paths;
+    paths.reads(request.events);
+    paths.writes("--out", request.out, sizing_folder);
     events::EventFile const recorded = events::read_event_file(request.events);
     require_ideal_memory(request, recorded);
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/files/output_file.hpp"
+#include "kernel/base/files/scratch.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/budgets/starting_budget.hpp"
@@ -34,8 +35,6 @@ Budget new_budget(CheckRequest const& request) {
     if (fs::exists(budget.file))
         throw InputError(budget.file.string() + ": is there already, expected a new file (--out FILE)");
     fs::path const folder = fs::absolute(budget.file).parent_path();
-    if (!fs::is_directory(folder))
-        throw InputError(fmt::format("{}: its folder does not exist", budget.file.string()));
     budget.configuration = seen_from(folder, request.init);
     budget.trace = seen_from(folder, request.trace);
     budget.overrides = request.overrides;
@@ -60,6 +59,7 @@ int start_budget(CheckRequest const& request) {
     Budget const budget = new_budget(request);
     io::OutputFile const file(budget.file);
     processes::SignalWatch const watch;
+    io::Scratch const place(fs::weakly_canonical(fs::absolute(budget.file)), io::Scratch::Kind::file);  // its folder
     std::vector<Budget> const one{budget};
     Outcome const outcome = run_budgets(one, {}, request, watch).front();
     if (outcome.kind != Outcome::Kind::done)

@@ -73,13 +73,13 @@ int sweep(SweepRequest const& request) {
     sweeps::Sweep const sweep = sweeps::read_sweep_file(request.sweep);
     std::vector<sweeps::PointIdentity> const identities = identities_of(sweep);
     sweeps::Manifest const manifest = manifest_of(sweep, identities);
+    processes::SignalWatch const watch;  // first, so that a signal comes through when the folder is in order
     sweeps::SweepFolder folder(request.out);
     folder.adopt(manifest);
     folder.prepare_events();
     sweeps::Journal journal(folder.journal(), request.retry_failed ? has_failed : is_wanted);
     std::vector<std::size_t> const points = points_of_shard(identities, shard);
     {
-        processes::SignalWatch const watch;
         Sweeper sweeper(request, sweep, identities, points, folder, journal);
         say_what_is_there(journal, points.size(), sweeper.pending());
         sweeper.work(watch);

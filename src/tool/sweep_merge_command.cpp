@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/held_signals.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/sweeps/merge.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
@@ -34,6 +35,7 @@ int merge_sweeps(SweepMergeRequest const& request) {
     if (sweeps::is_sweep_folder(request.out))
         folders.emplace_back(request.out);  // what is there stays
     sweeps::Merged const merged = sweeps::merged(folders);
+    processes::HeldSignals const held;
     sweeps::SweepFolder folder(request.out);
     folder.adopt(merged.manifest);
     io::write_file_durably(folder.journal(), sweeps::journal_text(merged.results));

@@ -20,7 +20,7 @@ namespace {
 using Kind = sweeps::Assignment::Kind;
 using sweeps::PointResult;
 
-/// What is wrong while the workload is made is the point's fault; what is wrong while it is recorded is the disk's.
+/// What is wrong while the workload is made is the point's fault, unless it is the host's, as while it is recorded.
 void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep,
                     std::filesystem::path const& events, SweepReply& reply) {
     std::size_t const point = assignment.points.front();
@@ -34,6 +34,8 @@ void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& s
         loaded = sweep.configuration(point);
         workload = simulated_design().load_workload(loaded);
         run = simulate(loaded.config, *workload, options);
+    } catch (HostError const&) {
+        throw;
     } catch (InputError const& error) {
         reply.results.emplace_back(point, sweeps::failed(error.what()));
         return;
@@ -66,6 +68,8 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
             if (std::chrono::steady_clock::now() - start > long_enough)
                 return;
         }
+    } catch (HostError const&) {
+        throw;
     } catch (InputError const&) {
         reply.lost_events = true;
     }

@@ -15,7 +15,8 @@ struct SweepReply {
     std::vector<std::pair<std::size_t, sweeps::PointResult>> results;  ///< by point
     bool has_events = false;                                           ///< the event file is there
     bool lost_events = false;                                          ///< the event file is no good
-    std::string trouble;  ///< why nothing can be written, say because the disk is full; empty: all is well
+    bool was_killed = false;                                           ///< a repeat of the sweep tries again
+    std::string trouble;  ///< what is wrong with the host, say a full disk; empty: all is well
 };
 
 /// Does an assignment, in a process of its own: it may simulate. Whatever is wrong with a point is its result.

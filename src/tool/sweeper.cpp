@@ -1,6 +1,7 @@
 #include "tool/sweeper.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <utility>
 
@@ -78,7 +79,8 @@ void Sweeper::ended(std::size_t number, processes::Outcome const& outcome) {
     progress_.show(done_, all_);
 }
 
-/// A process that got lost with several points says nothing about any of them: they are done again, one by one.
+/// A process that got lost with several points says nothing about any of them: they are done again, one by one. One
+/// that was killed (by the system, for want of memory, or by somebody) says nothing about its point for ever.
 SweepReply Sweeper::reply_of(sweeps::Assignment const& assignment, processes::Outcome const& outcome) const {
     if (outcome.kind == processes::Outcome::Kind::done)
         return reply_from_text(outcome.output);
@@ -86,6 +88,8 @@ SweepReply Sweeper::reply_of(sweeps::Assignment const& assignment, processes::Ou
     if (assignment.points.size() == 1)
         reply.results.emplace_back(assignment.points.front(),
                                    sweeps::failed(why_no_result(outcome, request_.time_limit_s)));
+    using End = processes::Outcome::Kind;
+    reply.was_killed = outcome.kind == End::failed || (outcome.kind == End::crashed && outcome.signal == SIGKILL);
     return reply;
 }
 
@@ -93,7 +97,9 @@ void Sweeper::write_down(SweepReply const& reply) {
     std::vector<std::pair<std::string, sweeps::PointResult>> rows;
     for (auto const& [point, result] : reply.results)
         rows.emplace_back(identities_[point].point, result);
-    if (!rows.empty())
+    if (reply.was_killed)
+        journal_.note(rows);
+    else if (!rows.empty())
         journal_.append(rows);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <new>
 
+#include "kernel/base/held_signals.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/keep_memory.hpp"
 #include "kernel/base/nearest_name.hpp"
@@ -37,6 +38,8 @@ class Tool {
         } catch (std::filesystem::filesystem_error const& error) {
             return one_line_error(fmt::format("{}: {}, expected a path that can be used", error.path1().string(),
                                               error.code().message()));
+        } catch (processes::Interrupted const&) {  // the signal was blocked for the whole program
+            return one_line_error("interrupted");
         } catch (std::bad_alloc const&) {
             return one_line_error("not enough memory, expected a smaller run or a host with more");
         } catch (std::exception const& error) {

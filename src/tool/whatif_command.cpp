@@ -21,6 +21,7 @@
 #include "kernel/report/summary.hpp"
 #include "kernel/report/text_report.hpp"
 #include "kernel/report/whatif_table.hpp"
+#include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -43,6 +44,9 @@ runs::Comparison with_recorded(std::string const& name, events::EventFile const&
 
 int retime_one(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& changed,
                report::HostTime host) {
+    CommandPaths paths;
+    paths.reads(request.events);
+    paths.writes("--out", request.out, ResultsFolder::kind());
     std::unique_ptr<ResultsFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
     auto const start = std::chrono::steady_clock::now();
@@ -81,6 +85,10 @@ LoadedConfig config_of_row(std::string const& matrix, Settings const& row, Loade
 }
 
 int retime_matrix(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& base) {
+    CommandPaths paths;
+    paths.reads(request.events);
+    paths.reads(request.matrix);
+    paths.writes("--csv", request.csv);
     auto const csv = io::optional_output_file(request.csv);
     std::vector<Settings> const list = read_settings_list(request.matrix);
     std::vector<Machine> machines;

@@ -404,8 +404,11 @@ TEST_CASE("A folder that cannot be written is refused in one line") {
         check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "file/below/out"},
                       {"file/below/out", "cannot be written"});
         check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "file"}, {"file"});
-        // A folder with files of someone else.
-        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "."}, {"other files"});
+        fs::create_directory(workspace / "used");
+        workspace.write("used/file", "kept");
+        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "used"}, {"other files"});
+        check_refused(workspace, Words{command, "config.yaml"} + small + Words{"--out", "."},
+                      {"is the current folder"});
     }
     CHECK(workspace.text("file") == "kept");
 }

@@ -152,8 +152,9 @@ TEST_CASE("Comparing with a folder without a run is refused") {
         runs.check_refused({"a", "a"}, {"a/" + file + ": no such file"});
         fs::rename(runs.folder() / "aside", runs.folder() / ("a/" + file));
     }
-    runs.check_refused({"a", "a", "--json", "empty"}, {"empty: is no regular file"});
-    runs.check_refused({"a", "a", "--json", "gone/file"}, {"gone/file: cannot be written"});
+    runs.check_refused({"a", "a", "--json", "empty"}, {"empty: is a folder"});
+    runs.check_refused({"a", "a", "--json", "/proc/gone/file"}, {"gone/file: cannot be written"});
+    runs.check_refused({"a", "a", "--json", "a/fifos.csv"}, {"--json a/fifos.csv: would replace a, which is read"});
 }
 
 TEST_CASE("Comparing with a run of another format or version is refused") {

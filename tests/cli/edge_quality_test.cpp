@@ -23,7 +23,7 @@ TEST_CASE("edge-quality prints a table, and writes the rows and two pictures of 
     CommandResult const result = judge(
         folder, {"--poses", "3", "--classes", "mug,banana", "--algorithms", "bounded,transition", "--out", "quality"});
     require_done(result);
-    CHECK(lines_of(result.out).size() == 4);
+    CHECK(lines_of(result.out).size() == 6);
     auto const lines = lines_of(content_of(folder / "quality" / "quality.csv"));
     REQUIRE(lines.size() == 5);
     CHECK(lines[1].rfind("bounded,mug,3,", 0) == 0);

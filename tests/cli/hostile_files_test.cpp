@@ -1,7 +1,9 @@
 // Whatever the files hold: one line, exit code 2, nothing that a terminal would obey.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "support/command.hpp"
@@ -132,6 +134,92 @@ TEST_CASE("A limit of file sizes is one line, and nothing half-written is left")
     limited("-f 1", "run config.yaml --timeline t.json", "File too large");
     limited("-f 1", "whatif a.events --out out", "out/summary.json: cannot be written (File too large)");
     limited("-f 1", "check --init config.yaml --out b.yaml", "b.yaml: cannot be written");
+}
+
+TEST_CASE("Whatever the number of descriptors, a command is done or leaves nothing") {
+    SmallWorkspace const workspace;
+    std::size_t refused = 0, done = 0;
+    for (int most = 3; most < 14; ++most) {
+        std::string const limit = "ulimit -n " + std::to_string(most) + "; ";
+        std::string const name = "out" + std::to_string(most);
+        if (run_command("/bin/sh", {"-c", limit + FASTER_SIM_BINARY " --version || exit 1"}, "/").exit_code != 0)
+            continue;  // no room for its libraries
+        CommandResult const result = run_command(
+            "/bin/sh",
+            {"-c", limit + "exec " FASTER_SIM_BINARY " run config.yaml --out " + name + " --vcd " + name + "/w.vcd"},
+            workspace.folder().path());
+        CAPTURE(most, result.err);
+        bool const is_done = result.exit_code == 0;
+        CHECK(is_done == fs::exists(workspace.folder() / name));
+        if (!is_done)
+            check_bad_input(result, {""});
+        CHECK(result.err.find("unexpected") == std::string::npos);
+        ++(is_done ? done : refused);
+        CHECK(workspace.files_in("") == 1 + done);
+    }
+    CHECK(refused > 0);
+    CHECK(done > 0);
+}
+
+TEST_CASE("A folder that may not be written is said to be one, and left alone") {
+    SmallWorkspace const workspace;
+    faster::test::require_done(workspace.run({"--out", "o", "--events", "a.events"}));
+    std::size_t const files = workspace.files_in("");
+    // For root, whom permissions do not stop, as somebody else.
+    std::string const as_other = geteuid() == 0 ? "setpriv --reuid 65534 --regid 65534 --clear-groups " : "";
+    auto const other = [&](std::string const& command) {
+        return run_command("/bin/sh", {"-c", "exec " + as_other + FASTER_SIM_BINARY " " + command},
+                           workspace.folder().path());
+    };
+    if (as_other.empty())
+        fs::permissions(workspace.folder().path(), fs::perms::owner_write, fs::perm_options::remove);
+    if (other("--version").exit_code == 0)  // else the program is where nobody else gets
+        for (std::string const command :
+             {"run config.yaml --out o", "run config.yaml --out new/o", "run config.yaml --report r.html",
+              "run config.yaml --vcd w.vcd", "run config.yaml --timeline t.json", "run config.yaml --events b.events",
+              "whatif a.events --out o", "record config.yaml --out t", "compare o o --json c.json",
+              "check --init config.yaml --out b.yaml", "grip config.yaml --out g", "estimate config.yaml --out e"}) {
+            CAPTURE(command);
+            check_bad_input(other(command), {"cannot be written (Permission denied)"});
+        }
+    fs::permissions(workspace.folder().path(), fs::perms::owner_write, fs::perm_options::add);
+    CHECK(workspace.files_in("") == files);
+    CHECK(workspace.summary("o").contains("total_cycles"));
+}
+
+TEST_CASE("Who reads only the begin of what is printed still gets the files") {
+    SmallWorkspace const workspace;
+    faster::test::require_done(workspace.run({"--events", "a.events"}));
+    std::size_t files = workspace.files_in("");
+    for (std::string const command : {"run config.yaml --out o", "whatif a.events --out w", "grip config.yaml --out g",
+                                      "record config.yaml --out t", "run config.yaml --report r.html"}) {
+        run_command("/bin/sh", {"-c", FASTER_SIM_BINARY " " + command + " | true"}, workspace.folder().path());
+        CAPTURE(command);
+        CHECK(workspace.files_in("") == ++files);
+    }
+    CHECK(workspace.summary("o").contains("total_cycles"));
+}
+
+TEST_CASE("Several processes at once on one output leave the whole output of one of them") {
+    SmallWorkspace const workspace;
+    faster::test::require_done(workspace.run({"--out", "one", "--set", "accelerator.raster_cores=1"}));
+    workspace.folder().write("one/notes.txt", "mine");
+    for (std::string const folder : {"new/o", "one"}) {
+        std::string all;
+        for (int cores = 1; cores <= 4; ++cores)
+            all += FASTER_SIM_BINARY " run config.yaml --set accelerator.raster_cores=" + std::to_string(cores) +
+                   " --out " + folder + " --report page.html > /dev/null & ";
+        CommandResult const result = run_command("/bin/sh", {"-c", all + "wait"}, workspace.folder().path());
+        CHECK(result.err.empty());
+        auto const summary = workspace.summary(folder);
+        auto const cores = summary.at("configuration").at("accelerator.raster_cores").at("value").get<int>();
+        std::string const fifos = workspace.text(folder + "/fifos.csv");
+        CHECK(std::count(fifos.begin(), fifos.end(), '\n') == 1 + 14 * cores);
+    }
+    CHECK(workspace.text("one/notes.txt") == "mine");
+    CHECK(workspace.files_in("one") == 5);
+    CHECK(workspace.files_in("new") == 1);
+    CHECK(workspace.files_in("") == 4);
 }
 
 }  // namespace hostile_files_test

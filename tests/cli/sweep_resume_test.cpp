@@ -120,7 +120,7 @@ TEST_CASE("Two sweeps in one folder are refused", "[sweeps]") {
     CommandResult const second = workspace.sweep("out");
     kill(process, SIGCONT);
     CHECK(wait_for(process) == 0);
-    check_bad_input(second, {"out: another faster-sim sweep is at work in it"});
+    check_bad_input(second, {"out: another faster-sim is at work in it"});
     require_done(workspace.sweep("undisturbed"));
     check_same(workspace, "out", "undisturbed");
 }

@@ -482,8 +482,8 @@ TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
     refused({"--vcd", "a.vcd", "--vcd-samples", "0", "--vcd-from", "1"}, {"--vcd-samples", "--vcd-from"});
     refused({"--vcd", "a.vcd", "--vcd-from", "9", "--vcd-to", "8"}, {"--vcd-to 8", "--vcd-from 9"});
     refused({"--vcd", "a.vcd", "--vcd-modules", "inlier_unti"}, {"inlier_unti", "inlier_unit"});
-    refused({"--vcd", "nowhere/a.vcd"}, {"nowhere/a.vcd", "cannot be written"});
-    refused({"--timeline", "nowhere/t.json"}, {"nowhere/t.json", "cannot be written"});
+    refused({"--vcd", "/proc/nowhere/a.vcd"}, {"nowhere/a.vcd", "cannot be written"});
+    refused({"--timeline", "/proc/nowhere/t.json"}, {"nowhere/t.json", "cannot be written"});
     refused({"--timeline", "t.json", "--timeline-samples", "0"}, {"--timeline-samples"});
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include "support/longest_run.hpp"
@@ -24,13 +25,43 @@ bool redirect(int descriptor, char const* file) {
 }
 
 /// Never returns, and allocates nothing. The alarm and default handlers survive exec.
-[[noreturn]] void become(char* const* words, char const* folder, char const* out, char const* err) {
-    for (int const signal : {SIGTERM, SIGINT, SIGALRM})
+[[noreturn]] void become(char* const* words, char const* folder, char const* out, char const* err, sigset_t mask) {
+    for (int const signal : {SIGTERM, SIGINT, SIGALRM, SIGHUP, SIGPIPE})
         std::signal(signal, SIG_DFL);
+    sigprocmask(SIG_SETMASK, &mask, nullptr);
     alarm(longest_run_seconds);
     if (redirect(STDOUT_FILENO, out) && redirect(STDERR_FILENO, err) && chdir(folder) == 0)
         execv(words[0], words);
     _exit(cannot_start);
+}
+
+/// A program and its arguments as execv() wants them.
+class Words {
+  public:
+    Words(std::string const& program, std::vector<std::string> const& arguments) : words_{program} {
+        words_.insert(words_.end(), arguments.begin(), arguments.end());
+        for (std::string& word : words_)
+            pointers_.push_back(word.data());
+        pointers_.push_back(nullptr);
+    }
+    char* const* pointers() const { return pointers_.data(); }
+
+  private:
+    std::vector<std::string> words_;
+    std::vector<char*> pointers_;
+};
+
+pid_t start(Words const& words, std::filesystem::path const& folder, std::string const& out, std::string const& err) {
+    sigset_t all, before;  // a signal that comes early is not for the test framework's handlers
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, &before);
+    pid_t const child = fork();
+    if (child == 0)
+        become(words.pointers(), folder.c_str(), out.c_str(), err.c_str(), before);
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    if (child < 0)
+        throw std::runtime_error(std::string(words.pointers()[0]) + ": no process");
+    return child;
 }
 
 }  // namespace
@@ -40,33 +71,32 @@ CommandResult run_command(std::string const& program, std::vector<std::string> c
     // Files rather than pipes: a program that fills one pipe while the other is read would block.
     TempFolder const captured;
     std::string const out = captured / "stdout", err = captured / "stderr";
-    std::vector<std::string> words{program};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-
-    auto const start = std::chrono::steady_clock::now();
-    pid_t const child = fork();
-    if (child < 0)
-        throw std::runtime_error(program + ": no process");
-    if (child == 0)
-        become(pointers.data(), folder.c_str(), out.c_str(), err.c_str());
+    auto const start_time = std::chrono::steady_clock::now();
+    pid_t const child = start(Words(program, arguments), folder, out, err);
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, 0, &usage) < 0) {
         if (errno != EINTR)
             throw std::runtime_error(program + ": cannot be waited for");
     }
-    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count();
     if (WIFSIGNALED(status))
         throw std::runtime_error(program + ": ended by signal " + std::to_string(WTERMSIG(status)) + "\n" +
                                  content_of(err));
     if (WEXITSTATUS(status) == cannot_start)
         throw std::runtime_error(program + ": cannot be started");
     return {WEXITSTATUS(status), content_of(out), content_of(err), seconds, usage.ru_maxrss / 1024};
+}
+
+int interrupted_command(std::string const& program, std::vector<std::string> const& arguments,
+                        std::filesystem::path const& folder, double delay_s, int signal) {
+    pid_t const child = start(Words(program, arguments), folder, "/dev/null", "/dev/null");
+    std::this_thread::sleep_for(std::chrono::duration<double>(delay_s));
+    kill(child, signal);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
 }  // namespace faster::test

@@ -18,4 +18,9 @@ struct CommandResult {
 CommandResult run_command(std::string const& program, std::vector<std::string> const& arguments,
                           std::filesystem::path const& folder);
 
+/// Starts it, sends `signal` after a delay and waits for its end. Returns the signal that ended it, or 0. What it
+/// prints is lost.
+int interrupted_command(std::string const& program, std::vector<std::string> const& arguments,
+                        std::filesystem::path const& folder, double delay_s, int signal);
+
 }  // namespace faster::test

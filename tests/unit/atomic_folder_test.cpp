@@ -1,7 +1,14 @@
 #include "kernel/base/files/atomic_folder.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <csignal>
+#include <functional>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
@@ -21,6 +28,33 @@ void write_result(fs::path const& target, std::string const& content) {
     AtomicFolder output(target, kind);
     write_file(output.path() / "summary.json", content);
     output.commit();
+}
+
+/// Of another process, which does `work`: how it ended, as waitpid() says.
+int status_of_process(std::function<void()> const& work) {
+    pid_t const process = fork();
+    if (process == 0) {
+        for (int const signal : {SIGTERM, SIGINT})
+            std::signal(signal, SIG_DFL);  // not the test framework's report
+        work();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(process, &status, 0);
+    return status;
+}
+
+bool is_ended_by(int signal, int status) { return WIFSIGNALED(status) && WTERMSIG(status) == signal; }
+
+/// Writes half of a result and is killed.
+void leave_half(fs::path const& target) {
+    int const status = status_of_process([&] {
+        AtomicFolder output(target, kind);
+        fs::create_directory(output.path() / "images");
+        write_file(output.path() / "images" / "a.png", "half");
+        raise(SIGKILL);
+    });
+    REQUIRE(is_ended_by(SIGKILL, status));
 }
 
 TEST_CASE("A committed folder appears with its files and without leftovers", "[atomic_folder]") {
@@ -108,6 +142,136 @@ TEST_CASE("A place where no folder can be made is an input error", "[atomic_fold
     CHECK_THAT(input_error_text([] { AtomicFolder("/proc/none/out", kind); }),
                Catch::Contains("/proc/none/out: cannot be written ("));
     CHECK_THAT(input_error_text([] { AtomicFolder("", kind); }), Catch::Contains("is empty"));
+}
+
+TEST_CASE("The current folder and those above it are refused, for they would be gone", "[atomic_folder]") {
+    TempFolder const folder;
+    fs::create_directories(folder / "a" / "b");
+    int const status = status_of_process([&] {
+        fs::current_path(folder / "a" / "b");
+        for (std::string const name : {".", "..", "../../a", "./"}) {
+            std::string const text = input_error_text([&] { AtomicFolder(name, kind); });
+            if (text.find(name + ": is the current folder or one above it") != 0)
+                _exit(1);
+        }
+        write_result("../bc", "new");
+    });
+    CHECK(status == 0);
+    CHECK(entries_in(folder / "a" / "b") == 0);
+    CHECK(entries_in(folder / "a") == 2);
+}
+
+TEST_CASE("Foreign files stay the same files, with their links and folders", "[atomic_folder]") {
+    TempFolder const folder;
+    write_result(folder / "out", "old");
+    fs::create_directories(folder / "out" / "mine" / "deep");
+    folder.write("out/mine/deep/notes.txt", "mine");
+    fs::create_symlink("nowhere", folder / "out" / "link");
+    fs::create_hard_link(folder / "out" / "mine" / "deep" / "notes.txt", folder / "outside");
+    write_result(folder / "out", "new");
+    CHECK(fs::equivalent(folder / "outside", folder / "out" / "mine" / "deep" / "notes.txt"));
+    CHECK(fs::read_symlink(folder / "out" / "link") == "nowhere");
+    CHECK(content_of(folder / "out" / "summary.json") == "new");
+    CHECK(entries_in(folder.path()) == 2);
+}
+
+TEST_CASE("What was left by a process that was killed is removed, what is of a living one is not", "[atomic_folder]") {
+    TempFolder const folder;
+    leave_half(folder / "out");
+    folder.write(".out.partial-12", "left of a file");
+    folder.write(".out.partial-x", "not of ours");
+    folder.write(".out2.partial-12", "of another");
+    CHECK(entries_in(folder.path()) == 4);
+    AtomicFolder living(folder / "out", kind);
+    write_file(living.path() / "summary.json", "living");
+    CHECK(entries_in(folder.path()) == 3);
+    CHECK(status_of_process([&] { write_result(folder / "out", "quicker"); }) == 0);
+    CHECK(content_of(folder / "out" / "summary.json") == "quicker");
+    living.commit();
+    CHECK(content_of(folder / "out" / "summary.json") == "living");
+    CHECK(entries_in(folder.path()) == 3);
+}
+
+TEST_CASE("What was left of a file by a process that was killed is removed", "[output_file]") {
+    TempFolder const folder;
+    int const status = status_of_process([&] {
+        OutputFile(folder / "page.html").commit([](std::ostream& stream) {
+            stream << "half" << std::flush;
+            raise(SIGKILL);
+        });
+    });
+    CHECK(is_ended_by(SIGKILL, status));
+    CHECK(entries_in(folder.path()) == 1);
+    OutputFile(folder / "page.html").commit("whole");
+    CHECK(content_of(folder / "page.html") == "whole");
+    CHECK(entries_in(folder.path()) == 1);
+}
+
+TEST_CASE("A process that is told to end takes away what is half-written", "[atomic_folder]") {
+    for (int const signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        TempFolder const folder;
+        write_result(folder / "out", "old");
+        int const of_folder = status_of_process([&] {
+            AtomicFolder output(folder / "out", kind);
+            write_file(output.path() / "summary.json", "half");
+            raise(signal);
+            write_file(output.path() / "samples.csv", "half");
+            output.commit();
+        });
+        int const of_file = status_of_process([&] {
+            OutputFile(folder / "a" / "page.html").commit([&](std::ostream& stream) {
+                stream << "half" << std::flush;
+                raise(signal);
+                stream << "more" << std::flush;
+            });
+        });
+        CAPTURE(signal, of_folder, of_file);
+        CHECK(is_ended_by(signal, of_folder));
+        CHECK(is_ended_by(signal, of_file));
+        CHECK(content_of(folder / "out" / "summary.json") == "old");
+        CHECK(entries_in(folder.path()) == 1);
+    }
+}
+
+TEST_CASE("A folder that is replaced is there at any moment, and whole", "[atomic_folder]") {
+    TempFolder const folder;
+    write_result(folder / "out", "0");
+    folder.write("out/notes.txt", "mine");
+    std::atomic<bool> is_done{false};
+    std::atomic<int> missing{0};
+    std::thread reader([&] {
+        while (!is_done)
+            if (!fs::exists(folder / "out" / "summary.json") || !fs::exists(folder / "out" / "notes.txt"))
+                ++missing;
+    });
+    for (int i = 0; i < 100; ++i)
+        write_result(folder / "out", std::to_string(i));
+    is_done = true;
+    reader.join();
+    CHECK(missing == 0);
+}
+
+// What a process leaves that is killed between the two renames of a file system without exchange.
+TEST_CASE("An older folder that lost its name gets it back, with what the user kept in it", "[atomic_folder]") {
+    TempFolder const folder;
+    write_result(folder / "out", "old");
+    folder.write("out/notes.txt", "mine");
+    folder.write("out/samples.csv", "old");
+    fs::rename(folder / "out", folder / ".out.older-7");
+    leave_half(folder / "out");
+    { AtomicFolder const look(folder / "out", kind); }
+    CHECK(content_of(folder / "out" / "summary.json") == "old");
+    CHECK(content_of(folder / "out" / "notes.txt") == "mine");
+    CHECK(entries_in(folder.path()) == 1);
+
+    fs::rename(folder / "out", folder / ".out.older-7");
+    fs::create_directory(folder / "out");
+    folder.write("out/summary.json", "another");
+    { AtomicFolder const look(folder / "out", kind); }
+    CHECK(content_of(folder / "out" / "summary.json") == "another");
+    CHECK(content_of(folder / "out" / "notes.txt") == "mine");
+    CHECK_FALSE(fs::exists(folder / "out" / "samples.csv"));
+    CHECK(entries_in(folder.path()) == 1);
 }
 
 }  // namespace atomic_folder_test

@@ -64,4 +64,19 @@ TEST_CASE("A place where no file can be written is an input error", "[output_fil
     CHECK_THAT(input_error_text([] { OutputFile(""); }), Catch::Contains("names no file"));
 }
 
+TEST_CASE("What is too long to be held is written bit by bit, and what stops it leaves nothing", "[output_file]") {
+    TempFolder const folder;
+    folder.write("long", "old");
+    OutputFile const file(folder / "long");
+    CHECK_THROWS_AS(file.commit([](std::ostream& stream) {
+        stream << std::string(100'000, 'x');
+        throw std::runtime_error("no more");
+    }),
+                    std::runtime_error);
+    CHECK(content_of(folder / "long") == "old");
+    file.commit([](std::ostream& stream) { stream << "new" << std::string(100'000, 'x'); });
+    CHECK(content_of(folder / "long").size() == 100'003);
+    CHECK(entries_in(folder.path()) == 1);
+}
+
 }  // namespace output_file_test

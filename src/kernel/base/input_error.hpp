@@ -12,4 +12,11 @@ class InputError : public std::runtime_error {
     explicit InputError(std::string const& message);
 };
 
+/// The input may be all right, but the host cannot do what is needed now: no room, no descriptors, no threads, a disk
+/// that fails. The same may work later.
+class HostError : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 }  // namespace faster

@@ -11,6 +11,7 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -25,34 +26,32 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A child that writes its result into a pipe. The destructor kills and buries one that still runs.
+/// A child that writes its result into a pipe. The destructor ends and buries one that still runs.
 class Child {
   public:
-    Child(std::size_t number, Task const& task, SignalWatch const& watch)
+    Child(std::size_t number, Task const& task)
         : number_(number), time_limit_s_(task.time_limit_s), most_output_bytes_(task.most_output_bytes) {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0)
-            throw InputError(std::string("no pipe for another process (") + std::strerror(errno) +
-                             "), expected room for more open files");
+            throw HostError(std::string("no pipe for another process (") + std::strerror(errno) +
+                            "), expected room for more open files");
         pid_t const parent = getpid();
         process_ = fork();
         if (process_ == 0) {
             close(ends[0]);
-            run(task, watch, parent, ends[1]);
+            run(task, parent, ends[1]);
         }
         close(ends[1]);
         pipe_ = ends[0];
         if (process_ < 0) {
             close(pipe_);
-            throw InputError(std::string("no further process (") + std::strerror(errno) +
-                             "), expected room for more processes");
+            throw HostError(std::string("no further process (") + std::strerror(errno) +
+                            "), expected room for more processes");
         }
     }
     ~Child() {
-        if (process_ > 0) {
-            kill(process_, SIGKILL);
-            wait_for_end();
-        }
+        if (process_ > 0)
+            end();
         close(pipe_);
     }
     Child(Child const&) = delete;
@@ -68,10 +67,13 @@ class Child {
         ssize_t const count = read(pipe_, buffer.data(), buffer.size());
         if (count > 0)
             outcome_.output.append(buffer.data(), static_cast<std::size_t>(count));
-        return count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN);
+        is_broken_ = count < 0 && errno != EINTR && errno != EAGAIN;
+        return count == 0 || is_broken_;
     }
 
     Outcome finish() {
+        if (is_broken_)
+            return end_as(Outcome::Kind::failed);
         int const status = wait_for_end();
         if (WIFSIGNALED(status)) {
             outcome_.kind = Outcome::Kind::crashed;
@@ -85,26 +87,41 @@ class Child {
 
     bool sends_too_much() const { return outcome_.output.size() > most_output_bytes_; }
 
-    Outcome end_at_time_limit() { return kill_as(Outcome::Kind::timed_out); }
+    Outcome end_at_time_limit() { return end_as(Outcome::Kind::timed_out); }
 
     Outcome end_at_output_limit() {
         outcome_.exit_code = EXIT_FAILURE;
-        return kill_as(Outcome::Kind::failed);
+        return end_as(Outcome::Kind::failed);
     }
 
   private:
-    Outcome kill_as(Outcome::Kind kind) {
-        kill(process_, SIGKILL);
-        wait_for_end();
+    Outcome end_as(Outcome::Kind kind) {
+        end();
         outcome_.kind = kind;
         return outcome_;
     }
 
-    [[noreturn]] static void run(Task const& task, SignalWatch const& watch, pid_t parent, int pipe) {
+    /// It may have a file to take away that is half-written. If that takes long it is killed.
+    void end() {
+        constexpr int most_tries = 200;
+        kill(process_, SIGTERM);
+        for (int i = 0; i < most_tries && is_running(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        kill(process_, SIGKILL);
+        wait_for_end();
+    }
+
+    /// A process that has ended stays until it is waited for, so its number is not another's.
+    bool is_running() const {
+        siginfo_t info{};
+        return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+    }
+
+    [[noreturn]] static void run(Task const& task, pid_t parent, int pipe) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent)
             _exit(EXIT_FAILURE);
-        watch.release_in_child();
+        let_signals_through();
         dup2(STDERR_FILENO, STDOUT_FILENO);  // what the work may print must not get into the parent's tables
         try {
             std::string const output = task.work();
@@ -139,6 +156,7 @@ class Child {
     Clock::time_point start_ = Clock::now();
     pid_t process_ = -1;
     int pipe_ = -1;
+    bool is_broken_ = false;  // the pipe
     Outcome outcome_;
 };
 
@@ -193,7 +211,7 @@ void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& w
             std::optional<Task> const task = stream.next(next);
             if (!task)
                 break;
-            children.push_back(std::make_unique<Child>(next++, *task, watch));
+            children.push_back(std::make_unique<Child>(next++, *task));
         }
         if (children.empty())
             return;

@@ -1,20 +1,12 @@
 #pragma once
-#include <csignal>
-#include <stdexcept>
+#include "kernel/base/held_signals.hpp"
 
 namespace faster::processes {
 
-/// Thrown where work is given up because somebody wants the program to end.
-class Interrupted : public std::runtime_error {
-  public:
-    Interrupted() : std::runtime_error("interrupted") {}
-};
-
-/// Holds back SIGINT, SIGTERM and SIGHUP while it lives, so that files are written whole and processes are not left
-/// behind. Whoever waits polls descriptor(), and throws Interrupted once it is readable. The destructor lets the signal
-/// through, which then ends the program as it always does. Signals that the caller ignores stay ignored.
+/// HeldSignals for who waits: polls descriptor(), and throws Interrupted once it is readable.
 class SignalWatch {
   public:
+    /// Throws InputError if there is no descriptor left.
     SignalWatch();
     ~SignalWatch();
     SignalWatch(SignalWatch const&) = delete;
@@ -22,12 +14,10 @@ class SignalWatch {
 
     /// Readable as soon as a signal has come.
     int descriptor() const { return descriptor_; }
-    /// For a child process: signals are as they were before.
-    void release_in_child() const;
 
   private:
-    sigset_t before_{};
-    int descriptor_ = -1;
+    HeldSignals held_;
+    int descriptor_;
 };
 
 }  // namespace faster::processes

@@ -11,8 +11,8 @@ namespace faster::recording {
 
 namespace {
 [[noreturn]] void fail(char const* what) {
-    throw InputError(std::string("temporary file of a recording: cannot ") + what + ": " + std::strerror(errno) +
-                     ", expected room in the system's folder for temporary files");
+    throw HostError(std::string("temporary file of a recording: cannot ") + what + ": " + std::strerror(errno) +
+                    ", expected room in the system's folder for temporary files");
 }
 
 /// A number in four bits: the item itself follows.

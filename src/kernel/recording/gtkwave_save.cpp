@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <iterator>
 
-#include "kernel/base/input_error.hpp"
+#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/base/printable.hpp"
 #include "kernel/recording/port_names.hpp"
 #include "kernel/recording/state_codes.hpp"
@@ -149,23 +149,24 @@ std::string stall_table(Machine const& machine) {
     return text;
 }
 
-void write(std::filesystem::path const& file, std::string const& text) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-        throw InputError(
-            fmt::format("{}: cannot be written, expected a file in a folder that is there", file.string()));
+/// Where a file is in the end, from the root: GTKWave looks for tables in its own folder.
+std::string final_name(std::filesystem::path const& file) {
+    return io::without_hidden_names(std::filesystem::absolute(file).lexically_normal()).string();
 }
 
 }  // namespace
 
+std::vector<std::filesystem::path> files_beside(std::filesystem::path const& vcd) {
+    std::vector<std::filesystem::path> files;
+    for (char const* ending : {".gtkw", ".states.txt", ".stalls.txt"})
+        files.push_back(std::filesystem::path(vcd).replace_extension(ending));
+    return files;
+}
+
 void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine,
                         std::vector<RecordedCore> const& cores, SignalFilter const& filter) {
-    auto const beside = [&vcd](char const* ending) {
-        return std::filesystem::absolute(std::filesystem::path(vcd).replace_extension(ending)).lexically_normal();
-    };
-    Tables const tables{beside(".states.txt").string(), beside(".stalls.txt").string()};
+    std::vector<std::filesystem::path> const files = files_beside(vcd);
+    Tables const tables{final_name(files[1]), final_name(files[2])};
     SaveText save;
     // The zoom is the logarithm of the time between two marks.
     double const ticks = ticks_per_cycle(machine.clock_mhz);
@@ -173,15 +174,14 @@ void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine
     Cycles first = cores.empty() ? 0 : ~Cycles{0};
     for (RecordedCore const& core : cores)
         first = std::min(first, core.from);
-    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n",
-             printable(std::filesystem::absolute(vcd).lexically_normal().string()));
+    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n", printable(final_name(vcd)));
     save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     for (RecordedCore const& core : cores)
         add_core(save, core, filter, tables);
-    write(tables.states, state_table(machine));
-    write(tables.stalls, stall_table(machine));
-    write(beside(".gtkw"), save.text());
+    io::write_file_atomically(files[1], state_table(machine));
+    io::write_file_atomically(files[2], stall_table(machine));
+    io::write_file_atomically(files[0], save.text());
 }
 
 }  // namespace faster::recording

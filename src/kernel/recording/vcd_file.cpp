@@ -6,20 +6,14 @@
 #include <cstring>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
+#include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/output_file.hpp"
 
 namespace faster::recording {
 
 namespace {
 constexpr std::size_t buffer_size = 1U << 20;
-
-/// Beside the file; a device or pipe is written to at once.
-std::string hidden_name(std::filesystem::path const& file) {
-    std::error_code none;
-    if (std::filesystem::exists(file, none) && !std::filesystem::is_regular_file(file, none))
-        return file.string();
-    return (file.parent_path() / ("." + file.filename().string() + ".partial")).string();
-}
 
 /// Eight binary digits, the highest first.
 void put_byte(char* at, std::uint64_t byte) {
@@ -50,22 +44,21 @@ double ticks_per_cycle(double clock_mhz) {
 }
 
 VcdFile::VcdFile(std::filesystem::path const& file, double clock_mhz)
-    : name_(file.string()),
-      written_to_(hidden_name(file)),
-      file_(std::fopen(written_to_.c_str(), "wb")),
-      ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {
+    : name_(file), ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {
+    try {
+        if (!io::is_device(file))
+            scratch_.emplace(std::filesystem::weakly_canonical(std::filesystem::absolute(file)),
+                             io::Scratch::Kind::file);
+    } catch (std::filesystem::filesystem_error const& error) {
+        fail(error.code().message());
+    }
+    file_.reset(std::fopen((scratch_ ? scratch_->path() : name_).c_str(), "wb"));
     if (file_ == nullptr)
-        throw InputError(fmt::format("{}: cannot be written: {}, expected a file in a folder that is there", name_,
-                                     std::strerror(errno)));
+        fail(std::strerror(errno));
     bool const in_ns = counts_in_ns(clock_mhz);
     buffer_.resize(buffer_size);
     put_text(fmt::format("$version faster-sim {} $end\n$comment {:g} MHz $end\n$timescale 1 {} $end\n", FASTER_VERSION,
                          clock_mhz, in_ns ? "ns" : "ps"));
-}
-
-VcdFile::~VcdFile() {
-    if (file_ != nullptr && written_to_ != name_)
-        std::remove(written_to_.c_str());
 }
 
 std::array<char, 8> VcdFile::id_of(std::size_t number) {
@@ -224,18 +217,22 @@ void VcdFile::put_text(std::string const& text) {
 }
 
 void VcdFile::write_out() {
+    processes::give_up_if_interrupted();
     if (std::fwrite(buffer_.data(), 1, fill_, file_.get()) != fill_)
-        throw InputError(fmt::format("{}: cannot be written: {}, expected room for it", name_, std::strerror(errno)));
+        fail(std::strerror(errno));
     fill_ = 0;
 }
 
 void VcdFile::finish() {
     advance(last_ + 2);
     write_out();
-    bool const is_closed = std::fclose(file_.release()) == 0;
-    bool const is_there = written_to_ == name_ || std::rename(written_to_.c_str(), name_.c_str()) == 0;
-    if (!is_closed || !is_there)
-        throw InputError(fmt::format("{}: cannot be written: {}, expected room for it", name_, std::strerror(errno)));
+    if (std::fclose(file_.release()) != 0)
+        fail(std::strerror(errno));
+    if (scratch_ && std::rename(scratch_->path().c_str(), scratch_->target().c_str()) != 0)
+        fail(std::strerror(errno));
+    scratch_.reset();
 }
+
+void VcdFile::fail(std::string const& why) const { io::fail_to_write(io::without_hidden_names(name_), why); }
 
 }  // namespace faster::recording

@@ -4,11 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <string>
 #include <vector>
 
 #include "kernel/base/cycles.hpp"
+#include "kernel/base/files/scratch.hpp"
 
 namespace faster::recording {
 
@@ -28,9 +30,9 @@ class VcdFile {
   public:
     using Signal = std::size_t;
 
-    /// The file appears when it is finished, not before. Errors: InputError if it cannot be written.
+    /// The file appears when it is finished, not before; a device or pipe is written to at once. Errors: InputError if
+    /// it cannot be written.
     VcdFile(std::filesystem::path const& file, double clock_mhz);
-    ~VcdFile();
 
     void open_scope(std::string const& name);
     void close_scope();
@@ -95,8 +97,10 @@ class VcdFile {
     struct Closer {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    std::string name_;
-    std::string written_to_;  ///< until it is finished
+    [[noreturn]] void fail(std::string const& why) const;
+
+    std::filesystem::path name_;
+    std::optional<io::Scratch> scratch_;  ///< until it is finished
     std::unique_ptr<std::FILE, Closer> file_;
     std::vector<char> buffer_;
     std::size_t fill_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/recording/gtkwave_save.hpp"
 
 namespace faster::recording {
@@ -53,7 +54,8 @@ void write_vcd(std::filesystem::path const& file, Machine const& machine, std::v
     for (auto const& [from, to] : windows)
         arrive_until(to, vcd, signals);
     vcd.finish();
-    write_gtkwave_save(file, machine, cores, filter);
+    if (!io::is_device(file))
+        write_gtkwave_save(file, machine, cores, filter);
 }
 
 }  // namespace faster::recording

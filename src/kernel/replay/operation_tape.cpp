@@ -13,12 +13,12 @@ namespace faster::replay {
 OperationTape::OperationTape(std::filesystem::path const& file, std::vector<Block> blocks)
     : file_(std::fopen(file.c_str(), "rb")), name_(file.string()), blocks_(std::move(blocks)) {
     if (file_ == nullptr)
-        throw InputError(name_ + ": cannot be read: " + std::strerror(errno) + ", expected a readable file");
+        throw HostError(name_ + ": cannot be read: " + std::strerror(errno) + ", expected a readable file");
 }
 
 void OperationTape::fail(char const* what) const {
-    throw InputError(name_ + ": cannot " + what + ": " + std::strerror(errno) +
-                     ", expected room in the system's folder for temporary files");
+    throw HostError(name_ + ": cannot " + what + ": " + std::strerror(errno) +
+                    ", expected room in the system's folder for temporary files");
 }
 
 void OperationTape::put(std::size_t sample, ScriptedSample const& scripted, timing::PhraseBook const& book) {

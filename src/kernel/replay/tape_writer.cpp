@@ -1,7 +1,9 @@
 #include "kernel/replay/tape_writer.hpp"
 
 #include <algorithm>
+#include <system_error>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/replay/canonical_operations.hpp"
 
 namespace faster::replay {
@@ -25,7 +27,13 @@ bool mixes_ports(LeadCore const& lead, std::size_t process) {
 }  // namespace
 
 TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed)
-    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes), thread_([this] { work(); }) {}
+    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes) {
+    try {
+        thread_ = std::thread([this] { work(); });
+    } catch (std::system_error const& error) {
+        throw HostError("no thread to record with (" + error.code().message() + "), expected room for more of them");
+    }
+}
 
 TapeWriter::~TapeWriter() { stop(); }
 

@@ -54,6 +54,10 @@ void Journal::append(std::vector<std::pair<std::string, PointResult>> const& row
     for (auto const& [id, result] : rows)
         text += row_of(id, result);
     file_.append(text);
+    note(rows);
+}
+
+void Journal::note(std::vector<std::pair<std::string, PointResult>> const& rows) {
     for (auto const& [id, result] : rows)
         content_.results[id] = result;
 }

@@ -39,6 +39,9 @@ class Journal {
     /// Points that have no row yet. All rows or none, unless the system fails in between.
     void append(std::vector<std::pair<std::string, PointResult>> const& rows);
 
+    /// Results that hold for now only: a repeat of the sweep asks again.
+    void note(std::vector<std::pair<std::string, PointResult>> const& rows);
+
   private:
     JournalContent content_;
     io::AppendFile file_;

@@ -52,6 +52,8 @@ LoadedConfig Sweep::configuration(std::size_t point) const {
     }
     try {
         return layered_config(files, overrides);
+    } catch (HostError const&) {
+        throw;
     } catch (InputError const& error) {
         throw InputError(fmt::format("{}: {}: {}", file, name_of_point(point, columns(), values(point)), error.what()));
     }

@@ -1,15 +1,11 @@
 #include "kernel/sweeps/sweep_folder.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
-#include <unistd.h>
-#include <vector>
 
 #include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/files/hidden_name.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 
@@ -25,11 +21,7 @@ bool is_hidden(fs::directory_entry const& entry) { return entry.path().filename(
 
 void remove_partial_files_in(fs::path const& folder) {
     std::error_code ignored;
-    std::vector<fs::path> files;
-    for (fs::directory_entry const& entry : fs::directory_iterator(folder, ignored))
-        if (is_hidden(entry) && entry.path().filename().string().find(".partial-") != std::string::npos)
-            files.push_back(entry.path());
-    for (fs::path const& file : files)
+    for (fs::path const& file : io::all_hidden_in(folder, "partial"))
         fs::remove(file, ignored);
 }
 
@@ -39,10 +31,10 @@ SweepFolder::SweepFolder(fs::path const& folder) : folder_(folder) {
     if (folder_.empty())
         throw InputError("the name of the output folder is empty, expected a path");
     make();
-    lock();
+    lock_.emplace(folder_);
 }
 
-SweepFolder::~SweepFolder() { close(lock_); }
+SweepFolder::~SweepFolder() { remove_partial_files(); }
 
 void SweepFolder::make() const {
     std::error_code error;
@@ -56,21 +48,6 @@ void SweepFolder::make() const {
     bool const is_free = std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_hidden);
     if (!is_free)
         throw InputError(folder_.string() + ": holds other files, expected a new or empty folder or that of a sweep");
-}
-
-/// Not flock(): that would be shared with child processes, which may outlive this one by a moment.
-void SweepFolder::lock() {
-    lock_ = open((folder_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0)
-        throw InputError(folder_.string() + ": cannot be written (" + std::strerror(errno) + ")");
-    struct flock whole {};
-    whole.l_type = F_WRLCK;
-    whole.l_whence = SEEK_SET;
-    if (fcntl(lock_, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN)) {
-        close(lock_);
-        throw InputError(folder_.string() +
-                         ": another faster-sim sweep is at work in it, expected a folder of its own");
-    }
 }
 
 void SweepFolder::adopt(Manifest const& manifest) {
@@ -94,6 +71,10 @@ void SweepFolder::prepare_events() const {
     fs::create_directory(folder_ / "events", error);
     if (error)
         throw InputError((folder_ / "events").string() + ": cannot be made (" + error.message() + ")");
+    remove_partial_files();
+}
+
+void SweepFolder::remove_partial_files() const {
     remove_partial_files_in(folder_);
     remove_partial_files_in(folder_ / "events");
 }

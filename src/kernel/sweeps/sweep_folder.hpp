@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "kernel/base/files/folder_lock.hpp"
 #include "kernel/sweeps/manifest.hpp"
 
 namespace faster::sweeps {
@@ -17,6 +19,7 @@ class SweepFolder {
     /// Makes the folder if there is none, and takes it. Throws InputError if it holds something else, cannot be written
     /// or another process has it.
     explicit SweepFolder(std::filesystem::path const& folder);
+    /// Removes what processes of this one that were killed left half-written.
     ~SweepFolder();
     SweepFolder(SweepFolder const&) = delete;
     SweepFolder& operator=(SweepFolder const&) = delete;
@@ -37,10 +40,10 @@ class SweepFolder {
 
   private:
     void make() const;
-    void lock();
+    void remove_partial_files() const;
 
     std::filesystem::path folder_;
-    int lock_ = -1;
+    std::optional<io::FolderLock> lock_;
 };
 
 bool is_sweep_folder(std::filesystem::path const& folder);

@@ -1,6 +1,7 @@
 #include "workload/files/mesh_file.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,6 +62,8 @@ void require_readable(fs::path const& path, MeshLimits const& limits) {
 Mesh mesh_of(fs::path const& path, MeshLimits const& limits, Outcome const& outcome) {
     if (outcome.kind == Outcome::Kind::timed_out)
         fail_limit(path, fmt::format("it took more than {:g} s", limits.seconds), limits, "time_limit_s");
+    if (outcome.kind == Outcome::Kind::crashed && outcome.signal == SIGKILL)
+        throw HostError(path.string() + ": cannot be read (the process that reads it was killed)");
     if (outcome.kind == Outcome::Kind::crashed)
         fail_reading(path, fmt::format("the library that reads it crashed: {}", strsignal(outcome.signal)));
     std::string_view const output = outcome.output;

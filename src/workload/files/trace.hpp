@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "common/stimulus.hpp"
+#include "kernel/base/files/folder_kind.hpp"
 
 namespace faster::io {
 
@@ -10,6 +11,9 @@ namespace faster::io {
 ///
 /// read_trace throws InputError for anything wrong with it, naming file and line (or pixel) and what was expected.
 Stimulus read_trace(std::filesystem::path const& folder);
+
+/// What write_trace() writes.
+FolderKind const& trace_kind();
 
 /// Writes the trace completely or not at all; an older trace of that name is replaced. Throws InputError if the folder
 /// cannot be written or holds something else. The stimulus must have explicit triangles (not posed, see Stimulus), and

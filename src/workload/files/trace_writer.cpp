@@ -13,10 +13,6 @@
 namespace faster::io {
 namespace {
 
-FolderKind trace_folder(TraceManifest::Files const& files) {
-    return {"stimulus trace", TraceManifest::file_name, {files.samples, files.triangles, files.depth, files.edges}};
-}
-
 std::string header(std::vector<CsvColumn> const& columns) {
     std::string line;
     for (auto const& column : columns) {
@@ -70,10 +66,17 @@ void require_writable(Stimulus const& stimulus) {
 
 }  // namespace
 
+FolderKind const& trace_kind() {
+    static TraceManifest::Files const files;
+    static FolderKind const kind{
+        "stimulus trace", TraceManifest::file_name, {files.samples, files.triangles, files.depth, files.edges}};
+    return kind;
+}
+
 void write_trace(Stimulus const& stimulus, std::filesystem::path const& folder) {
     require_writable(stimulus);
     TraceManifest const manifest{stimulus.width, stimulus.height, stimulus.window, stimulus.fraction, {}};
-    AtomicFolder output(folder, trace_folder(manifest.files));
+    AtomicFolder output(folder, trace_kind());
     write_file(output.path() / TraceManifest::file_name, manifest_text(manifest));
     write_file(output.path() / manifest.files.samples, samples_text(stimulus.samples));
     write_file(output.path() / manifest.files.triangles, triangles_text(stimulus.triangles));

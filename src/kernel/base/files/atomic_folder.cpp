@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/folder_exchange.hpp"
+#include "kernel/base/files/linked_copy.hpp"
 
 namespace faster::io {
 namespace {
@@ -18,132 +19,92 @@ fs::path resolved(fs::path const& target) {
     return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
+bool has_files(fs::path const& folder) { return fs::exists(folder) && !fs::is_empty(folder); }
+
 }  // namespace
 
 AtomicFolder::AtomicFolder(fs::path const& target, FolderKind kind) : target_(target), kind_(std::move(kind)) {
-    if (target_.empty()) {
+    if (target_.empty())
         throw InputError("the name of the output folder is empty, expected a path");
-    }
     try {
         destination_ = resolved(target_);
+        require_place();
+        bring_back_older(destination_, kind_);
         require_replaceable();
-        make_scratch();  // to see whether that can be done
-        remove_scratch();
+        Scratch const probe(destination_, Scratch::Kind::folder);
     } catch (fs::filesystem_error const& error) {
-        remove_scratch();
         fail(error);
-    }
-}
-
-AtomicFolder::~AtomicFolder() {
-    if (!committed_) {
-        remove_scratch();
     }
 }
 
 fs::path const& AtomicFolder::path() {
     try {
-        if (scratch_.empty()) {
-            make_scratch();
-        }
+        if (!scratch_)
+            scratch_.emplace(destination_, Scratch::Kind::folder);
     } catch (fs::filesystem_error const& error) {
         fail(error);
     }
-    return scratch_;
+    return scratch_->path();
 }
 
-void AtomicFolder::remove_scratch() {
-    std::error_code ignored;
-    if (!scratch_.empty()) {
-        fs::remove_all(scratch_, ignored);
-    }
-    scratch_.clear();
-    remove_made_parents();
-    first_made_parent_.clear();
-}
-
-void AtomicFolder::remove_made_parents() const {
-    if (first_made_parent_.empty()) {
-        return;
-    }
-    std::error_code ignored;
-    fs::path parent = destination_.parent_path();
-    while (fs::remove(parent, ignored) && parent != first_made_parent_) {  // only while empty
-        parent = parent.parent_path();
-    }
+fs::path AtomicFolder::place_of(fs::path const& file) {
+    fs::path const below = fs::weakly_canonical(fs::absolute(file)).lexically_relative(destination_);
+    if (below.empty() || *below.begin() == "..")
+        return file;
+    fs::path place = path() / below;
+    fs::create_directories(place.parent_path());
+    return place;
 }
 
 void AtomicFolder::commit() {
     path();
     try {
-        if (fs::exists(destination_) && !fs::is_empty(destination_)) {
-            replace_older();
-        } else {
-            fs::rename(scratch_, destination_);
-            committed_ = true;
+        while (!(has_files(destination_) ? try_to_replace() : try_to_appear())) {
         }
+        scratch_.reset();
     } catch (fs::filesystem_error const& error) {
         fail(error);
     }
 }
 
+/// A folder that is replaced while somebody stands in it is gone for them.
+void AtomicFolder::require_place() const {
+    fs::path const here = fs::current_path();
+    if (std::mismatch(destination_.begin(), destination_.end(), here.begin(), here.end()).first == destination_.end())
+        fail("is the current folder or one above it, expected a folder of its own: it is replaced as a whole");
+}
+
 void AtomicFolder::require_replaceable() const {
-    if (!fs::exists(destination_)) {
+    if (!fs::exists(destination_))
         return;
-    }
-    if (!fs::is_directory(destination_)) {
+    if (!fs::is_directory(destination_))
         fail("is a file, expected a folder to write a " + kind_.name + " into");
-    }
-    if (!fs::is_empty(destination_) && !fs::exists(destination_ / kind_.marker)) {
+    if (!fs::is_empty(destination_) && !fs::exists(destination_ / kind_.marker))
         fail("holds other files, expected a new or empty folder or an older " + kind_.name);
-    }
 }
 
-void AtomicFolder::make_parents() {
-    fs::path missing;
-    for (fs::path parent = destination_.parent_path(); !fs::exists(parent); parent = parent.parent_path()) {
-        missing = parent;
-    }
-    fs::create_directories(destination_.parent_path());
-    first_made_parent_ = missing;
+/// False if there is a folder with files by now: another process was quicker.
+bool AtomicFolder::try_to_appear() const {
+    std::error_code error;
+    fs::rename(scratch_->path(), destination_, error);
+    if (error && !has_files(destination_))
+        throw fs::filesystem_error("rename", destination_, error);
+    return !error;
 }
 
-void AtomicFolder::make_scratch() {
-    make_parents();
-    do {
-        scratch_ = hidden_name(destination_, "partial");
-    } while (!fs::create_directory(scratch_));
-}
-
-void AtomicFolder::replace_older() {
+/// False if it is gone by now.
+bool AtomicFolder::try_to_replace() const {
     require_replaceable();  // it may have changed since the start of the run
-    fs::path const older = hidden_name(destination_, "older");
-    fs::rename(destination_, older);
-    try {
-        fs::rename(scratch_, destination_);
-    } catch (fs::filesystem_error const&) {
-        fs::rename(older, destination_);
-        throw;
-    }
-    committed_ = true;
-    keep_foreign_files(older);
-    fs::remove_all(older);
+    keep_foreign_files();
+    return exchange_folders(scratch_->path(), destination_);
 }
 
-void AtomicFolder::keep_foreign_files(fs::path const& older) const {
-    std::vector<fs::path> names;  // moving files while listing their folder may skip some
-    for (auto const& entry : fs::directory_iterator(older)) {
-        names.push_back(entry.path().filename());
+void AtomicFolder::keep_foreign_files() const {
+    for (auto const& entry : fs::directory_iterator(destination_)) {
+        fs::path const name = entry.path().filename();
+        if (!kind_.has(name.string()) && !fs::exists(scratch_->path() / name))
+            copy_as_links(entry.path(), scratch_->path() / name);
     }
-    for (auto const& name : names) {
-        if (!is_ours(name.string()) && !fs::exists(destination_ / name)) {
-            fs::rename(older / name, destination_ / name);
-        }
-    }
-}
-
-bool AtomicFolder::is_ours(std::string const& file) const {
-    return file == kind_.marker || std::find(kind_.others.begin(), kind_.others.end(), file) != kind_.others.end();
 }
 
 void AtomicFolder::fail(std::string const& what) const { io::fail(target_, what); }

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/partial_file.hpp"
+#include "kernel/base/files/scratch.hpp"
 #include "kernel/base/files/text_file.hpp"
 
 namespace faster::io {
@@ -27,14 +27,15 @@ bool sync(std::filesystem::path const& path, int flags) {
 }  // namespace
 
 void write_file_durably(std::filesystem::path const& path, std::string_view content) {
-    PartialFile const partial(path);
-    write_file(partial.path(), content);
-    if (!sync(partial.path(), O_RDONLY))
-        fail_to_write(path, std::strerror(errno));
-    std::error_code error;
-    std::filesystem::rename(partial.path(), path, error);
-    if (error)
-        fail_to_write(path, error.message());
+    try {
+        Scratch const scratch(std::filesystem::absolute(path), Scratch::Kind::file);
+        write_file(scratch.path(), content);
+        if (!sync(scratch.path(), O_RDONLY))
+            fail_to_write(path, std::strerror(errno));
+        std::filesystem::rename(scratch.path(), path);
+    } catch (std::filesystem::filesystem_error const& error) {
+        fail_to_write(path, error.code().message());
+    }
     sync_folder_of(path);
 }
 

@@ -4,7 +4,7 @@
 
 namespace faster::io {
 
-/// write_file_atomically(), and on the disk when the call returns: after a power cut there is the old file or the new
+/// An OutputFile that is on the disk when the call returns: after a power cut there is the old file or the new
 /// one. Throws InputError if it cannot be written.
 void write_file_durably(std::filesystem::path const& path, std::string_view content);
 

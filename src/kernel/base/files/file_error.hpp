@@ -11,9 +11,9 @@ namespace faster::io {
     throw InputError(path.string() + ": " + what);
 }
 
-/// Throws InputError "<path>: cannot be written (<why>)".
+/// Throws HostError "<path>: cannot be written (<why>)".
 [[noreturn]] inline void fail_to_write(std::filesystem::path const& path, std::string const& why) {
-    fail(path, "cannot be written (" + why + ")");
+    throw HostError(path.string() + ": cannot be written (" + why + ")");
 }
 
 }  // namespace faster::io

@@ -1,12 +1,14 @@
 #include "kernel/base/files/output_file.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <system_error>
 
-#include "kernel/base/files/atomic_file.hpp"
 #include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/partial_file.hpp"
+#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/scratch.hpp"
 #include "kernel/base/files/text_file.hpp"
 
 namespace faster::io {
@@ -14,34 +16,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder in which a file or its missing parents would be made.
-fs::path nearest_folder(fs::path const& file) {
-    fs::path folder = file.parent_path();
-    while (!fs::exists(folder))
-        folder = folder.parent_path();
-    return folder;
+/// Gives up when a signal is held back.
+class InterruptibleBuffer : public std::filebuf {
+  protected:
+    int_type overflow(int_type letter) override {
+        processes::give_up_if_interrupted();
+        return std::filebuf::overflow(letter);
+    }
+    std::streamsize xsputn(char const* text, std::streamsize count) override {
+        processes::give_up_if_interrupted();
+        return std::filebuf::xsputn(text, count);
+    }
+};
+
+/// Throws std::ios_base::failure if not all can be written.
+void write_stream(fs::path const& path, std::function<void(std::ostream&)> const& write) {
+    InterruptibleBuffer buffer;
+    buffer.open(path, std::ios::out | std::ios::binary | std::ios::trunc);
+    std::ostream stream(&buffer);
+    stream.exceptions(std::ios::badbit);
+    if (!buffer.is_open())
+        stream.setstate(std::ios::badbit);
+    write(stream);
+    if (buffer.close() == nullptr)
+        stream.setstate(std::ios::badbit);
 }
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path const& target) : target_(target) {
+bool is_device(fs::path const& file) {
+    std::error_code none;
+    fs::file_status const status = fs::status(file, none);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+OutputFile::OutputFile(fs::path const& target) : target_(without_hidden_names(target)) {
     if (!target_.has_filename())
         throw InputError("\"" + target_.string() + "\" names no file, expected a path to write to");
     try {
-        destination_ = fs::weakly_canonical(fs::absolute(target_));
+        destination_ = fs::weakly_canonical(fs::absolute(target));
         if (fs::is_directory(destination_))
             fail(target_, "is a folder, expected a file to write");
-        if (fs::exists(destination_) && !fs::is_regular_file(destination_))
+        if (is_device(destination_))
             fail(target_, "is no regular file, expected a new file or one to replace");
-        fs::path const folder = nearest_folder(destination_);
-        if (!fs::is_directory(folder))
-            fail(target_, "cannot be written (" + folder.string() + " is no folder)");
-        PartialFile const probe(folder / destination_.filename());
-        try {
-            write_file(probe.path(), "");
-        } catch (InputError const&) {
-            fail(target_, "cannot be written in " + folder.string());
-        }
+        Scratch const probe(destination_, Scratch::Kind::file);
     } catch (fs::filesystem_error const& error) {
         fail_to_write(target_, error.code().message());
     }
@@ -49,26 +67,19 @@ OutputFile::OutputFile(fs::path const& target) : target_(target) {
 
 void OutputFile::commit(std::function<void(std::ostream&)> const& write) const {
     try {
-        fs::create_directories(destination_.parent_path());
-        PartialFile const partial(destination_);
-        std::ofstream stream(partial.path(), std::ios::binary | std::ios::trunc);
-        write(stream);
-        stream.close();
-        if (!stream)
-            fail(target_, "cannot be written");
-        fs::rename(partial.path(), destination_);
+        Scratch const scratch(destination_, Scratch::Kind::file);
+        errno = 0;
+        write_stream(scratch.path(), write);
+        fs::rename(scratch.path(), destination_);
     } catch (fs::filesystem_error const& error) {
         fail_to_write(target_, error.code().message());
+    } catch (std::ios_base::failure const&) {
+        fail_to_write(target_, errno != 0 ? std::strerror(errno) : "no room for it, or not allowed");
     }
 }
 
 void OutputFile::commit(std::string_view content) const {
-    try {
-        fs::create_directories(destination_.parent_path());
-        write_file_atomically(destination_, content);
-    } catch (fs::filesystem_error const& error) {
-        fail_to_write(target_, error.code().message());
-    }
+    commit([content](std::ostream& stream) { stream.write(content.data(), std::streamsize(content.size())); });
 }
 
 }  // namespace faster::io

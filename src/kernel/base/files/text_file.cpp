@@ -8,6 +8,7 @@
 
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/held_signals.hpp"
 
 namespace faster::io {
 namespace {
@@ -57,13 +58,14 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
         stream.read(content.data(), static_cast<std::streamsize>(content.size()));
     }
     if (!stream)
-        fail(path, "cannot be read, expected " + expected);
+        throw HostError(path.string() + ": cannot be read, expected " + expected);
     if (content.size() > most_bytes)
         fail_length(path, expected, most_bytes);
     return content;
 }
 
 void write_file(std::filesystem::path const& path, std::string_view content) {
+    processes::give_up_if_interrupted();
     errno = 0;
     std::ofstream stream(path, std::ios::binary | std::ios::trunc);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));

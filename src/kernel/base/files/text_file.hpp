@@ -13,11 +13,13 @@ constexpr std::uint64_t most_file_bytes = std::uint64_t{4} << 30U;
 void require_file(std::filesystem::path const& path, std::string const& expected = "a readable file");
 
 /// The whole content of a file, or of what a pipe brings. Throws InputError if it is missing, a folder, unreadable or
-/// longer than `most_bytes`, of which no more is read; `expected` says what it should have been.
+/// longer than `most_bytes`, of which no more is read; `expected` says what it should have been. HostError if it is
+/// there, but cannot be read.
 std::string read_file(std::filesystem::path const& path, std::string const& expected = "a readable file",
                       std::uint64_t most_bytes = most_file_bytes);
 
-/// Replaces the content of a file. Throws InputError if it cannot be written completely.
+/// Replaces the content of a file. Throws InputError if it cannot be written completely, and Interrupted if a signal is
+/// held back (HeldSignals): of many files the next is not begun.
 void write_file(std::filesystem::path const& path, std::string_view content);
 
 }  // namespace faster::io

@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "kernel/base/files/hold.hpp"
+#include "kernel/base/held_signals.hpp"
+
+namespace faster::io {
+
+/// A hidden file or folder beside `target`, in which something is written until it is whole. Folders that `target`
+/// lacks are made. The destructor removes what then has the hidden name, and the folders that were made if they are
+/// empty. Until then signals that would end the program are held back.
+///
+/// What processes that were killed have left of the same target is removed as well; what is of a living one is not.
+class Scratch {
+  public:
+    enum class Kind { file, folder };
+
+    /// `target`: absolute. Throws std::filesystem::filesystem_error if it cannot be made.
+    Scratch(std::filesystem::path const& target, Kind kind);
+    ~Scratch() { remove(); }
+    Scratch(Scratch const&) = delete;
+    Scratch& operator=(Scratch const&) = delete;
+
+    std::filesystem::path const& path() const { return path_; }
+    std::filesystem::path const& target() const { return target_; }
+
+  private:
+    void make(Kind kind);
+    void make_parents(std::filesystem::path const& folder);
+    void hold();
+    void remove();
+
+    processes::HeldSignals held_;  // first, so that they come through last
+    std::filesystem::path target_;
+    std::vector<std::filesystem::path> made_parents_;
+    std::filesystem::path path_;
+    std::optional<Hold> hold_;
+};
+
+}  // namespace faster::io

@@ -1,0 +1,44 @@
+#include "kernel/config/named_files.hpp"
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/keys.hpp"
+
+namespace faster {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add(std::string const& name, std::vector<fs::path>& files) {
+    if (std::error_code error; name.empty() || !fs::exists(name, error))
+        return;
+    files.emplace_back(name);
+    if (!fs::is_directory(name))
+        return;
+    try {
+        for (fs::path const& file : design().files_of(name))
+            files.push_back(file);
+    } catch (InputError const&) {  // whoever reads it says what is wrong
+    }
+}
+
+}  // namespace
+
+std::vector<fs::path> named_files(RunConfig const& config) {
+    std::vector<fs::path> files;
+    for (Key const& key : all_keys()) {
+        KeyValue const value = key.read(config);
+        if (key.kind == KeyKind::path || key.kind == KeyKind::object)
+            add(std::get<std::string>(value), files);
+        if (key.kind != KeyKind::items)
+            continue;
+        for (ItemValue const& item : std::get<std::vector<ItemValue>>(value))
+            for (auto const& [field, content] : item.fields)
+                if (auto const* const name = std::get_if<std::string>(&content))
+                    add(*name, files);
+    }
+    return files;
+}
+
+}  // namespace faster

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kernel/base/files/folder_kind.hpp"
+#include "kernel/config/run_config.hpp"
+
+namespace faster {
+
+/// The paths of one command, to see that none of its outputs gets onto another, or onto what it reads: each call throws
+/// an InputError if the path does so with one given before. Empty paths, devices and pipes are none.
+class CommandPaths {
+  public:
+    void reads(std::filesystem::path const& path);
+    /// The files and folders that it names.
+    void reads(RunConfig const& config);
+    /// A folder of that kind, of which only what belongs to the kind is read.
+    void reads(std::filesystem::path const& path, io::FolderKind const& kind);
+    /// `what`: for messages, e.g. "--report"
+    void writes(std::string const& what, std::filesystem::path const& file);
+    void writes(std::string const& what, std::filesystem::path const& folder, io::FolderKind const& kind);
+    /// A value change dump and what is beside it.
+    void writes_vcd(std::string const& what, std::filesystem::path const& file);
+
+  private:
+    struct Place {
+        std::string what;                   // empty: it is read
+        std::filesystem::path given, path;  // the latter absolute, symbolic links resolved
+        io::FolderKind const* kind;         // null: a file, or a folder that is read
+    };
+    void add(std::string const& what, std::filesystem::path const& given, io::FolderKind const* kind);
+    static bool covers(Place const& place, std::filesystem::path const& path);
+    static void require_apart(Place const& older, Place const& newer);
+
+    std::vector<Place> places_;
+};
+
+}  // namespace faster

@@ -1,0 +1,279 @@
+// Whenever a command is told to end, is killed, or a call of the system fails: nothing half-written, nothing of the
+// user's lost, and a repeat of the command ends as if nothing had been.
+//   FASTER_SEED           of what is random
+//   FASTER_INTERRUPTIONS  how many (20)                          scripts/test-interruptions.sh
+//   FASTER_FAULTS         how many (20), or all                  scripts/test-faults.sh
+//   FASTER_COMMANDS       only those whose name contains it
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/tool_output.hpp"
+#include "support/writing_commands.hpp"
+
+namespace interruptions_test {
+
+using namespace faster::test;
+using Words = std::vector<std::string>;
+
+std::string text_from(char const* variable, std::string const& otherwise) {
+    char const* const text = std::getenv(variable);
+    return text == nullptr ? otherwise : text;
+}
+
+unsigned long number_from(char const* variable, unsigned long otherwise) {
+    return std::stoul(text_from(variable, std::to_string(otherwise)));
+}
+
+unsigned long seed_of_test() {
+    unsigned long const seed = number_from("FASTER_SEED", std::random_device()());
+    std::cout << "seed " << seed << "\n";
+    return seed;
+}
+
+std::vector<WritingCommand> chosen_commands() {
+    std::vector<WritingCommand> commands = writing_commands();
+    std::string const part = text_from("FASTER_COMMANDS", "");
+    commands.erase(
+        std::remove_if(commands.begin(), commands.end(),
+                       [&](WritingCommand const& each) { return each.name.find(part) == std::string::npos; }),
+        commands.end());
+    return commands;
+}
+
+/// Those of commands, made when they are first asked for.
+class Scenes {
+  public:
+    explicit Scenes(std::vector<WritingCommand> commands) : commands_(std::move(commands)), scenes_(commands_.size()) {}
+    std::size_t count() const { return commands_.size(); }
+    WritingScene const& at(std::size_t which) {
+        if (scenes_[which] == nullptr)
+            scenes_[which] = std::make_unique<WritingScene>(commands_[which]);
+        return *scenes_[which];
+    }
+
+  private:
+    std::vector<WritingCommand> commands_;
+    std::vector<std::unique_ptr<WritingScene>> scenes_;
+};
+
+void check_repeat(WritingScene const& scene, TempFolder const& folder) {
+    CommandResult const repeat = run_command(FASTER_SIM_BINARY, scene.command().words, folder.path());
+    CAPTURE(repeat.err);
+    CHECK(repeat.exit_code == 0);
+    CHECK(scene.complaint_after_repeat(folder.path()) == "");
+}
+
+/// A call of the system that is to fail, or before which the process is to be killed.
+struct Fault {
+    std::string call;
+    unsigned number = 1;  // of these calls in each process
+    std::string how;      // an error, or KILL
+    bool may_be_left = false;
+    std::string line;             // of an undisturbed run, for messages
+    bool may_be_missing = false;  // until the command is repeated
+
+    bool kills() const { return how == "KILL"; }
+    std::string option() const {
+        return "inject=" + call + (kills() ? ":signal=KILL" : ":error=" + how) + ":when=" + std::to_string(number);
+    }
+};
+
+std::map<std::string, Words> const& errors_of_calls() {
+    static std::map<std::string, Words> const errors{{"openat", {"EMFILE"}},
+                                                     {"read", {"EIO"}},
+                                                     {"pread64", {"EIO"}},
+                                                     {"write", {"ENOSPC"}},
+                                                     {"writev", {"ENOSPC"}},
+                                                     {"rename", {"EIO"}},
+                                                     {"renameat2", {"EIO", "EINVAL"}},
+                                                     {"link", {"EPERM"}},
+                                                     {"linkat", {"EPERM"}},
+                                                     {"symlink", {"EIO"}},
+                                                     {"unlink", {"EIO"}},
+                                                     {"unlinkat", {"EIO"}},
+                                                     {"rmdir", {"EIO"}},
+                                                     {"mkdir", {"ENOSPC"}},
+                                                     {"fsync", {"EIO"}},
+                                                     {"fdatasync", {"EIO"}},
+                                                     {"ftruncate", {"EIO"}},
+                                                     {"flock", {"ENOLCK"}},
+                                                     {"fcntl", {"EAGAIN"}},
+                                                     {"clone", {"EAGAIN"}},
+                                                     {"clone3", {"EAGAIN"}},
+                                                     {"pipe2", {"EMFILE"}},
+                                                     {"pipe", {"EMFILE"}},
+                                                     {"signalfd4", {"EMFILE"}},
+                                                     {"getdents64", {"EIO"}}};
+    return errors;
+}
+
+/// Libraries, locales and what the host is like are not the command's.
+constexpr std::array<char const*, 5> host_places{"/usr/", "/lib/", "/proc/", "/sys/", "/etc/"};
+
+Words traced(WritingCommand const& command, Words const& options) {
+    Words words{"-f", "-y", "-qq", "-s", "0"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.push_back(FASTER_SIM_BINARY);
+    words.insert(words.end(), command.words.begin(), command.words.end());
+    return words;
+}
+
+bool strace_is_missing() {
+    if (std::filesystem::exists("/usr/bin/strace"))
+        return false;
+    WARN("skipped: strace is not installed (scripts/setup.sh --dev installs it)");
+    return true;
+}
+
+CommandResult run_traced(WritingCommand const& command, Words const& options, TempFolder const& folder) {
+    return run_command("/usr/bin/strace", traced(command, options), folder.path());
+}
+
+/// Whether an error of it can keep something from being removed.
+bool removes(std::string const& call) {
+    static std::set<std::string> const all{"unlink", "unlinkat", "rmdir",  "getdents64",
+                                           "flock",  "link",     "linkat", "openat"};
+    return all.count(call) > 0;
+}
+
+/// Of all calls that an undisturbed run makes, but for those that load libraries or look at the host.
+std::vector<Fault> faults_of(WritingScene const& scene) {
+    TempFolder const folder, log;
+    scene.lay_out(folder.path());
+    std::string calls;
+    for (auto const& [call, errors] : errors_of_calls())
+        calls += (calls.empty() ? "" : ",") + call;
+    CommandResult const result =
+        run_traced(scene.command(), {"-o", (log / "log").string(), "-e", "trace=" + calls}, folder);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    std::map<std::pair<std::string, std::string>, unsigned> counts;
+    std::map<std::pair<std::string, unsigned>, std::string> found;
+    std::istringstream lines(content_of(log / "log"));
+    for (std::string process, line; lines >> process && std::getline(lines, line);) {
+        line.erase(0, line.find_first_not_of(' '));
+        std::string const call = line.substr(0, line.find('('));
+        if (errors_of_calls().count(call) == 0)
+            continue;
+        unsigned const number = ++counts[{process, call}];
+        bool const is_of_host = std::any_of(host_places.begin(), host_places.end(),
+                                            [&](char const* place) { return line.find(place) != std::string::npos; });
+        bool const is_of_library = call == "fcntl" && line.find("F_SETLK") == std::string::npos;
+        if (!is_of_host && !is_of_library)
+            found.try_emplace({call, number}, line);
+    }
+    std::vector<Fault> faults;
+    for (auto const& [which, line] : found) {
+        faults.push_back({which.first, which.second, "KILL", true, line});
+        for (std::string const& error : errors_of_calls().at(which.first))
+            faults.push_back({which.first, which.second, error, removes(which.first), line});
+    }
+    return faults;
+}
+
+void check_fault(WritingScene const& scene, Fault const& fault, Words const& more = {}) {
+    TempFolder const folder;
+    scene.lay_out(folder.path());
+    CAPTURE(scene.command().name, fault.option(), fault.line);
+    Words options{"-o", "/dev/null", "-e", "trace=" + fault.call + (more.empty() ? "" : ",renameat2")};
+    options.insert(options.end(), {"-e", fault.option()});
+    options.insert(options.end(), more.begin(), more.end());
+    int exit_code = -1;
+    std::string err;
+    try {
+        CommandResult const result = run_traced(scene.command(), options, folder);
+        exit_code = result.exit_code;
+        err = result.err;
+    } catch (std::runtime_error const& error) {  // strace ends as what it traces does
+        std::string const what = error.what();
+        bool const is_before_main = what.find("cannot be started") != std::string::npos;  // a library cannot be loaded
+        CAPTURE(what);
+        CHECK((fault.kills() || is_before_main));
+    }
+    CAPTURE(exit_code, err);
+    CHECK(exit_code <= 2);
+    if (!fault.kills() && exit_code == 2)
+        CHECK(std::count(err.begin(), err.end(), '\n') <= 1);  // none if that is what cannot be written
+    bool const is_of_library = fault.call == "clone3";         // which starts a thread
+    if (!is_of_library)
+        CHECK(err.find("unexpected error") == std::string::npos);
+    CHECK(scene.complaint(folder.path(), fault.may_be_left, fault.may_be_missing, exit_code != 0) == "");
+    if (exit_code == 0 && !fault.may_be_left)
+        CHECK(scene.complaint_after_repeat(folder.path()) == "");
+    check_repeat(scene, folder);
+}
+
+TEST_CASE("Interruptions at random moments leave the older results or the new ones, and nothing else") {
+    unsigned long const count = number_from("FASTER_INTERRUPTIONS", 20), seed = seed_of_test();
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    Scenes scenes(chosen_commands());
+    constexpr std::array<int, 5> signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGKILL};
+    unsigned long stopped = 0;
+    for (unsigned long i = 0; i < count; ++i) {
+        WritingScene const& scene = scenes.at((seed + i) % scenes.count());  // every command in turn
+        int const signal = signals.at(random() % signals.size());
+        double const delay = std::uniform_real_distribution<double>(0, 1.1 * scene.seconds())(random);
+        TempFolder const folder;
+        scene.lay_out(folder.path());
+        int const ended_by =
+            interrupted_command(FASTER_SIM_BINARY, scene.command().words, folder.path(), delay, signal);
+        CAPTURE(scene.command().name, signal, delay, ended_by);
+        CHECK((ended_by == 0 || ended_by == signal));
+        stopped += ended_by != 0 ? 1 : 0;
+        CHECK(scene.complaint(folder.path(), signal == SIGKILL) == "");
+        check_repeat(scene, folder);
+    }
+    std::cout << stopped << " of " << count << " commands were stopped\n";
+    CHECK(stopped > count / 4);
+}
+
+TEST_CASE("A call of the system that fails leaves the older results or the new ones, and nothing else") {
+    if (strace_is_missing())
+        return;
+    std::string const wanted = text_from("FASTER_FAULTS", "20");
+    unsigned long const seed = seed_of_test();
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    Scenes scenes(chosen_commands());
+    if (wanted == "all") {
+        for (std::size_t which = 0; which < scenes.count(); ++which) {
+            std::vector<Fault> const faults = faults_of(scenes.at(which));
+            std::cout << scenes.at(which).command().name << ": " << faults.size() << " faults" << std::endl;
+            for (Fault const& fault : faults)
+                check_fault(scenes.at(which), fault);
+        }
+        return;
+    }
+    constexpr unsigned long commands = 4;  // each is traced as a whole first
+    for (unsigned long i = 0; i < commands; ++i) {
+        WritingScene const& scene = scenes.at((seed + i) % scenes.count());
+        std::vector<Fault> const faults = faults_of(scene);
+        for (unsigned long j = 0; j < std::stoul(wanted) / commands; ++j)
+            check_fault(scene, faults[random() % faults.size()]);
+    }
+}
+
+TEST_CASE("A folder is replaced in two steps where the file system cannot do it in one, and none of it gets lost") {
+    if (strace_is_missing())
+        return;
+    std::vector<WritingCommand> const commands = writing_commands();
+    WritingScene const scene(commands.front());
+    Words const without_exchange{"-e", "inject=renameat2:error=EINVAL"};
+    check_fault(scene, {"renameat2", 1, "EINVAL", false, ""});
+    for (unsigned const number : {5U, 6U, 7U})
+        for (std::string const how : {"KILL", "EIO"})
+            check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, without_exchange);
+}
+
+}  // namespace interruptions_test

@@ -44,6 +44,12 @@ SignalWatch::~SignalWatch() {
     sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
+void SignalWatch::take() const {
+    signalfd_siginfo signal{};
+    while (read(descriptor_, &signal, sizeof signal) > 0) {
+    }
+}
+
 void SignalWatch::release_in_child() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 }  // namespace faster::processes

@@ -22,6 +22,8 @@ class SignalWatch {
 
     /// Readable as soon as a signal has come.
     int descriptor() const { return descriptor_; }
+    /// Takes a signal that has come as done with: it does not end the program any more.
+    void take() const;
     /// For a child process: signals are as they were before.
     void release_in_child() const;
 

@@ -1,0 +1,99 @@
+#include "kernel/explore/exploration.hpp"
+
+#include <algorithm>
+
+#include "kernel/base/on_threads.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/events/retimed_config.hpp"
+#include "kernel/explore/figures_json.hpp"
+#include "kernel/explore/keys_json.hpp"
+#include "kernel/replay/critical_path_of.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/critical_path_report.hpp"
+#include "kernel/report/html/graph_data.hpp"
+#include "kernel/report/html/run_data.hpp"
+#include "kernel/report/sensitivity_report.hpp"
+#include "kernel/sizing/sizing_files.hpp"
+
+namespace faster::explore {
+
+namespace {
+
+/// The core whose last sample ends last, the first of them.
+std::size_t last_core(RunStatistics const& run) {
+    auto const ends_before = [](CoreStatistics const& a, CoreStatistics const& b) { return a.end_cycle < b.end_cycle; };
+    return static_cast<std::size_t>(std::max_element(run.cores.begin(), run.cores.end(), ends_before) -
+                                    run.cores.begin());
+}
+
+}  // namespace
+
+Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run)
+    : title_(std::move(title)),
+      recorded_(std::move(recorded)),
+      run_(std::move(run)),
+      scripted_(run_, run_.lead(machine_of(recorded_.config))) {}
+
+RunConfig Exploration::changed(Overrides const& overrides) const {
+    return events::retimed_config(recorded_, overrides).config;
+}
+
+Json Exploration::design() const {
+    Machine const machine = machine_of(recorded_.config);
+    return {{"format", "faster-exploration"},
+            {"samples", run_.tape.samples()},
+            {"cores_are", machine.cores_are},
+            {"remark", machine.remark},
+            {"cycle_classes", report::cycle_class_data(machine)},
+            {"path_causes", report::path_cause_data(machine)},
+            {"has_ideal_memory", !run_.memory.has_value()},
+            {"graph", report::graph_data(machine)},
+            {"keys", keys_json(recorded_.config)}};
+}
+
+Json Exploration::retimed(Overrides const& overrides) const {
+    RunConfig const config = changed(overrides);
+    Json figures = figures_json(replay::retime(scripted_, machine_of(config)));
+    figures["yaml"] = exported_yaml(config);
+    return figures;
+}
+
+Json Exploration::critical_path(Overrides const& overrides) const {
+    Machine const machine = machine_of(changed(overrides));
+    if (run_.memory)
+        return nullptr;
+    RunStatistics run = replay::retime(scripted_, machine);
+    if (run.deadlocked() || run.samples.empty())
+        return nullptr;
+    std::size_t const core = last_core(run);
+    replay::CoreOptions options;
+    options.leave_trails = true;
+    replay::Cores const cores = replay::retime_cores(scripted_, machine, {core}, options);
+    run.critical_path = replay::critical_path_of({cores.front().get()}, machine);
+    run.critical_path->core = core;
+    return report::critical_path_json(run);
+}
+
+Job::Work Exploration::sensitivities(Overrides const& overrides) const {
+    LoadedConfig const loaded = events::retimed_config(recorded_, overrides);
+    return [this, loaded](Job::Progress const& progress) {
+        RunStatistics run;
+        run.sensitivities = replay::sensitivities(run_, loaded, progress.tell);
+        run.total_cycles = replay::retime(scripted_, machine_of(loaded.config)).total_cycles;
+        return Json{{"total_cycles", run.total_cycles}, {"sensitivities", report::sensitivities_json(run)}};
+    };
+}
+
+Job::Work Exploration::sizing(Overrides const& overrides, double within_percent) const {
+    RunConfig const config = changed(overrides);
+    return [this, config, within_percent](Job::Progress const& progress) {
+        sizing::SizingOptions options;
+        options.within_percent = within_percent;
+        options.jobs = static_cast<unsigned>(jobs_or_host_cores(0));
+        options.before_retiming = progress.check;
+        return Json::parse(sizing::sizing_json(sizing::size_fifos(run_, config, options, progress.tell)));
+    };
+}
+
+}  // namespace faster::explore

@@ -1,0 +1,56 @@
+// What is changed against the recorded run, and what was before.
+
+const key_rows = new Map(data.keys.map((row) => [row.key, row]));
+
+/// "a.b.c=value" of all keys that differ from the recorded run, in the order of the keys.
+function overrides_of(changes) {
+  return data.keys.filter(({ key }) => changes.has(key)).map(({ key }) => `${key}=${changes.get(key)}`);
+}
+
+function changes_of(overrides) {
+  const changes = new Map();
+  for (const setting of overrides) {
+    const equals = setting.indexOf("=");
+    const [key, value] = [setting.slice(0, equals), setting.slice(equals + 1)];
+    const row = key_rows.get(key);
+    if (!row || row.value !== value) changes.set(key, value);
+  }
+  return changes;
+}
+
+/// The fragment of the page's address holds all overrides.
+function fragment_of(changes) {
+  return "#" + overrides_of(changes).map((setting) => encodeURIComponent(setting).replaceAll("%3D", "=")).join("&");
+}
+
+function changes_of_fragment(fragment) {
+  const text = fragment.replace(/^#/, "");
+  return text.includes("=") ? changes_of(text.split("&").map(decodeURIComponent)) : new Map();
+}
+
+/// Configurations in the order in which they were chosen, with a place among them.
+class History {
+  constructor() {
+    this.entries = [new Map()];
+    this.at = 0;
+  }
+
+  get now() {
+    return this.entries[this.at];
+  }
+
+  put(changes) {
+    if (overrides_of(changes).join() === overrides_of(this.now).join()) return;
+    this.entries = [...this.entries.slice(0, this.at + 1), new Map(changes)];
+    this.at = this.entries.length - 1;
+  }
+
+  can_go(by) {
+    return this.at + by >= 0 && this.at + by < this.entries.length;
+  }
+
+  go(by) {
+    if (this.can_go(by)) this.at += by;
+    return this.now;
+  }
+}

@@ -67,9 +67,8 @@ std::string host_name() {
 }  // namespace
 
 int explore_run(ExploreRequest const& request) {
-    std::unique_ptr<Recorded> recorded = is_event_file(request.input)
-                                             ? std::make_unique<Recorded>(read_recorded(request))
-                                             : record(request);
+    std::unique_ptr<Recorded> recorded =
+        is_event_file(request.input) ? std::make_unique<Recorded>(read_recorded(request)) : record(request);
     if (!recorded)
         return exit_deadlock;
     explore::Exploration const exploration(std::filesystem::path(request.input).filename().string(),

@@ -59,19 +59,16 @@ class ExploreServer::Http {
             int const yes = 1;
             setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
         });
-        server_.set_exception_handler(
-            [](httplib::Request const&, httplib::Response& response, std::exception_ptr const& error) {
-                put(explore::failure(error), response);
-            });
+        server_.set_exception_handler([](httplib::Request const&, httplib::Response& response,
+                                         std::exception_ptr const& error) { put(explore::failure(error), response); });
         server_.set_pre_routing_handler([this](httplib::Request const& request, httplib::Response& response) {
             if (request.path.compare(0, home_.size(), home_) == 0)
                 return httplib::Server::HandlerResponse::Unhandled;
             put({403, "text/plain", "expected the address that was printed, with its token\n"}, response);
             return httplib::Server::HandlerResponse::Handled;
         });
-        server_.Get(home_, [this](httplib::Request const&, httplib::Response& response) {
-            put(answers_.page(), response);
-        });
+        server_.Get(home_,
+                    [this](httplib::Request const&, httplib::Response& response) { put(answers_.page(), response); });
         server_.Post(home_ + "([a-z]+)", [this](httplib::Request const& request, httplib::Response& response) {
             put(answers_.ask(request.matches[1].str(), request.body), response);
         });

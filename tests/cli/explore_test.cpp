@@ -79,12 +79,13 @@ TEST_CASE("explore's complaints are those of whatif") {
     for (std::string const setting : {"accelerator.fifos.vertx.depth=4", "accelerator.fifos.vertex.depth=0",
                                       "accelerator.window=80", "accelerator.fifos=1", "x"}) {
         CommandResult const whatif = explored.tool({"whatif", "events", "--set", setting});
-        std::string const line = "faster-sim: " +
-                                 explored.ask("retime", {{"set", {setting}}}, 400)["error"].get<std::string>() + "\n";
+        std::string const line =
+            "faster-sim: " + explored.ask("retime", {{"set", {setting}}}, 400)["error"].get<std::string>() + "\n";
         CHECK(line == whatif.err);
     }
     CHECK_THAT(explored.ask("retime", {{"set", 3}}, 400)["error"].get<std::string>(), Contains("set = 3, expected"));
-    CHECK_THAT(explored.ask("retyme", Json::object(), 400)["error"].get<std::string>(), Contains("unknown question retyme"));
+    CHECK_THAT(explored.ask("retyme", Json::object(), 400)["error"].get<std::string>(),
+               Contains("unknown question retyme"));
     CHECK_THAT(explored.ask("start", {{"job", "sizing"}, {"within", -1}}, 400)["error"].get<std::string>(),
                Contains("within = -1, expected a number from 0"));
     CHECK(explored.post(explored.process().home() + "retime", std::string(200000, 'x'))->status == 413);
@@ -118,7 +119,9 @@ TEST_CASE("explore works out sensitivities and sizes FIFOs in the background") {
     CHECK(sensitivities["result"]["sensitivities"] == expected);
     Json const sizing = explored.ended("sizing");
     require_done(explored.tool({"size-fifos", "events", "--within", "5", "--out", "sized"}));
-    CHECK(sizing["result"]["answer"] == Json::parse(content_of(explored.folder() / "sized/sizing.json"))["answer"]);
+    Json answer = sizing["result"]["answer"];
+    answer.erase("cost_of_cores");
+    CHECK(answer == Json::parse(content_of(explored.folder() / "sized/sizing.json"))["answer"]);
 
     explored.ask("start", {{"job", "sizing"}, {"within", 0}, {"set", Json::array()}});
     explored.ask("cancel", {{"job", "sizing"}});

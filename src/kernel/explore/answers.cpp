@@ -89,7 +89,8 @@ Json Answers::answer(std::string_view question, Json const& request) {
     if (question == "start")
         return start(request);
     if (question != "state" && question != "cancel")
-        throw InputError(fmt::format("unknown question {}, expected one of retime, path, start, state, cancel", question));
+        throw InputError(
+            fmt::format("unknown question {}, expected one of retime, path, start, state, cancel", question));
     std::shared_ptr<Job> const asked = job(text_in(request, "job"));
     if (question == "cancel" && asked)
         asked->cancel();

@@ -92,7 +92,12 @@ Job::Work Exploration::sizing(Overrides const& overrides, double within_percent)
         options.within_percent = within_percent;
         options.jobs = static_cast<unsigned>(jobs_or_host_cores(0));
         options.before_retiming = progress.check;
-        return Json::parse(sizing::sizing_json(sizing::size_fifos(run_, config, options, progress.tell)));
+        Json sizing = Json::parse(sizing::sizing_json(sizing::size_fifos(run_, config, options, progress.tell)));
+        Machine const machine = machine_of(config);
+        sizing["answer"]["cost_of_cores"] = cost_of_cores(machine, sizing["answer"]["cost_luts"]);
+        for (Json& point : sizing["front"])
+            point["cost_of_cores"] = cost_of_cores(machine, point["cost_luts"]);
+        return sizing;
     };
 }
 

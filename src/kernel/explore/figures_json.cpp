@@ -34,10 +34,16 @@ Json fifos_json(RunStatistics const& run) {
 Json area_json(Machine const& machine) {
     Json area = primitives_json(sizing::sum_of(sizing::choice_of(machine), sizing::freedoms_of(machine), {}));
     area["memories_ramb36"] = ramb36_of_core(machine);
+    area["cost_of_cores"] = cost_of_cores(machine, area["cost_luts"]);
     return area;
 }
 
 }  // namespace
+
+double cost_of_cores(Machine const& machine, double cost_of_fifos) {
+    double const of_memories = ramb36_of_core(machine) * sizing::CostWeights{}.luts_per_ramb36;
+    return static_cast<double>(machine.cores) * (cost_of_fifos + of_memories);
+}
 
 Json figures_json(RunStatistics const& run) {
     Json figures;

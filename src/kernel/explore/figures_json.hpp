@@ -7,4 +7,7 @@ namespace faster::explore {
 /// What the page shows of a retimed run, FIFOs and loops of all cores together.
 Json figures_json(RunStatistics const& run);
 
+/// What FIFOs and memories of all cores cost, in LUTs, if a core's FIFOs cost so much.
+double cost_of_cores(Machine const& machine, double cost_of_fifos);
+
 }  // namespace faster::explore

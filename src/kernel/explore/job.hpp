@@ -18,8 +18,8 @@ class Job {
     struct Cancelled : std::runtime_error {
         Cancelled() : std::runtime_error("cancelled") {}
     };
-    /// To be told how many of how many steps are done, one thread at a time; and to be asked in between, by any, whether
-    /// to go on. Both throw Cancelled if not.
+    /// To be told how many of how many steps are done, one thread at a time; and to be asked in between, by any,
+    /// whether to go on. Both throw Cancelled if not.
     struct Progress {
         std::function<void(std::size_t done, std::size_t steps)> tell;
         std::function<void()> check;

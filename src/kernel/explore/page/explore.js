@@ -1,5 +1,7 @@
 // The page of an exploration: every change is retimed by the server and drawn here.
 
+const drag_pause_ms = 60; // without a new total, before the rest is drawn
+
 class Explorer {
   constructor() {
     this.history = new History();
@@ -9,7 +11,7 @@ class Explorer {
     this.retimer = new Latest("retime", (figures, context, is_stale) => this.retimed(figures, context, is_stale), (error, context) => this.failed(error, context));
     this.pather = new Latest("path", (path, context) => this.pathed(path, context), () => {});
     this.sensitivities = new BackgroundJob("sensitivities", ({ done, steps }) => { this.sensitivity_note.textContent = `sensitivities: ${done} of ${steps || "?"}`; });
-    this.sizing = new Sizing(() => overrides_of(this.changes), (overrides) => this.put_over(overrides), (rows) => this.tried.put(rows.map((row) => this.with_changes(row))));
+    this.sizing = new Sizing(() => overrides_of(this.changes), (overrides) => this.put_over(overrides), (rows, base) => this.tried_by_search(rows, base));
     this.tried = new Tried((overrides) => this.go_to(changes_of(overrides)));
     this.add_actions();
     if (this.graph) by_id("graph-legend").append(graph_legend());
@@ -36,6 +38,14 @@ class Explorer {
     this.sensitivity_note = element("span", { class: "note", "aria-live": "polite" });
     this.copied = element("textarea", { id: "copied", "aria-label": "Copied text", readonly: "", rows: 3, hidden: "" });
     by_id("actions").append(this.sensitivity_note, this.copied);
+  }
+
+  /// With the figures of the recorded run, which are pinned until something else is.
+  begin(recorded) {
+    this.pinned = recorded;
+    this.tried.note({ overrides: [], cycles: recorded.total_cycles, cost: recorded.area.cost_of_cores });
+    this.go_to(changes_of_fragment(location.hash));
+    this.work_out_sensitivities();
   }
 
   set_options() {
@@ -77,29 +87,37 @@ class Explorer {
     this.go_to(changes_of([...overrides_of(this.changes), ...overrides]));
   }
 
-  with_changes(row) {
-    return { ...row, overrides: overrides_of(changes_of([...overrides_of(this.changes), ...row.overrides])) };
+  /// `rows` with overrides that stand over those of `base`.
+  tried_by_search(rows, base) {
+    for (const row of rows) this.tried.note({ ...row, overrides: overrides_of(changes_of([...base, ...row.overrides])) });
+    this.tried.show(this.overrides);
   }
 
   /// `is_settled`: what is chosen now goes into the history, once it is known to be sound.
   retime(is_settled) {
     this.keys.show(this.changes);
-    this.asked_at = performance.now();
-    this.retimer.want({ set: overrides_of(this.changes) }, { changes: new Map(this.changes), is_settled, asked_at: this.asked_at });
+    if (is_settled && this.figures && this.retimer.is_idle() && overrides_of(this.changes).join() === this.overrides.join())
+      return this.settle(this.changes); // a drag has ended where its figures are known
+    this.retimer.want({ set: overrides_of(this.changes) }, { changes: new Map(this.changes), is_settled, asked_at: performance.now() });
   }
 
   retimed(figures, { changes, is_settled, asked_at }, is_stale) {
     this.complain("");
     this.figures = figures;
     this.overrides = overrides_of(changes);
-    if (!this.pinned) this.pinned = figures;
     if (is_settled) this.settle(changes);
-    if (figures.outcome === "finished") this.tried.put([{ overrides: this.overrides, cycles: figures.total_cycles, cost: figures.area.cost_luts }]);
+    if (figures.outcome === "finished") this.tried.note({ overrides: this.overrides, cycles: figures.total_cycles, cost: figures.area.cost_of_cores });
     show_headline(figures, this.pinned);
-    this.last_milliseconds = performance.now() - asked_at;
+    by_id("headline").dataset.milliseconds = performance.now() - asked_at;
     if (is_stale) return;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.show_settled(), drag_pause_ms);
+  }
+
+  /// What takes longer to draw than the headline.
+  show_settled() {
     this.show_rest(null);
-    this.tried.show_now(this.overrides);
+    this.tried.show(this.overrides);
     this.pather.want({ set: this.overrides }, this.overrides.join());
   }
 
@@ -155,12 +173,12 @@ class Explorer {
   }
 
   async work_out_sensitivities() {
-    const of = this.overrides ? this.overrides.length : 0;
+    const set = this.overrides || [];
     try {
-      const result = await this.sensitivities.start({ set: overrides_of(this.changes) });
+      const result = await this.sensitivities.start({ set });
       if (!result) return;
       this.keys.show_sensitivities(result.sensitivities);
-      this.sensitivity_note.textContent = of === 0 ? "sensitivities: of the recorded run" : "sensitivities: of these settings";
+      this.sensitivity_note.textContent = set.length === 0 ? "sensitivities: of the recorded run" : "sensitivities: of these settings";
     } catch (error) {
       this.sensitivity_note.textContent = error.message;
     }
@@ -174,5 +192,4 @@ function show_machine() {
 set_chart_defaults();
 show_machine();
 const explorer = new Explorer();
-explorer.go_to(changes_of_fragment(location.hash));
-explorer.work_out_sensitivities();
+ask("retime", { set: [] }).then((recorded) => explorer.begin(recorded));

@@ -16,6 +16,10 @@ class Latest {
     this.is_asking = false;
   }
 
+  is_idle() {
+    return !this.is_asking;
+  }
+
   async want(request, context) {
     this.wanted = { request, context };
     if (this.is_asking) return;

@@ -1,7 +1,7 @@
 // The search for the cheapest FIFO depths, and all that was tried.
 
 class Sizing {
-  /// `overrides()`: what is changed now; `found(overrides)`: the user takes an answer; `tried(rows)`: points of the front.
+  /// `overrides()`: what is changed now; `found(overrides)`: the user takes an answer; `tried(rows, base)`: points of the front.
   constructor(overrides, found, tried) {
     Object.assign(this, { overrides, found, tried });
     this.within = element("input", { type: "number", min: 0, max: 1000000, step: "any", value: 5, "aria-label": "per cent" });
@@ -36,8 +36,9 @@ class Sizing {
     this.say("Looking for the cheapest depths");
     by_id("sizing-table").replaceChildren();
     try {
-      const sizing = await this.job.start({ set: this.overrides(), within: Number(this.within.value) });
-      sizing ? this.show(sizing) : this.say("Cancelled.");
+      const base = this.overrides();
+      const sizing = await this.job.start({ set: base, within: Number(this.within.value) });
+      sizing ? this.show(sizing, base) : this.say("Cancelled.");
     } catch (error) {
       this.say(error.message);
     }
@@ -48,7 +49,7 @@ class Sizing {
     return Object.entries(depths).map(([fifo, depth]) => `accelerator.fifos.${fifo}.depth=${depth}`);
   }
 
-  show(sizing) {
+  show(sizing, base) {
     const { answer } = sizing;
     this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36 a core, ` +
       `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing within the bound costs less." : "not proven to be the cheapest."}`);
@@ -64,7 +65,7 @@ class Sizing {
       figure("RAMB36", (row) => row.ramb36, (row) => decimal(row.ramb36, 1)),
     ], sizing.fifos, { box: "high" });
     this.tried([answer, ...sizing.front].filter((point) => point.total_cycles !== null)
-      .map((point) => ({ overrides: this.overrides_of_depths(point.depths), cycles: point.total_cycles, cost: point.cost_luts })));
+      .map((point) => ({ overrides: this.overrides_of_depths(point.depths), cycles: point.total_cycles, cost: point.cost_of_cores })), base);
   }
 }
 
@@ -78,11 +79,12 @@ class Tried {
   constructor(chosen) {
     this.chosen = chosen;
     this.rows = [];
+    this.known = new Set();
     this.entry = add_chart(by_id("tried-chart"), "Cycles against cost of all that was tried; the table below has the figures", () => this.scatter());
     this.table = new SortableTable(by_id("tried-table"), "Tried", [
       { title: "changes", value: (row) => row.overrides.join(" ") || "as recorded", wrap: true, fill: (cell, row) => this.fill_link(cell, row) },
       figure("cycles", (row) => row.cycles),
-      figure("cost [LUTs]", (row) => row.cost, (row) => decimal(row.cost, 1)),
+      figure("cost [LUTs]", (row) => row.cost),
     ], [], { box: "high" });
   }
 
@@ -92,18 +94,18 @@ class Tried {
     cell.append(button);
   }
 
-  put(rows) {
-    const known = new Set(this.rows.map((row) => row.overrides.join()));
-    const added = rows.filter((row) => !known.has(row.overrides.join()));
-    if (added.length === 0) return;
-    this.rows = [...this.rows, ...added];
-    draw(this.entry);
-    this.table.show([...this.rows].reverse());
+  note(row) {
+    const name = row.overrides.join();
+    if (this.known.has(name)) return;
+    this.known.add(name);
+    this.rows.push(row);
   }
 
-  show_now(overrides) {
+  /// All, and which of them is shown now.
+  show(overrides) {
     this.now = overrides.join();
     draw(this.entry);
+    this.table.show([...this.rows].reverse());
   }
 
   scatter() {
@@ -120,10 +122,10 @@ class Tried {
       options: {
         onClick: (event, items) => { if (items.length > 0) this.chosen(items[0].element.$context.raw.row.overrides); },
         scales: {
-          x: { title: axis_title("cost of one core's FIFOs [LUTs]") },
+          x: { title: axis_title("cost of FIFOs and memories of all cores [LUTs]") },
           y: { title: axis_title("cycles"), ticks: { callback: (value) => whole(value) } },
         },
-        plugins: { tooltip: { callbacks: { label: (item) => `${whole(item.raw.y)} cycles, ${decimal(item.raw.x, 1)} LUTs: ${item.raw.row.overrides.join(" ") || "as recorded"}` } } },
+        plugins: { tooltip: { callbacks: { label: (item) => `${whole(item.raw.y)} cycles, ${whole(item.raw.x)} LUTs: ${item.raw.row.overrides.join(" ") || "as recorded"}` } } },
       },
     };
   }

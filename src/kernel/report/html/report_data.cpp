@@ -6,6 +6,7 @@
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/hazard_report.hpp"
+#include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/html_text.hpp"
 #include "kernel/report/html/latency_histogram.hpp"
 #include "kernel/report/html/run_data.hpp"
@@ -57,6 +58,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["version"] = 1;
     data["headline"] = headline_data(input.run);
     data["bound_by"] = diagnosis_sentences(input.run);
+    data["graph"] = graph_data(input.run.machine);
     data["cycle_classes"] = cycle_class_data(input.run.machine);
     data["modules"] = module_data(input.run);
     data["stalls"] = stall_data(input.run);

@@ -27,12 +27,9 @@ Json conflict_row(Machine const& machine, std::size_t module, std::size_t bram, 
 }  // namespace
 
 Json headline_data(RunStatistics const& run) {
-    return {{"total_cycles", run.total_cycles},
-            {"milliseconds", run.machine.milliseconds(run.total_cycles)},
-            {"samples", run.samples.size()},
-            {"cores", run.cores.size()},
-            {"cores_are", run.machine.cores_are},
-            {"remark", run.machine.remark},
+    return {{"total_cycles", run.total_cycles},   {"milliseconds", run.machine.milliseconds(run.total_cycles)},
+            {"samples", run.samples.size()},      {"cores", run.cores.size()},
+            {"cores_are", run.machine.cores_are}, {"remark", run.machine.remark},
             {"clock_mhz", run.machine.clock_mhz}};
 }
 

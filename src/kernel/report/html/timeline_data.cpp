@@ -59,12 +59,8 @@ Json occupancy(Machine const& machine, SampleTimeline const& timeline) {
 }  // namespace
 
 Json timeline_data(Machine const& machine, SampleTimeline const& timeline) {
-    return {{"core", timeline.core},
-            {"sample", timeline.sample},
-            {"begin", timeline.begin},
-            {"end", timeline.end},
-            {"spans", spans(machine, timeline)},
-            {"occupancy", occupancy(machine, timeline)}};
+    return {{"core", timeline.core}, {"sample", timeline.sample},         {"begin", timeline.begin},
+            {"end", timeline.end},   {"spans", spans(machine, timeline)}, {"occupancy", occupancy(machine, timeline)}};
 }
 
 }  // namespace faster::report

@@ -18,7 +18,7 @@ function curve_path({ points, tip }) {
 class DataflowGraph {
   constructor(box, selected) {
     this.box = box;
-    this.selected = selected || (() => {});
+    this.selected = selected;
     this.is_narrow = matchMedia("(max-width: 40rem)");
     this.is_narrow.addEventListener("change", () => { if (this.figures) this.show(this.figures); });
   }
@@ -46,10 +46,14 @@ class DataflowGraph {
     if (focused) for (const part of svg.querySelectorAll("[data-part]")) if (part.dataset.part === focused) part.focus();
   }
 
-  /// A group that can be chosen.
+  /// A group that says what it is, and can be chosen if somebody wants to know.
   part(svg, kind, name, text) {
-    const group = svg_element("g", { class: kind, tabindex: "0", role: "button", "data-part": `${kind}:${name}`, "aria-label": text });
+    const group = svg_element("g", { class: kind, "data-part": `${kind}:${name}`, "aria-label": text, role: "img" });
     group.append(svg_element("title", {}, text));
+    svg.append(group);
+    if (!this.selected) return group;
+    group.setAttribute("role", "button");
+    group.setAttribute("tabindex", "0");
     const choose = () => this.selected(kind, name);
     group.addEventListener("click", choose);
     group.addEventListener("keydown", (event) => {
@@ -57,7 +61,6 @@ class DataflowGraph {
       event.preventDefault();
       choose();
     });
-    svg.append(group);
     return group;
   }
 

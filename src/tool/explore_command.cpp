@@ -71,8 +71,8 @@ int explore_run(ExploreRequest const& request) {
         is_event_file(request.input) ? std::make_unique<Recorded>(read_recorded(request)) : record(request);
     if (!recorded)
         return exit_deadlock;
-    explore::Exploration const exploration(std::filesystem::path(request.input).filename().string(),
-                                           std::move(recorded->loaded), std::move(recorded->run));
+    explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
+                                     std::move(recorded->loaded), std::move(recorded->run));
     explore::Answers answers(exploration);
     ExploreServer server(answers, request.port);
     say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",

@@ -27,7 +27,8 @@ class Page {
     TempFolder const& folder() const { return workspace_.folder(); }
     void open(std::string const& fragment) {
         browser_.open(process_.address() + fragment);
-        REQUIRE(browser_.becomes_true("document.readyState == 'complete' && Boolean(document.querySelector('#tried tbody tr'))"));
+        REQUIRE(browser_.becomes_true(
+            "document.readyState == 'complete' && Boolean(document.querySelector('#tried tbody tr'))"));
     }
     /// As the headline has it: digits only.
     std::string cycles() {
@@ -84,7 +85,8 @@ TEST_CASE("Dragging three keys, undoing one and exporting gives what the tool sa
     CHECK(page.cycles() != of_two);
     page.browser().press_with_control('z');
     page.await_changes(2);
-    CHECK(page.browser().becomes_true("document.querySelector('#headline dd').firstChild.textContent.replace(/\\D/g, '') == '" + of_two + "'"));
+    CHECK(page.browser().becomes_true(
+        "document.querySelector('#headline dd').firstChild.textContent.replace(/\\D/g, '') == '" + of_two + "'"));
     CHECK(page.fragment() == fragment_of_two);
 
     page.browser().value(button("copy --set") + ".click()");
@@ -95,6 +97,11 @@ TEST_CASE("Dragging three keys, undoing one and exporting gives what the tool sa
     page.browser().value(button("copy YAML") + ".click()");
     page.folder().write("exported.yaml", page.browser().value("document.getElementById('copied').value"));
     CHECK(page.cycles_of_tool({"run", "exported.yaml"}) == of_two);
+
+    page.browser().click("#show-sample");
+    REQUIRE(page.browser().becomes_true("document.querySelectorAll('#timeline-chart canvas').length == 1"));
+    page.browser().wheel("#timeline-chart", -480);
+    CHECK(page.browser().becomes_true("document.querySelector('#timeline-controls input[type=range]').value == 2"));
 
     page.open("");  // another address, so that the next is no mere change of the fragment
     page.browser().open("about:blank");
@@ -108,14 +115,18 @@ TEST_CASE("The page says what the tool would of a bad value, and shows who waits
         return;
     Page page;
     std::string const before = page.cycles();
-    std::string const box = "document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] input[type=number]\")";
+    std::string const box =
+        "document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] input[type=number]\")";
     page.browser().value(box + ".value = 0; " + box + ".dispatchEvent(new Event('change'))");
-    CHECK(page.browser().becomes_true("document.getElementById('complaint').textContent == '--set accelerator.fifos.fragment_depth.depth=0: expected "
-                                      "an integer from 1 to 1048576'"));
+    CHECK(page.browser().becomes_true(
+        "document.getElementById('complaint').textContent == '--set accelerator.fifos.fragment_depth.depth=0: expected "
+        "an integer from 1 to 1048576'"));
     CHECK(page.cycles() == before);
     CHECK(page.browser().value(box + ".value") == "2");
 
-    page.browser().value("document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] input[type=range]\").focus({preventScroll: true})");
+    page.browser().value(
+        "document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] "
+        "input[type=range]\").focus({preventScroll: true})");
     page.browser().press("ArrowLeft");
     CHECK(page.browser().becomes_true("document.querySelectorAll('#deadlock li').length > 1"));
     CHECK(page.browser().value("document.querySelectorAll('#graph-box .fifo.stuck').length > 1") == true);
@@ -135,7 +146,8 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
     words.insert(words.begin(), {"whatif", "events"});
     CHECK(page.cycles() == page.cycles_of_tool(words));
     CHECK(page.browser().becomes_true("document.querySelectorAll('#tried tbody tr').length > 3"));
-    CHECK(page.browser().becomes_true("[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))"));
+    CHECK(page.browser().becomes_true(
+        "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))"));
     page.browser().click("#graph-box .fifo");  // shows its keys alone
     CHECK(page.browser().becomes_true("document.querySelectorAll('#key-list .key').length <= 4"));
     page.check_soundness();

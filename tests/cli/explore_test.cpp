@@ -2,10 +2,13 @@
 #include <httplib.h>
 #include <thread>
 
+#include "kernel/base/cycles.hpp"
 #include "support/explore_process.hpp"
+#include "support/report_page.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 
+using faster::Cycles;
 using namespace faster::test;
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
@@ -72,6 +75,49 @@ TEST_CASE("explore answers what whatif says, and what it exports runs as long") 
     CHECK(run["total_cycles"] == summary["total_cycles"]);
     CHECK(explored.ask("path", {{"set", settings}}) == run["critical_path"]);
     CHECK(explored.process().interrupt() == 0);
+}
+
+TEST_CASE("A sample's timeline is the one that a run's report has") {
+    Explored explored;
+    require_done(explored.tool({"run", "config.yaml", "--report", "report.html"}));
+    Json const expected = json_element(content_of(explored.folder() / "report.html"), "data")["timelines"][0];
+    Json const whole = explored.ask("timeline", {{"sample", expected["sample"]}});
+    for (auto const& [name, value] : expected.items())
+        CHECK(whole[name] == value);
+    Cycles const middle = (whole["begin"].get<Cycles>() + whole["end"].get<Cycles>()) / 2;
+    Json const part =
+        explored.ask("timeline", {{"sample", expected["sample"]}, {"from", middle}, {"to", middle + 100}});
+    CHECK(part["begin"] == middle);
+    CHECK(part["end"] == middle + 100);
+    CHECK(part["spans"].size() > 0);
+    for (Json const& span : part["spans"])
+        CHECK((span[3] < middle + 100 && span[4] > middle));
+    CHECK_THAT(explored.ask("timeline", {{"sample", 3}}, 400)["error"].get<std::string>(),
+               Contains("sample = 3, expected one below 3"));
+}
+
+TEST_CASE("The schedules of a loop's accesses take as long as its ports demand") {
+    Explored explored;
+    for (Words const& settings :
+         {Words{}, Words{"accelerator.brams.depth_buffer.partition.type=cyclic",
+                         "accelerator.brams.depth_buffer.partition.factor=2", "accelerator.brams.edge_map.ports=1"}}) {
+        std::size_t conflicts = 0;
+        Json const figures = explored.ask("retime", {{"set", settings}});
+        for (Json const& loop : figures["schedules"]) {
+            CAPTURE(loop.dump());
+            std::size_t longest = 1;
+            for (Json const& memory : loop["memories"]) {
+                longest = std::max(longest, memory["cycles"].size());
+                for (Json const& cycle : memory["cycles"])
+                    CHECK((!cycle.empty() && cycle.size() <= memory["ports"]));
+            }
+            CHECK(loop["ports"] == longest);
+            CHECK(loop["ii"] ==
+                  std::max({longest, loop["target"].get<std::size_t>(), loop["recurrence"].get<std::size_t>()}));
+            conflicts += longest > 1 ? 1 : 0;
+        }
+        CHECK(conflicts > 0);
+    }
 }
 
 TEST_CASE("explore's complaints are those of whatif") {

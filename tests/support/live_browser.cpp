@@ -118,7 +118,8 @@ bool LiveBrowser::becomes_true(std::string const& expression) {
 
 LiveBrowser::Box LiveBrowser::box_of(std::string const& selector) {
     Json const box = value("(() => { const e = document.querySelector(" + quoted(selector) +
-                           "); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = e.getBoundingClientRect(); return [r.left, r.top, "
+                           "); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = "
+                           "e.getBoundingClientRect(); return [r.left, r.top, "
                            "r.width, r.height]; })()");
     return {box[0], box[1], box[2], box[3]};
 }
@@ -149,6 +150,15 @@ void LiveBrowser::drag_slider(std::string const& selector, double share) {
     mouse("mouseReleased", to, y, 0);
 }
 
+void LiveBrowser::wheel(std::string const& selector, double by) {
+    Box const box = box_of(selector);
+    call("Input.dispatchMouseEvent", {{"type", "mouseWheel"},
+                                      {"x", box.left + box.width / 2},
+                                      {"y", box.top + box.height / 2},
+                                      {"deltaX", 0},
+                                      {"deltaY", by}});
+}
+
 void LiveBrowser::press_with_control(char letter) {
     constexpr int control = 2;
     std::string const key(1, letter);
@@ -161,7 +171,9 @@ void LiveBrowser::press(std::string const& key) {
         call("Input.dispatchKeyEvent", {{"type", type},
                                         {"key", key},
                                         {"code", key},
-                                        {"windowsVirtualKeyCode", key == "ArrowRight" ? 39 : key == "Enter" ? 13 : 37},
+                                        {"windowsVirtualKeyCode", key == "ArrowRight" ? 39
+                                                                  : key == "Enter"    ? 13
+                                                                                      : 37},
                                         {"text", key == "Enter" ? "\r" : ""}});
 }
 

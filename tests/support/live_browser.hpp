@@ -7,8 +7,8 @@
 
 namespace faster::test {
 
-/// Chromium with a page that is used as a person would: by mouse and keyboard. Spoken to by its DevTools protocol over a
-/// pipe.
+/// Chromium with a page that is used as a person would: by mouse and keyboard. Spoken to by its DevTools protocol over
+/// a pipe.
 class LiveBrowser {
   public:
     LiveBrowser(int width, int height);
@@ -29,6 +29,8 @@ class LiveBrowser {
     void click(std::string const& selector);
     /// Takes the thumb of a slider to a share of its length, in several moves of the mouse.
     void drag_slider(std::string const& selector, double share);
+    /// Turns the wheel over the middle of an element; away from the user is negative.
+    void wheel(std::string const& selector, double by);
     void press_with_control(char letter);
     void press(std::string const& key);
     /// Exceptions and whatever was written to the console.

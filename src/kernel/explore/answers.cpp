@@ -38,6 +38,14 @@ Overrides overrides_in(Json const& request) {
     return overrides;
 }
 
+/// A whole number; 0 if it is not there.
+std::uint64_t number_in(Json const& request, char const* name) {
+    Json const value = request.value(name, Json(0));
+    if (!value.is_number_unsigned() && !(value.is_number_integer() && value.get<std::int64_t>() >= 0))
+        fail(name, value, "a whole number");
+    return value;
+}
+
 double percent_in(Json const& request) {
     Json const value = request.value("within", Json());
     if (!value.is_number() || value.get<double>() < 0 || value.get<double>() > 1e6)
@@ -86,11 +94,14 @@ Json Answers::answer(std::string_view question, Json const& request) {
         return exploration_.retimed(overrides_in(request));
     if (question == "path")
         return exploration_.critical_path(overrides_in(request));
+    if (question == "timeline")
+        return exploration_.timeline(overrides_in(request), number_in(request, "sample"), number_in(request, "from"),
+                                     number_in(request, "to"));
     if (question == "start")
         return start(request);
     if (question != "state" && question != "cancel")
         throw InputError(
-            fmt::format("unknown question {}, expected one of retime, path, start, state, cancel", question));
+            fmt::format("unknown question {}, expected one of retime, path, timeline, start, state, cancel", question));
     std::shared_ptr<Job> const asked = job(text_in(request, "job"));
     if (question == "cancel" && asked)
         asked->cancel();

@@ -24,7 +24,7 @@ Answer failure(std::exception_ptr const& error);
 class Answers {
   public:
     /// Which must outlive this.
-    explicit Answers(Exploration const& exploration) : exploration_(exploration) {}
+    explicit Answers(Exploration& exploration) : exploration_(exploration) {}
 
     /// The page itself.
     Answer page() const;
@@ -33,6 +33,7 @@ class Answers {
     ///
     ///     retime         the figures
     ///     path           the critical path
+    ///     timeline       of a `sample`, from cycle `from` to `to`; or all of it
     ///     start          begins a `job`: "sensitivities", or "sizing" `within` so many per cent; ends its last one
     ///     state, cancel  of a `job`
     Answer ask(std::string_view question, std::string const& request);
@@ -43,7 +44,7 @@ class Answers {
     Job::Work work_of(std::string const& job, Json const& request) const;
     std::shared_ptr<Job> job(std::string const& name);
 
-    Exploration const& exploration_;
+    Exploration& exploration_;
     std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Job>> jobs_;
 };

@@ -1,18 +1,23 @@
 #include "kernel/explore/exploration.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/events/retimed_config.hpp"
 #include "kernel/explore/figures_json.hpp"
 #include "kernel/explore/keys_json.hpp"
+#include "kernel/explore/loop_schedules.hpp"
+#include "kernel/explore/replayed_timeline.hpp"
 #include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/run_data.hpp"
+#include "kernel/report/html/timeline_data.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/sizing/sizing_files.hpp"
 
@@ -55,6 +60,7 @@ Json Exploration::design() const {
 Json Exploration::retimed(Overrides const& overrides) const {
     RunConfig const config = changed(overrides);
     Json figures = figures_json(replay::retime(scripted_, machine_of(config)));
+    figures["schedules"] = loop_schedules(config);
     figures["yaml"] = exported_yaml(config);
     return figures;
 }
@@ -73,6 +79,37 @@ Json Exploration::critical_path(Overrides const& overrides) const {
     run.critical_path = replay::critical_path_of({cores.front().get()}, machine);
     run.critical_path->core = core;
     return report::critical_path_json(run);
+}
+
+/// The last one is kept: who zooms asks for its parts.
+std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Overrides const& overrides,
+                                                                            std::size_t sample) {
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (kept_ && kept_->overrides == overrides && kept_->timeline.sample == sample)
+            return kept_;
+    }
+    Machine const machine = machine_of(changed(overrides));
+    RunStatistics const run = replay::retime(scripted_, machine);
+    if (run.deadlocked())
+        throw InputError("the run deadlocks, expected one that ends");
+    auto const made = std::make_shared<KeptTimeline const>(
+        KeptTimeline{overrides, machine, replayed_timeline(run_, machine, run.samples[sample])});
+    std::lock_guard<std::mutex> const lock(mutex_);
+    return kept_ = made;
+}
+
+Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to) {
+    if (run_.memory)
+        throw InputError("accelerator.memory.model = \"axi\", expected a run with \"ideal\"");
+    if (sample >= run_.tape.samples())
+        throw InputError(fmt::format("sample = {}, expected one below {}", sample, run_.tape.samples()));
+    std::shared_ptr<KeptTimeline const> const kept = kept_timeline(overrides, sample);
+    Cycles const end = to == 0 ? kept->timeline.end : to;
+    Json json = report::timeline_data(kept->machine, cut(kept->timeline, from, end));
+    json["sample_begin"] = kept->timeline.begin;
+    json["sample_end"] = kept->timeline.end;
+    return json;
 }
 
 Job::Work Exploration::sensitivities(Overrides const& overrides) const {

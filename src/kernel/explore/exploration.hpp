@@ -1,12 +1,14 @@
 #pragma once
 #include <memory>
-#include <optional>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "kernel/base/json.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/explore/job.hpp"
+#include "kernel/figures/sample_timeline.hpp"
+#include "kernel/machine/machine.hpp"
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/scripted_run.hpp"
 
@@ -30,6 +32,9 @@ class Exploration {
     Json retimed(Overrides const& overrides) const;
     /// Along which operations its cycles come about. Null of a deadlock, and where cores share a memory.
     Json critical_path(Overrides const& overrides) const;
+    /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
+    /// such sample, and where cores share a memory.
+    Json timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to);
     /// Work to be done in the background.
     Job::Work sensitivities(Overrides const& overrides) const;
     Job::Work sizing(Overrides const& overrides, double within_percent) const;
@@ -41,6 +46,15 @@ class Exploration {
     LoadedConfig recorded_;
     replay::RecordedRun run_;
     replay::ScriptedRun scripted_;  ///< of the run
+
+    struct KeptTimeline {
+        Overrides overrides;
+        Machine machine;
+        SampleTimeline timeline;
+    };
+    std::shared_ptr<KeptTimeline const> kept_timeline(Overrides const& overrides, std::size_t sample);
+    std::mutex mutex_;
+    std::shared_ptr<KeptTimeline const> kept_;
 };
 
 }  // namespace faster::explore

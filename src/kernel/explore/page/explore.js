@@ -16,7 +16,7 @@ class Explorer {
     this.add_actions();
     if (this.graph) by_id("graph-legend").append(graph_legend());
     else by_id("graph-box").append(element("p", { class: "note" }, "Not drawn: Graphviz's program dot, which places the parts, is not installed where faster-sim runs."));
-    addEventListener("hashchange", () => this.go_to(changes_of_fragment(location.hash)));
+    addEventListener("hashchange", () => this.go_to(changes_of_hash(location.hash)));
     addEventListener("keydown", (event) => this.key_down(event));
   }
 
@@ -44,7 +44,9 @@ class Explorer {
   begin(recorded) {
     this.pinned = recorded;
     this.tried.note({ overrides: [], cycles: recorded.total_cycles, cost: recorded.area.cost_of_cores });
-    this.go_to(changes_of_fragment(location.hash));
+    if (data.has_ideal_memory) new AnySample();
+    else leave_out("timeline");
+    this.go_to(changes_of_hash(location.hash));
     this.work_out_sensitivities();
   }
 
@@ -127,8 +129,8 @@ class Explorer {
   }
 
   leave_address() {
-    const fragment = fragment_of(this.history.now);
-    history.replaceState(null, "", fragment === "#" ? location.pathname : fragment);
+    const hash = hash_of(this.history.now);
+    history.replaceState(null, "", hash === "#" ? location.pathname : hash);
     this.undo.disabled = !this.history.can_go(-1);
     this.redo.disabled = !this.history.can_go(1);
     this.reset.disabled = this.history.now.size === 0;
@@ -137,6 +139,7 @@ class Explorer {
   show_rest(path) {
     const { figures } = this;
     show_moved(figures, this.pinned);
+    show_loops(figures.schedules);
     show_deadlock(figures.deadlock);
     const lane_cycles = figures.cores * (figures.total_cycles || figures.deadlock.cycle);
     if (this.graph) this.graph.show({ ...figures, lane_cycles, path, stuck: figures.deadlock ? figures.deadlock.stuck : null });

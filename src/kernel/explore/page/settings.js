@@ -18,13 +18,13 @@ function changes_of(overrides) {
   return changes;
 }
 
-/// The fragment of the page's address holds all overrides.
-function fragment_of(changes) {
+/// What stands behind the # of the address: all overrides.
+function hash_of(changes) {
   return "#" + overrides_of(changes).map((setting) => encodeURIComponent(setting).replaceAll("%3D", "=")).join("&");
 }
 
-function changes_of_fragment(fragment) {
-  const text = fragment.replace(/^#/, "");
+function changes_of_hash(hash) {
+  const text = hash.replace(/^#/, "");
   return text.includes("=") ? changes_of(text.split("&").map(decodeURIComponent)) : new Map();
 }
 

@@ -133,6 +133,20 @@ TEST_CASE("The page says what the tool would of a bad value, and shows who waits
     page.check_soundness();
 }
 
+TEST_CASE("A link with a key that there is not shows the recorded run, and says so", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page;
+    std::string const recorded = page.cycles();
+    page.browser().open("about:blank");
+    page.open("#accelerator.fifos.vertx.depth=4");
+    CHECK(
+        page.browser().becomes_true("document.getElementById('complaint').textContent.includes('did you mean "
+                                    "accelerator.fifos.vertex.depth?')"));
+    CHECK(page.cycles() == recorded);
+    page.check_soundness();
+}
+
 TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
     if (browser_is_missing())
         return;

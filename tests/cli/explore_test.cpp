@@ -174,6 +174,19 @@ TEST_CASE("explore works out sensitivities and sizes FIFOs in the background") {
     CHECK(explored.ended("sizing")["state"] == "cancelled");
 }
 
+TEST_CASE("The critical path of cores that share a memory is that of a run") {
+    SmallWorkspace const workspace;
+    Words const axi{"--set", "accelerator.memory.model=axi"};
+    Words run = axi, explore = axi;
+    run.insert(run.end(), {"--critical-path", "--out", "run"});
+    require_done(workspace.run(run));
+    explore.insert(explore.begin(), "config.yaml");
+    ExploreProcess const process(FASTER_SIM_BINARY, explore, workspace.folder().path());
+    httplib::Client client("127.0.0.1", process.port());
+    CHECK(Json::parse(client.Post(process.home() + "path", "{}", "application/json")->body) ==
+          workspace.summary("run")["critical_path"]);
+}
+
 TEST_CASE("explore runs a configuration first, and a deadlock is something that it shows") {
     SmallWorkspace const workspace;
     ExploreProcess process(FASTER_SIM_BINARY, {"config.yaml", "--set", "accelerator.raster_cores=1"},

@@ -102,16 +102,22 @@ Json Answers::answer(std::string_view question, Json const& request) {
     if (question != "state" && question != "cancel")
         throw InputError(
             fmt::format("unknown question {}, expected one of retime, path, timeline, start, state, cancel", question));
-    std::shared_ptr<Job> const asked = job(text_in(request, "job"));
-    if (question == "cancel" && asked)
-        asked->cancel();
-    return asked ? asked->state() : Json{{"state", "none"}};
+    Numbered const asked = job(text_in(request, "job"));
+    if (question == "cancel" && asked.job)
+        asked.job->cancel();
+    return state_of(asked);
 }
 
-std::shared_ptr<Job> Answers::job(std::string const& name) {
+Json Answers::state_of(Numbered const& job) {
+    Json state = job.job ? job.job->state() : Json{{"state", "none"}};
+    state["number"] = job.number;
+    return state;
+}
+
+Answers::Numbered Answers::job(std::string const& name) {
     std::lock_guard<std::mutex> const lock(mutex_);
     auto const found = jobs_.find(name);
-    return found == jobs_.end() ? nullptr : found->second;
+    return found == jobs_.end() ? Numbered{} : found->second;
 }
 
 Job::Work Answers::work_of(std::string const& job, Json const& request) const {
@@ -127,11 +133,12 @@ Json Answers::start(Json const& request) {
     std::string const name = text_in(request, "job");
     auto next = std::make_shared<Job>(work_of(name, request));
     std::lock_guard<std::mutex> const lock(mutex_);
-    std::shared_ptr<Job>& place = jobs_[name];
-    if (place)
-        place->cancel();
-    place.swap(next);
-    return place->state();
+    Numbered& place = jobs_[name];
+    if (place.job)
+        place.job->cancel();
+    place.job.swap(next);
+    ++place.number;
+    return state_of(place);
 }
 
 }  // namespace faster::explore

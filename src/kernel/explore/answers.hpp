@@ -35,18 +35,23 @@ class Answers {
     ///     path           the critical path
     ///     timeline       of a `sample`, from cycle `from` to `to`; or all of it
     ///     start          begins a `job`: "sensitivities", or "sizing" `within` so many per cent; ends its last one
-    ///     state, cancel  of a `job`
+    ///     state, cancel  of a `job`, whose `number` tells it from others of its name
     Answer ask(std::string_view question, std::string const& request);
 
   private:
+    struct Numbered {
+        std::uint64_t number = 0;  ///< so that nobody takes another's for the one that was started
+        std::shared_ptr<Job> job;
+    };
     Json answer(std::string_view question, Json const& request);
     Json start(Json const& request);
     Job::Work work_of(std::string const& job, Json const& request) const;
-    std::shared_ptr<Job> job(std::string const& name);
+    static Json state_of(Numbered const& job);
+    Numbered job(std::string const& name);
 
     Exploration& exploration_;
     std::mutex mutex_;
-    std::map<std::string, std::shared_ptr<Job>> jobs_;
+    std::map<std::string, Numbered> jobs_;
 };
 
 }  // namespace faster::explore

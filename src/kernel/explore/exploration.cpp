@@ -13,6 +13,7 @@
 #include "kernel/explore/replayed_timeline.hpp"
 #include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/retime.hpp"
+#include "kernel/replay/retime_together.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/html/graph_data.hpp"
@@ -65,20 +66,25 @@ Json Exploration::retimed(Overrides const& overrides) const {
     return figures;
 }
 
-Json Exploration::critical_path(Overrides const& overrides) const {
-    Machine const machine = machine_of(changed(overrides));
+/// With its critical path, unless it deadlocks.
+RunStatistics Exploration::retimed_with_path(Machine const& machine) const {
     if (run_.memory)
-        return nullptr;
+        return replay::retime_together(scripted_, machine, true);
     RunStatistics run = replay::retime(scripted_, machine);
-    if (run.deadlocked() || run.samples.empty())
-        return nullptr;
+    if (run.deadlocked())
+        return run;
     std::size_t const core = last_core(run);
     replay::CoreOptions options;
     options.leave_trails = true;
     replay::Cores const cores = replay::retime_cores(scripted_, machine, {core}, options);
     run.critical_path = replay::critical_path_of({cores.front().get()}, machine);
     run.critical_path->core = core;
-    return report::critical_path_json(run);
+    return run;
+}
+
+Json Exploration::critical_path(Overrides const& overrides) const {
+    RunStatistics const run = retimed_with_path(machine_of(changed(overrides)));
+    return run.critical_path ? report::critical_path_json(run) : Json();
 }
 
 /// The last one is kept: who zooms asks for its parts.

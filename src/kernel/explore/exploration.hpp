@@ -7,6 +7,7 @@
 #include "kernel/base/json.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/explore/job.hpp"
+#include "kernel/figures/run_statistics.hpp"
 #include "kernel/figures/sample_timeline.hpp"
 #include "kernel/machine/machine.hpp"
 #include "kernel/replay/recorded_run.hpp"
@@ -30,7 +31,7 @@ class Exploration {
     /// The figures of the run with overrides: cycles, what FIFOs take, modules, FIFOs, loops. A deadlock is one of
     /// them. `yaml` is a configuration that does the same.
     Json retimed(Overrides const& overrides) const;
-    /// Along which operations its cycles come about. Null of a deadlock, and where cores share a memory.
+    /// Along which operations its cycles come about. Null of a deadlock.
     Json critical_path(Overrides const& overrides) const;
     /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
     /// such sample, and where cores share a memory.
@@ -41,6 +42,7 @@ class Exploration {
 
   private:
     RunConfig changed(Overrides const& overrides) const;
+    RunStatistics retimed_with_path(Machine const& machine) const;
 
     std::string title_;
     LoadedConfig recorded_;

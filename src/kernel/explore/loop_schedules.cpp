@@ -42,8 +42,9 @@ Json loop_schedule(Machine const& machine, std::size_t loop, LoopDescription con
         if (MachineMemory const& memory = machine.memories[machine.memory(access.memory)];
             memory.is_present && access.pattern.accesses() > 0)
             memories.push_back(memory_schedule(memory, access.pattern));
-    return {{"loop", machine.loop_name(loop)}, {"does", description.task},         {"ii", interval.achieved},
-            {"target", interval.target},       {"recurrence", interval.recurrence}, {"ports", interval.ports},
+    return {{"loop", machine.loop_name(loop)},   {"does", description.task},
+            {"ii", interval.achieved},           {"target", interval.target},
+            {"recurrence", interval.recurrence}, {"ports", interval.ports},
             {"limited_by", interval.limited_by}, {"memories", memories}};
 }
 

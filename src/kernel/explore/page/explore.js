@@ -43,9 +43,9 @@ class Explorer {
   /// With the figures of the recorded run, which are pinned until something else is.
   begin(recorded) {
     this.pinned = recorded;
-    this.tried.note({ overrides: [], cycles: recorded.total_cycles, cost: recorded.area.cost_of_cores });
     if (data.has_ideal_memory) new AnySample();
     else leave_out("timeline");
+    this.retimed(recorded, { changes: this.changes, is_settled: false, asked_at: performance.now() }, false);
     this.go_to(changes_of_hash(location.hash));
     this.work_out_sensitivities();
   }

@@ -39,15 +39,13 @@ class Latest {
 class BackgroundJob {
   constructor(name, told) {
     Object.assign(this, { name, told });
-    this.run = 0;
   }
 
   async start(request) {
-    const run = ++this.run;
-    await ask("start", { job: this.name, ...request });
+    const { number } = await ask("start", { job: this.name, ...request });
     for (;;) {
       const state = await ask("state", { job: this.name });
-      if (run !== this.run) return null; // another one was started
+      if (number !== state.number) return null; // another one was started
       if (state.state === "failed") throw new Error(state.error);
       if (state.state !== "running") return state.result || null;
       this.told(state);

@@ -2,9 +2,12 @@
 
 const key_rows = new Map(data.keys.map((row) => [row.key, row]));
 
-/// "a.b.c=value" of all keys that differ from the recorded run, in the order of the keys.
+/// "a.b.c=value" of all keys that differ from the recorded run, in the order of the keys; what a link has besides, of
+/// which the server will say what it is, comes last.
 function overrides_of(changes) {
-  return data.keys.filter(({ key }) => changes.has(key)).map(({ key }) => `${key}=${changes.get(key)}`);
+  const known = data.keys.map(({ key }) => key).filter((key) => changes.has(key));
+  const others = [...changes.keys()].filter((key) => !key_rows.has(key));
+  return [...known, ...others].map((key) => `${key}=${changes.get(key)}`);
 }
 
 function changes_of(overrides) {

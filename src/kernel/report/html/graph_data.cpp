@@ -63,7 +63,7 @@ DotGraph graph_of(Machine const& machine, char const* direction) {
         graph.add_node(id('m', i), "bram", machine.memories[i].name, 0.45);
     std::vector<std::size_t> const streams = machine.external_memory ? streams_of(machine) : std::vector<std::size_t>{};
     if (!streams.empty())
-        graph.add_node("x0", "memory", "external", 0.45);
+        graph.add_node("x0", "memory", "external memory", 0.45);
     for (std::size_t const i : fifos_of(machine)) {
         MachineFifo const& fifo = machine.fifos[i];
         graph.add_edge(id('p', fifo.writer), id('p', fifo.reader), "fifo:" + fifo.name, fifo.name.size() + 2);
@@ -77,7 +77,8 @@ DotGraph graph_of(Machine const& machine, char const* direction) {
     for (std::size_t const i : streams) {
         MachineStream const& stream = machine.streams[i];
         std::string const process = id('p', stream.process);
-        graph.add_edge(stream.writes ? process : "x0", stream.writes ? "x0" : process, stream_edge(stream), 0);
+        graph.add_edge(stream.writes ? process : "x0", stream.writes ? "x0" : process, stream_edge(stream), 0,
+                       stream.writes ? ",constraint=false" : "");
     }
     return graph;
 }

@@ -39,7 +39,7 @@ class DataflowGraph {
     for (const name of Object.keys(layout.edges)) if (name.startsWith("memory:")) this.add_link(svg, layout.edges[name]);
     for (const fifo of data.graph.fifos) this.add_fifo(svg, layout, fifo);
     for (const memory of data.graph.memories) this.add_memory(svg, layout, memory);
-    if (layout.nodes["memory:external"]) this.add_external(svg, layout.nodes["memory:external"]);
+    if (layout.nodes["memory:external memory"]) this.add_external(svg, layout.nodes["memory:external memory"]);
     for (const process of data.graph.processes) this.add_process(svg, layout, process);
     const focused = document.activeElement && document.activeElement.dataset ? document.activeElement.dataset.part : null;
     this.box.replaceChildren(svg);

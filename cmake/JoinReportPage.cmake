@@ -1,7 +1,7 @@
 # Puts the content of an HTML page (from its navigation to its last section), styles and scripts into the frame that all pages share, and the
 # whole into a C++ source file.
 #   cmake -DFRAME=... -DTEMPLATE=... -DSTYLES=a.css;b.css -DCHART_JS=... -DSCRIPTS=a.js;b.js -DNAME=namespace::variable -DHEADER=page.hpp
-#         -DOUTPUT=page.cpp -P JoinReportPage.cmake
+#         -DOUTPUT=page.cpp -DCONNECTS=FALSE -P JoinReportPage.cmake
 function(read_all result)
   set(all "")
   foreach(file IN LISTS ARGN)
@@ -24,7 +24,11 @@ string(SUBSTRING "${content}" ${navigation_end} -1 sections)
 foreach(part navigation sections)
   string(REPLACE "@${part}@" "${${part}}" page "${page}")
 endforeach()
-foreach(part style chart_js scripts)
+set(connects "")
+if(CONNECTS)
+  set(connects "; connect-src 'self'")
+endif()
+foreach(part connects style chart_js scripts)
   if("${${part}}" MATCHES "</(script|style)|<!--")
     message(FATAL_ERROR "${part} cannot stand inside an HTML element: it contains ${CMAKE_MATCH_0}")
   endif()

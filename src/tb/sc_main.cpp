@@ -11,6 +11,7 @@
 #include "tb/show_command.hpp"
 #include "tool/check_command.hpp"
 #include "tool/compare_command.hpp"
+#include "tool/explore_command.hpp"
 #include "tool/keys_command.hpp"
 #include "tool/run_command.hpp"
 #include "tool/sensitivities_command.hpp"
@@ -21,10 +22,11 @@
 
 int sc_main(int argc, char** argv) {
     using namespace faster;
-    return run_tool({"faster-sim", "Cycle-approximate model of the FASTER pose-scoring accelerator", FASTER_VERSION},
-                    {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
-                     whatif_command(), sensitivities_command(), size_fifos_command(), compare_command(),
-                     compare_architectures_command(), sweep_command(), edge_quality_command(), grip_command(),
-                     estimate_command(), evaluate_command(), experiment_command(), show_command(), keys_command()},
-                    argc, argv);
+    return run_tool(
+        {"faster-sim", "Cycle-approximate model of the FASTER pose-scoring accelerator", FASTER_VERSION},
+        {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
+         explore_command(), whatif_command(), sensitivities_command(), size_fifos_command(), compare_command(),
+         compare_architectures_command(), sweep_command(), edge_quality_command(), grip_command(), estimate_command(),
+         evaluate_command(), experiment_command(), show_command(), keys_command()},
+        argc, argv);
 }

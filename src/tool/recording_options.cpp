@@ -132,13 +132,8 @@ Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
     recording.window.cores = {0};
     recording.window.samples = RecordingWindow::Samples{sample, sample};
     recording.done = [&timelines, sample](std::vector<recording::RecordedCore> const& cores) {
-        for (recording::RecordedCore const& core : cores) {
-            recording::TimelineGrain exact;
-            exact.occupancy_bucket = 1;  // the report takes means
-            recording::CoreTimeline timeline = recording::make_timeline(core, exact);
-            timelines.push_back(
-                {core.core, sample, core.from, core.to + 1, std::move(timeline.spans), std::move(timeline.occupancy)});
-        }
+        for (recording::RecordedCore const& core : cores)
+            timelines.push_back(recording::sample_timeline(core, sample));
     };
     return recording;
 }

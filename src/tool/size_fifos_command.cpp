@@ -58,15 +58,6 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
     folder.commit();
 }
 
-/// Cores are searched one by one, and more room never makes one longer: neither holds where they share a memory.
-void require_ideal_memory(SizeFifosRequest const& request, events::EventFile const& recorded) {
-    if (recorded.run.memory)
-        throw InputError(
-            request.events +
-            ": accelerator.memory.model = \"axi\", expected a run with \"ideal\": a FIFO that lets a core go ahead can "
-            "make others wait for memory, so depths are not searched; try those of an ideal run with whatif");
-}
-
 }  // namespace
 
 int print_fifo_sizes(SizeFifosRequest const& request) {
@@ -74,7 +65,6 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     paths.reads(request.events);
     paths.writes("--out", request.out, sizing_folder);
     events::EventFile const recorded = events::read_event_file(request.events);
-    require_ideal_memory(request, recorded);
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
     auto const folder = request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, sizing_folder);
     auto const start = std::chrono::steady_clock::now();

@@ -2,6 +2,7 @@
 
 #include "tool/check_command.hpp"
 #include "tool/compare_command.hpp"
+#include "tool/explore_command.hpp"
 #include "tool/keys_command.hpp"
 #include "tool/run_command.hpp"
 #include "tool/sensitivities_command.hpp"
@@ -12,8 +13,8 @@
 namespace faster {
 
 std::vector<Subcommand> standard_commands() {
-    return {run_command(),        check_command(),   whatif_command(), sensitivities_command(),
-            size_fifos_command(), compare_command(), sweep_command(),  keys_command()};
+    return {run_command(),        check_command(),   explore_command(), whatif_command(), sensitivities_command(),
+            size_fifos_command(), compare_command(), sweep_command(),   keys_command()};
 }
 
 }  // namespace faster

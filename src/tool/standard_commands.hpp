@@ -5,7 +5,7 @@
 
 namespace faster {
 
-/// The commands that any design has: run, check, whatif, sensitivities, size-fifos, compare, sweep, keys.
+/// The commands that any design has: run, check, explore, whatif, sensitivities, size-fifos, compare, sweep, keys.
 std::vector<Subcommand> standard_commands();
 
 }  // namespace faster

@@ -44,7 +44,16 @@ TEST_CASE("The page holds the figures of the run as JSON", "[html]") {
     CHECK(data["cycle_classes"].size() == cycle_class_count - 1);  // memory is ideal
     REQUIRE(data["modules"].size() == modules_of(run.machine).size());
     CHECK(data["modules"][2]["module"] == "rasterizer");
-    CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);  // of both cores
+    CHECK(data["modules"][2]["cycles"][0] == 2 * 160000);             // of both cores
+    for (std::size_t c = 0; c < data["cycle_classes"].size(); ++c) {  // one for each class
+        std::size_t const of = run.machine.process("rasterizer");
+        auto const is_named = [&](char const* name) { return data["cycle_classes"][c] == name; };
+        auto const name = std::find_if(cycle_class_names.begin(), cycle_class_names.end(), is_named);
+        REQUIRE(name != cycle_class_names.end());
+        auto const number = static_cast<std::size_t>(name - cycle_class_names.begin());
+        CHECK(data["modules"][2]["cycles"][c] == process_sum(run, of).cycles[number]);
+    }
+    CHECK(data["modules"][2]["cycles"].size() == data["cycle_classes"].size());
     CHECK(data["fifos"].size() == 2 * fifos_of(run.machine).size());
     CHECK(data["fifos"][3]["fifo"] == "vertex");
     CHECK(data["fifos"][3]["writes"] == 4000);

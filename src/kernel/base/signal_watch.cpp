@@ -20,4 +20,10 @@ SignalWatch::SignalWatch() {
 
 SignalWatch::~SignalWatch() { close(descriptor_); }
 
+void SignalWatch::take() const {
+    signalfd_siginfo signal{};
+    while (read(descriptor_, &signal, sizeof signal) > 0) {
+    }
+}
+
 }  // namespace faster::processes

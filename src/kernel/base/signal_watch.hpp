@@ -14,6 +14,8 @@ class SignalWatch {
 
     /// Readable as soon as a signal has come.
     int descriptor() const { return descriptor_; }
+    /// Takes a signal that has come as done with: it does not end the program any more.
+    void take() const;
 
   private:
     HeldSignals held_;

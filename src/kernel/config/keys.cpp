@@ -83,6 +83,17 @@ std::string probable_key(std::string_view name, KnownPart const& part) {
 
 bool is_of_memory(Key const& key) { return starts_with(key.name(), "accelerator.memory."); }
 
+/// Those of `chosen` that mean something.
+template <class Chosen> Keys active_keys(RunConfig const& config, Chosen const& chosen) {
+    IdleKeys const idle = idle_keys(config);
+    bool const has_memory = config.machine().external_memory.model != MemoryModel::ideal;
+    Keys keys;
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys), [&](Key const& key) {
+        return chosen(key) && idle.decider_of(key.name()) == nullptr && (has_memory || !is_of_memory(key));
+    });
+    return keys;
+}
+
 }  // namespace
 
 Keys const& all_keys() {
@@ -91,13 +102,11 @@ Keys const& all_keys() {
 }
 
 Keys timing_keys(RunConfig const& config) {
-    IdleKeys const idle = idle_keys(config);
-    bool const has_memory = config.machine().external_memory.model != MemoryModel::ideal;
-    Keys keys;
-    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys), [&](Key const& key) {
-        return key.is_step && idle.decider_of(key.name()) == nullptr && (has_memory || !is_of_memory(key));
-    });
-    return keys;
+    return active_keys(config, [](Key const& key) { return key.is_step; });
+}
+
+Keys retimable_keys(RunConfig const& config) {
+    return active_keys(config, [&](Key const& key) { return is_retimable(key, config); });
 }
 
 Keys retiming_keys() {

@@ -29,6 +29,9 @@ Keys figure_keys();
 /// decide about more.
 bool is_retimable(Key const& key, RunConfig const& config);
 
+/// All of which that is true, without those that mean nothing in `config`.
+Keys retimable_keys(RunConfig const& config);
+
 /// The key of that dotted name, or null.
 Key const* find_key(std::string_view name);
 

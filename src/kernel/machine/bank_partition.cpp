@@ -1,6 +1,7 @@
 #include "kernel/machine/bank_partition.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -24,9 +25,14 @@ std::int64_t modulo(std::int64_t value, std::uint64_t divisor) {
     return ((value % m) + m) % m;
 }
 
-std::vector<PixelOffset> all_accesses(AccessPattern const& pattern) {
-    std::vector<PixelOffset> all = pattern.reads;
-    all.insert(all.end(), pattern.writes.begin(), pattern.writes.end());
+using Accesses = std::vector<BankPartition::Access>;
+
+Accesses all_accesses(AccessPattern const& pattern) {
+    Accesses all;
+    for (PixelOffset const at : pattern.reads)
+        all.push_back({at, false});
+    for (PixelOffset const at : pattern.writes)
+        all.push_back({at, true});
     return all;
 }
 
@@ -59,42 +65,50 @@ PixelOffset BankPartition::word_of(std::uint64_t bank, std::uint64_t index) cons
             place(index % cols, bank % col_banks_, col_banks_, block_cols_)};
 }
 
-std::uint64_t BankPartition::accesses_per_bank(AccessPattern const& pattern) const {
+std::vector<BankPartition::Access> BankPartition::fullest_bank(AccessPattern const& pattern) const {
+    Accesses const all = all_accesses(pattern);
     if (banks() == 1)
-        return pattern.accesses();
-    return type_ == PartitionType::block ? most_in_block(pattern) : most_in_cycle(pattern);
+        return all;
+    return type_ == PartitionType::block ? fullest_block(all) : fullest_of_cycle(all);
 }
 
 /// Moving the pixel only renames the banks.
-std::uint64_t BankPartition::most_in_cycle(AccessPattern const& pattern) const {
-    std::map<std::uint64_t, std::uint64_t> accesses;
-    std::uint64_t most = 0;
-    for (PixelOffset const offset : all_accesses(pattern))
-        most = std::max(most, ++accesses[bank_of(offset.row, offset.col)]);
-    return most;
+Accesses BankPartition::fullest_of_cycle(Accesses const& all) const {
+    std::map<std::uint64_t, Accesses> banks;
+    Accesses const* fullest = nullptr;
+    for (Access const& access : all) {
+        Accesses& bank = banks[bank_of(access.at.row, access.at.col)];
+        bank.push_back(access);
+        if (fullest == nullptr || bank.size() > fullest->size())
+            fullest = &bank;
+    }
+    return fullest == nullptr ? Accesses() : *fullest;
 }
 
 /// A bank is a rectangle, and the pixel may lie anywhere before, in and behind it. The fullest place has an access in
 /// its first row and one in its first column: else it could be moved without losing any.
-std::uint64_t BankPartition::most_in_block(AccessPattern const& pattern) const {
-    std::vector<PixelOffset> const all = all_accesses(pattern);
+Accesses BankPartition::fullest_block(Accesses const& all) const {
     std::set<int> rows;
     std::set<int> cols;
-    for (PixelOffset const offset : all) {
-        rows.insert(offset.row);
-        cols.insert(offset.col);
+    for (Access const& access : all) {
+        rows.insert(access.at.row);
+        cols.insert(access.at.col);
     }
     auto const is_in = [](int at, int first, std::int64_t length, std::uint64_t banks) {
         return banks == 1 || (at >= first && at < first + length);
     };
-    std::int64_t most = 0;
+    Accesses fullest;
     for (int const row : rows)
-        for (int const col : cols)
-            most = std::max<std::int64_t>(most, std::count_if(all.begin(), all.end(), [&](PixelOffset offset) {
-                                              return is_in(offset.row, row, block_rows_, row_banks_) &&
-                                                     is_in(offset.col, col, block_cols_, col_banks_);
-                                          }));
-    return static_cast<std::uint64_t>(most);
+        for (int const col : cols) {
+            Accesses bank;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(bank), [&](Access const& access) {
+                return is_in(access.at.row, row, block_rows_, row_banks_) &&
+                       is_in(access.at.col, col, block_cols_, col_banks_);
+            });
+            if (bank.size() > fullest.size())
+                fullest = std::move(bank);
+        }
+    return fullest;
 }
 
 }  // namespace faster

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "kernel/machine/access_pattern.hpp"
 #include "kernel/machine/partition_config.hpp"
@@ -28,13 +29,20 @@ class BankPartition {
     /// be another bank's, where banks are not alike. bank_of() tells.
     PixelOffset word_of(std::uint64_t bank, std::uint64_t index) const;
 
-    /// Most accesses of `pattern` that fall into one bank, wherever in the memory the iteration's pixel lies. A static
-    /// schedule has to provide for it. Words beyond the memory's border count: the schedule does not know the border.
-    std::uint64_t accesses_per_bank(AccessPattern const& pattern) const;
+    struct Access {
+        PixelOffset at;
+        bool writes = false;
+    };
+    /// The accesses of `pattern` that fall into one bank where most do, wherever in the memory the iteration's pixel
+    /// lies. A static schedule has to provide for it. Words beyond the memory's border count: the schedule does not
+    /// know the border. Reads first.
+    std::vector<Access> fullest_bank(AccessPattern const& pattern) const;
+    /// How many they are.
+    std::uint64_t accesses_per_bank(AccessPattern const& pattern) const { return fullest_bank(pattern).size(); }
 
   private:
-    std::uint64_t most_in_cycle(AccessPattern const& pattern) const;
-    std::uint64_t most_in_block(AccessPattern const& pattern) const;
+    std::vector<Access> fullest_of_cycle(std::vector<Access> const& all) const;
+    std::vector<Access> fullest_block(std::vector<Access> const& all) const;
 
     PartitionType type_;
     std::uint64_t row_banks_;

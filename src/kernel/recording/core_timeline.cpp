@@ -79,7 +79,7 @@ void TimelineMaker::take(CoreEvent const& core_event) {
             close(loops_[module], event.cycle);
             break;
         case Kind::iterate:
-            ++loops_[module].span.count;
+            loops_[module].span.count += event.cycle >= core_.from && event.cycle <= core_.to ? 1 : 0;
             break;
         case Kind::stall:
             take_stall(module, event);
@@ -182,6 +182,13 @@ CoreTimeline make_timeline(RecordedCore const& core, TimelineGrain const& grain)
     TimelineMaker maker(core, grain);
     for_each_event({{0, core.spools}}, [&maker](CoreEvent const& event) { maker.take(event); });
     return maker.finish();
+}
+
+SampleTimeline sample_timeline(RecordedCore const& core, std::size_t sample) {
+    TimelineGrain exact;
+    exact.occupancy_bucket = 1;
+    CoreTimeline timeline = make_timeline(core, exact);
+    return {core.core, sample, core.from, core.to + 1, std::move(timeline.spans), std::move(timeline.occupancy)};
 }
 
 }  // namespace faster::recording

@@ -30,4 +30,7 @@ struct TimelineGrain {
 /// Spans are cut off at the window's borders.
 CoreTimeline make_timeline(RecordedCore const& core, TimelineGrain const& grain);
 
+/// Of a window that is one sample, as exactly as it can be: who draws it takes means.
+SampleTimeline sample_timeline(RecordedCore const& core, std::size_t sample);
+
 }  // namespace faster::recording

@@ -7,6 +7,7 @@
 #include "kernel/machine/core_share.hpp"
 #include "kernel/replay/collect.hpp"
 #include "kernel/replay/core_variant.hpp"
+#include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/plain_reader.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/sample_cutter.hpp"
@@ -44,7 +45,8 @@ std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
 
 class Together {
   public:
-    Together(ScriptedRun const& run, Machine const& machine) : run_(run), machine_(machine), samples_(run) {
+    Together(ScriptedRun const& run, Machine const& machine, bool leave_trails)
+        : run_(run), machine_(machine), leave_trails_(leave_trails), samples_(run) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();
@@ -52,6 +54,8 @@ class Together {
             shares_.push_back(share_of(core, machine.cores, run.run().tape.samples()));
             cores_.push_back(core_variant(*run.run().blueprint, machine));
             cores_.back()->let_follow(run.lead(), automaton);
+            if (leave_trails)
+                cores_.back()->leave_trail();
             if (memory_)
                 memory_->add_core(*cores_.back(), shares_.back().count > 0);
         }
@@ -71,11 +75,21 @@ class Together {
             cores_[core]->resolve();
             finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
         }
-        return collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
+        RunStatistics statistics = collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
+        if (leave_trails_ && !statistics.deadlocked())
+            statistics.critical_path = path();
+        return statistics;
     }
 
   private:
     RecordedMemory const& recorded() const { return *run_.run().memory; }
+
+    CriticalPath path() const {
+        std::vector<timing::CoreTiming const*> cores;
+        for (auto const& core : cores_)
+            cores.push_back(core.get());
+        return critical_path_of(cores, machine_);
+    }
 
     /// All at once: who prefetches asks for them before their process comes there.
     void tell_entries(std::size_t core) {
@@ -114,6 +128,7 @@ class Together {
 
     ScriptedRun const& run_;
     Machine const& machine_;
+    bool leave_trails_;
     PlainSamples samples_;
     std::vector<CoreShare> shares_;
     Cores cores_;
@@ -122,6 +137,8 @@ class Together {
 
 }  // namespace
 
-RunStatistics retime_together(ScriptedRun const& run, Machine const& machine) { return Together(run, machine).go_on(); }
+RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails) {
+    return Together(run, machine, leave_trails).go_on();
+}
 
 }  // namespace faster::replay

@@ -5,7 +5,7 @@
 namespace faster::replay {
 
 /// retime() of a run whose cores shared an external memory: all of them go on together, as they did. On a machine whose
-/// memory is ideal, everything is there from cycle 0 on.
-RunStatistics retime_together(ScriptedRun const& run, Machine const& machine);
+/// memory is ideal, everything is there from cycle 0 on. With trails, the critical path is among the figures.
+RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails = false);
 
 }  // namespace faster::replay

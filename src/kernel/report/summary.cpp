@@ -54,7 +54,7 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
     return io::text_of(summary, 2) + "\n";
 }
 
-std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run) {
+Json deadlock_json(RunStatistics const& run) {
     auto const rows = [](std::vector<StuckProcess> const& processes) {
         Json array = Json::array();
         for (StuckProcess const& p : processes)
@@ -70,11 +70,14 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
                              {"since_cycle", p.since_cycle}});
         return array;
     };
+    return {{"cycle", run.deadlock_cycle()}, {"wait_cycle", rows(run.wait_cycle())}, {"stuck", rows(run.stuck)}};
+}
+
+std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run) {
     Json summary;
     summary["format"] = "faster-summary";
     summary["version"] = 1;
-    summary["deadlock"] = {
-        {"cycle", run.deadlock_cycle()}, {"wait_cycle", rows(run.wait_cycle())}, {"stuck", rows(run.stuck)}};
+    summary["deadlock"] = deadlock_json(run);
     summary["configuration"] = configuration(keys);
     return io::text_of(summary, 2) + "\n";
 }

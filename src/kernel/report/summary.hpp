@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/base/json.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
@@ -15,6 +16,9 @@ struct HostTime {
 
 /// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
 std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host);
+
+/// Who waits for whom in a run that got stuck.
+Json deadlock_json(RunStatistics const& run);
 
 /// summary.json of a run that got stuck: who waits for whom, and the configuration. It has no results.
 std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run);

@@ -125,14 +125,15 @@ std::vector<Cut::Member> members_of(Members const& members) {
 
 }  // namespace
 
-CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine)
-    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, machine.lead), machine) {}
+CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine, BeforeRetiming before_retiming)
+    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, machine.lead), machine, std::move(before_retiming)) {}
 
-CoreTimes::CoreTimes(Run run, Machine machine)
+CoreTimes::CoreTimes(Run run, Machine machine, BeforeRetiming before_retiming)
     : run_(std::move(run)),
       machine_(std::move(machine)),
+      before_retiming_(std::move(before_retiming)),
       freezing_(freezing_fifos(machine_)),
-      relaxed_(freezing_.empty() ? nullptr : new CoreTimes(run_, sizing::relaxed(machine_))),
+      relaxed_(freezing_.empty() ? nullptr : new CoreTimes(run_, sizing::relaxed(machine_), before_retiming_)),
       cores_(cores_with_samples(machine_.cores, run_->run().tape.samples())),
       tokens_(machine_.fifos.size()),
       work_(cores_) {}
@@ -233,8 +234,15 @@ void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
     }
 }
 
+replay::Cores CoreTimes::retimed(std::vector<std::size_t> const& cores, Choice const& choice,
+                                 replay::CoreOptions const& options) const {
+    if (before_retiming_)
+        before_retiming_();
+    return retime_cores(*run_, with_choice(machine_, choice), cores, options);
+}
+
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
-    auto const timings = retime_cores(*run_, with_choice(machine_, choice), cores);
+    auto const timings = retimed(cores, choice, {});
     for (std::size_t i = 0; i < cores.size(); ++i)
         enter({cores[i], choice}, *timings[i]);
 }
@@ -287,7 +295,7 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
     GivenUp given_up{is_obsolete};
     replay::CoreOptions options;
     options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
-    auto const timings = retime_cores(*run_, with_choice(machine_, choice), {core}, options);
+    auto const timings = retimed({core}, choice, options);
     if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
         enter({core, choice}, *timings.front());
 }
@@ -389,7 +397,7 @@ std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choi
     replay::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;
-    return std::move(retime_cores(*run_, with_choice(machine_, choice), {core}, options).front());
+    return std::move(retimed({core}, choice, options).front());
 }
 
 Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {

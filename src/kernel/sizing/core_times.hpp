@@ -19,8 +19,11 @@ namespace faster::sizing {
 /// several threads at once. Of a machine with freezing_fifos() it knows the times of the relaxed machine besides.
 class CoreTimes {
   public:
+    /// Called before each retiming of a core, from any thread; may throw, to give up.
+    using BeforeRetiming = std::function<void()>;
+
     /// A run and its machine, of which all but the FIFOs' depths and kinds counts.
-    CoreTimes(replay::RecordedRun const& run, Machine const& machine);
+    CoreTimes(replay::RecordedRun const& run, Machine const& machine, BeforeRetiming before_retiming = nullptr);
 
     /// More room and less latency never make a run longer.
     bool is_monotone() const { return relaxed_ == nullptr; }
@@ -79,7 +82,7 @@ class CoreTimes {
     };
     using Run = std::shared_ptr<replay::ScriptedRun const>;
 
-    CoreTimes(Run run, Machine machine);
+    CoreTimes(Run run, Machine machine, BeforeRetiming before_retiming);
 
     /// Stamps of the process that ends samples, and who writes what it waits for.
     std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
@@ -93,6 +96,9 @@ class CoreTimes {
     std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice,
                                                    replay::Leaves const& leaves) const;
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
+    /// As retime_cores() does.
+    replay::Cores retimed(std::vector<std::size_t> const& cores, Choice const& choice,
+                          replay::CoreOptions const& options) const;
     void work_out(std::vector<std::size_t> const& cores, Choice const& choice);
     /// Retimes a core as far as needed to know whether it takes more than `bound`, unless that is obsolete.
     void work_out_whether_exceeds(std::size_t core, Choice const& choice, Cycles bound,
@@ -104,6 +110,7 @@ class CoreTimes {
 
     Run const run_;
     Machine const machine_;
+    BeforeRetiming const before_retiming_;
     std::vector<std::size_t> const freezing_;
     std::unique_ptr<CoreTimes> const relaxed_;  ///< null: these times are monotone
     std::size_t cores_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kernel/base/input_error.hpp"
 #include "kernel/config/design.hpp"
 
 namespace faster::sizing {
@@ -31,6 +32,14 @@ Choice holding(Choice choice, FifoFrame const& frame) {
         choice[i].depth = deepest;
     }
     return choice;
+}
+
+/// Cores are searched one by one, and more room never makes one longer: neither holds where they share a memory.
+void require_ideal_memory(replay::RecordedRun const& run) {
+    if (run.memory)
+        throw InputError(
+            "accelerator.memory.model = \"axi\", expected a run with \"ideal\": a FIFO that lets a core go ahead can "
+            "make others wait for memory, so depths are not searched; try those of an ideal run with whatif");
 }
 
 /// Counts steps, of which some become known on the way.
@@ -80,9 +89,10 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
 
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
+    require_ideal_memory(run);
     Machine const machine = machine_of(config);
     FifoFrame const frame(machine, options.weights);
-    CoreTimes times(run, machine);
+    CoreTimes times(run, machine, options.before_retiming);
     Steps steps(progress, steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0));
     Sizing sizing;
     sizing.options = options;

@@ -14,6 +14,7 @@ struct SizingOptions {
     unsigned front_points = 12;          ///< bounds of the front; 0: no front
     unsigned jobs = 1;                   ///< threads
     std::size_t most_retimings = 20000;  ///< cores retimed before a search does without a proof
+    CoreTimes::BeforeRetiming before_retiming;
 };
 
 /// A choice with its price and its time.
@@ -48,7 +49,7 @@ struct Sizing {
 Cycles bound_within(double percent, Cycles unbounded_cycles);
 
 /// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
-/// done.
+/// done. Errors: InputError if the cores share a memory.
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 

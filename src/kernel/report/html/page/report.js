@@ -18,6 +18,16 @@ function show_headline() {
   by_id("bound-by").append(element("p", {}, bound), element("ul", {}, ...reasons.map((text) => element("li", {}, text))));
 }
 
+function show_graph() {
+  if (!DataflowGraph.is_there()) return leave_out("graph");
+  by_id("graph-legend").append(graph_legend());
+  new DataflowGraph(by_id("graph-box")).show({
+    modules: data.modules,
+    fifos: rows_of(data.fifos, null, (row) => row.fifo, ["writes", "reads", "full_stall_cycles", "empty_stall_cycles"], ["max_occupancy"]),
+    lane_cycles, total_cycles: data.headline.total_cycles, path: data.critical_path, stuck: null,
+  });
+}
+
 function module_bars() {
   return {
     type: "bar",
@@ -390,6 +400,7 @@ function show_configuration() {
 
 set_chart_defaults();
 show_headline();
+show_graph();
 show_modules();
 show_stalls();
 show_critical_path();

@@ -58,16 +58,38 @@ function span_dataset(kind, spans, origin) {
   };
 }
 
+/// Zoom is how often the part that is shown has been halved.
 class Timeline {
   constructor() {
     this.zoom = element("input", { type: "range", min: 0, max: 8, step: 0.25, value: 0 });
+    this.halvings = 0;
+    this.place = 0.5;
     this.position = element("input", { type: "range", min: 0, max: 1, step: 0.001, value: 0.5 });
     const names = data.timelines.map((t) => `${whole(t.sample)} (core ${t.core})`);
     if (names.length > 1) by_id("timeline-controls").append(labelled("Sample", choice(names, (i) => this.show(data.timelines[i]))));
     by_id("timeline-controls").append(labelled("Zoom", this.zoom), labelled("Position", this.position));
-    for (const control of [this.zoom, this.position]) control.addEventListener("input", () => this.look());
+    this.zoom.addEventListener("input", () => this.look(Number(this.zoom.value), this.place));
+    this.position.addEventListener("input", () => this.look(this.halvings, Number(this.position.value)));
     by_id("timeline-chart").before(timeline_legend());
+    by_id("timeline-chart").addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.shown = () => {};
+    this.looked = () => {};
+  }
+
+  /// Zooms where the pointer is; sideways, it moves.
+  wheel(event) {
+    const x = this.entry && this.entry.chart.scales.x;
+    if (!x || (this.halvings === 0 && event.deltaY > 0)) return; // the page scrolls
+    event.preventDefault();
+    const sideways = event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY);
+    const { min, max } = this.part();
+    const length = this.end - this.begin;
+    const halvings = sideways ? this.halvings : Math.min(Number(this.zoom.max), Math.max(0, this.halvings - event.deltaY / 240));
+    const shown = length / 2 ** halvings;
+    const under = x.getValueForPixel(event.clientX - this.entry.canvas.getBoundingClientRect().left);
+    const begin = sideways ? min + ((event.deltaX || event.deltaY) / 600) * shown : under - ((under - min) / (max - min)) * shown;
+    const place = length > shown ? (begin - this.begin) / (length - shown) : 0.5;
+    this.look(halvings, Math.min(1, Math.max(0, place)));
   }
 
   show(timeline) {
@@ -76,6 +98,7 @@ class Timeline {
     this.begin = this.spans.reduce((cycle, span) => Math.min(cycle, span.begin), timeline.begin) - this.origin;
     this.end = this.spans.reduce((cycle, span) => Math.max(cycle, span.end), timeline.end) - this.origin;
     if (this.entry) remove_chart(this.entry);
+    this.look_back();
     const cycles = count_of(timeline.end - timeline.begin, "cycle");
     this.entry = add_chart(by_id("timeline-chart"), `Timeline of sample ${timeline.sample}, ${cycles}`, () => this.options());
     by_id("timeline-note").textContent =
@@ -85,12 +108,28 @@ class Timeline {
 
   /// The part of the sample that zoom and position leave.
   part() {
-    const length = (this.end - this.begin) / 2 ** Number(this.zoom.value);
-    const begin = this.begin + (this.end - this.begin - length) * Number(this.position.value);
+    const length = (this.end - this.begin) / 2 ** this.halvings;
+    const begin = this.begin + (this.end - this.begin - length) * this.place;
     return { min: begin, max: begin + length };
   }
 
-  look() {
+  look_back() {
+    [this.halvings, this.place] = [0, 0.5];
+    [this.zoom.value, this.position.value] = [0, 0.5];
+  }
+
+  /// Other bars for the part that is shown: finer ones.
+  show_spans(spans) {
+    this.spans = spans.map(named_span);
+    this.entry.chart.data = this.options().data;
+    this.entry.chart.update("none");
+  }
+
+  look(halvings, place) {
+    if (!this.entry) return;
+    [this.halvings, this.place] = [halvings, place];
+    [this.zoom.value, this.position.value] = [halvings, place];
+    this.looked(this.part());
     Object.assign(this.entry.chart.options.scales.x, this.part());
     this.entry.chart.update("none");
   }

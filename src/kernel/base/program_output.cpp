@@ -1,0 +1,62 @@
+#include "kernel/base/program_output.hpp"
+
+#include <cstdio>
+#include <fcntl.h>
+#include <memory>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace faster {
+
+namespace {
+
+struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+/// Instead of a pipe: nobody has to read while somebody writes, and nobody is told by a signal that the other is gone.
+using TemporaryFile = std::unique_ptr<std::FILE, Closer>;
+
+bool write_all(std::string const& text, std::FILE* file) {
+    return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
+           std::fseek(file, 0, SEEK_SET) == 0;
+}
+
+std::string read_all(std::FILE* file) {
+    std::string text;
+    std::fseek(file, 0, SEEK_SET);
+    char buffer[4096];
+    for (std::size_t read = 0; (read = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
+        text.append(buffer, read);
+    return text;
+}
+
+/// Whether it ran, and ended well.
+bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, fileno(input), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, fileno(output), STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t process = 0;
+    int const error = posix_spawnp(&process, arguments.front(), &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    int status = 0;
+    return error == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::optional<std::string> program_output(std::vector<std::string> words, std::string const& input) {
+    TemporaryFile const in(std::tmpfile());
+    TemporaryFile const out(std::tmpfile());
+    if (!in || !out || !write_all(input, in.get()) || !run(words, in.get(), out.get()))
+        return std::nullopt;
+    return read_all(out.get());
+}
+
+}  // namespace faster

@@ -1,0 +1,12 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace faster {
+
+/// What a program of the host writes to stdout when it is given `input` on stdin. `words`: its name, which is looked
+/// for in PATH, and its arguments. Nothing if there is no such program, or it fails; what it complains of is not shown.
+std::optional<std::string> program_output(std::vector<std::string> words, std::string const& input);
+
+}  // namespace faster

@@ -1,0 +1,62 @@
+#pragma once
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "kernel/base/json.hpp"
+#include "kernel/config/load_config.hpp"
+#include "kernel/explore/job.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/figures/sample_timeline.hpp"
+#include "kernel/machine/machine.hpp"
+#include "kernel/replay/recorded_run.hpp"
+#include "kernel/replay/scripted_run.hpp"
+
+namespace faster::explore {
+
+/// "a.b.c=value" each, to be put over what was recorded.
+using Overrides = std::vector<std::string>;
+
+/// A recorded run that somebody tries other timing on. Answers are JSON; the page that asks for them only draws. May be
+/// asked by several threads at once. Throws InputError for overrides that a retiming does not take, as `whatif` does.
+class Exploration {
+  public:
+    /// `title`: what the page is called.
+    Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run);
+
+    std::string const& title() const { return title_; }
+    /// Everything about the run that no override changes: the graph, the keys that may be changed and what they mean.
+    Json design() const;
+    /// The figures of the run with overrides: cycles, what FIFOs take, modules, FIFOs, loops. A deadlock is one of
+    /// them. `yaml` is a configuration that does the same.
+    Json retimed(Overrides const& overrides) const;
+    /// Along which operations its cycles come about. Null of a deadlock.
+    Json critical_path(Overrides const& overrides) const;
+    /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
+    /// such sample, and where cores share a memory.
+    Json timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to);
+    /// Work to be done in the background.
+    Job::Work sensitivities(Overrides const& overrides) const;
+    Job::Work sizing(Overrides const& overrides, double within_percent) const;
+
+  private:
+    RunConfig changed(Overrides const& overrides) const;
+    RunStatistics retimed_with_path(Machine const& machine) const;
+
+    std::string title_;
+    LoadedConfig recorded_;
+    replay::RecordedRun run_;
+    replay::ScriptedRun scripted_;  ///< of the run
+
+    struct KeptTimeline {
+        Overrides overrides;
+        Machine machine;
+        SampleTimeline timeline;
+    };
+    std::shared_ptr<KeptTimeline const> kept_timeline(Overrides const& overrides, std::size_t sample);
+    std::mutex mutex_;
+    std::shared_ptr<KeptTimeline const> kept_;
+};
+
+}  // namespace faster::explore

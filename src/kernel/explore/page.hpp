@@ -1,0 +1,8 @@
+#pragma once
+
+namespace faster::explore {
+
+/// Joined by the build from the files of page/.
+extern char const* const explore_page;
+
+}  // namespace faster::explore

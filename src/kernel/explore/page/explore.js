@@ -1,0 +1,198 @@
+// The page of an exploration: every change is retimed by the server and drawn here.
+
+const drag_pause_ms = 60; // without a new total, before the rest is drawn
+
+class Explorer {
+  constructor() {
+    this.history = new History();
+    this.changes = new Map();
+    this.keys = new KeyList((key, value, is_settled) => this.change(key, value, is_settled));
+    this.graph = DataflowGraph.is_there() ? new DataflowGraph(by_id("graph-box"), (kind, name) => this.select(kind, name)) : null;
+    this.retimer = new Latest("retime", (figures, context, is_stale) => this.retimed(figures, context, is_stale), (error, context) => this.failed(error, context));
+    this.pather = new Latest("path", (path, context) => this.pathed(path, context), () => {});
+    this.sensitivities = new BackgroundJob("sensitivities", ({ done, steps }) => { this.sensitivity_note.textContent = `sensitivities: ${done} of ${steps || "?"}`; });
+    this.sizing = new Sizing(() => overrides_of(this.changes), (overrides) => this.put_over(overrides), (rows, base) => this.tried_by_search(rows, base));
+    this.tried = new Tried((overrides) => this.go_to(changes_of(overrides)));
+    this.add_actions();
+    if (this.graph) by_id("graph-legend").append(graph_legend());
+    else by_id("graph-box").append(element("p", { class: "note" }, "Not drawn: Graphviz's program dot, which places the parts, is not installed where faster-sim runs."));
+    addEventListener("hashchange", () => this.go_to(changes_of_hash(location.hash)));
+    addEventListener("keydown", (event) => this.key_down(event));
+  }
+
+  add_actions() {
+    const button = (text, title, action) => {
+      const made = element("button", { type: "button", title }, text);
+      made.addEventListener("click", action);
+      by_id("actions").append(made);
+      return made;
+    };
+    this.undo = button("undo", "Ctrl-Z", () => this.travel(-1));
+    this.redo = button("redo", "Ctrl-Y", () => this.travel(1));
+    this.reset = button("reset", "all keys as recorded", () => this.go_to(new Map()));
+    button("pin", "compare with what is shown now", () => this.pin());
+    button("copy --set", "for run, whatif and size-fifos", () => this.copy(this.set_options()));
+    button("copy YAML", "a configuration file that takes as long", () => this.copy(this.figures.yaml));
+    button("copy link", "this address has all changes", () => this.copy(location.href));
+    this.sensitivity_button = button("sensitivities of this", "what one step of each key changes from here", () => this.work_out_sensitivities());
+    this.sensitivity_note = element("span", { class: "note", "aria-live": "polite" });
+    this.copied = element("textarea", { id: "copied", "aria-label": "Copied text", readonly: "", rows: 3, hidden: "" });
+    by_id("actions").append(this.sensitivity_note, this.copied);
+  }
+
+  /// With the figures of the recorded run, which are pinned until something else is.
+  begin(recorded) {
+    this.pinned = recorded;
+    if (data.has_ideal_memory) new AnySample();
+    else leave_out("timeline");
+    this.retimed(recorded, { changes: this.changes, is_settled: false, asked_at: performance.now() }, false);
+    this.go_to(changes_of_hash(location.hash));
+    this.work_out_sensitivities();
+  }
+
+  set_options() {
+    return overrides_of(this.changes).map((setting) => `--set ${setting}`).join(" ");
+  }
+
+  /// Also shown, for browsers that give no access to the clipboard.
+  copy(text) {
+    this.copied.value = text;
+    this.copied.hidden = text === "";
+    if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => this.copied.select());
+  }
+
+  key_down(event) {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.tagName === "TEXTAREA") return;
+    const by = event.key === "z" && !event.shiftKey ? -1 : event.key === "y" || event.key.toLowerCase() === "z" ? 1 : 0;
+    if (by === 0) return;
+    event.preventDefault();
+    this.travel(by);
+  }
+
+  change(key, value, is_settled) {
+    value === key_rows.get(key).value ? this.changes.delete(key) : this.changes.set(key, value);
+    this.retime(is_settled);
+  }
+
+  travel(by) {
+    this.changes = new Map(this.history.go(by));
+    this.retime(false);
+    this.leave_address();
+  }
+
+  go_to(changes) {
+    this.changes = new Map(changes);
+    this.retime(true);
+  }
+
+  put_over(overrides) {
+    this.go_to(changes_of([...overrides_of(this.changes), ...overrides]));
+  }
+
+  /// `rows` with overrides that stand over those of `base`.
+  tried_by_search(rows, base) {
+    for (const row of rows) this.tried.note({ ...row, overrides: overrides_of(changes_of([...base, ...row.overrides])) });
+    this.tried.show(this.overrides);
+  }
+
+  /// `is_settled`: what is chosen now goes into the history, once it is known to be sound.
+  retime(is_settled) {
+    this.keys.show(this.changes);
+    if (is_settled && this.figures && this.retimer.is_idle() && overrides_of(this.changes).join() === this.overrides.join())
+      return this.settle(this.changes); // a drag has ended where its figures are known
+    this.retimer.want({ set: overrides_of(this.changes) }, { changes: new Map(this.changes), is_settled, asked_at: performance.now() });
+  }
+
+  retimed(figures, { changes, is_settled, asked_at }, is_stale) {
+    this.complain("");
+    this.figures = figures;
+    this.overrides = overrides_of(changes);
+    if (is_settled) this.settle(changes);
+    if (figures.outcome === "finished") this.tried.note({ overrides: this.overrides, cycles: figures.total_cycles, cost: figures.area.cost_of_cores });
+    show_headline(figures, this.pinned);
+    by_id("headline").dataset.milliseconds = performance.now() - asked_at;
+    if (is_stale) return;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.show_settled(), drag_pause_ms);
+  }
+
+  /// What takes longer to draw than the headline.
+  show_settled() {
+    this.show_rest(null);
+    this.tried.show(this.overrides);
+    this.pather.want({ set: this.overrides }, this.overrides.join());
+  }
+
+  settle(changes) {
+    this.history.put(changes);
+    this.leave_address();
+  }
+
+  leave_address() {
+    const hash = hash_of(this.history.now);
+    history.replaceState(null, "", hash === "#" ? location.pathname : hash);
+    this.undo.disabled = !this.history.can_go(-1);
+    this.redo.disabled = !this.history.can_go(1);
+    this.reset.disabled = this.history.now.size === 0;
+  }
+
+  show_rest(path) {
+    const { figures } = this;
+    show_moved(figures, this.pinned);
+    show_loops(figures.schedules);
+    show_deadlock(figures.deadlock);
+    const lane_cycles = figures.cores * (figures.total_cycles || figures.deadlock.cycle);
+    if (this.graph) this.graph.show({ ...figures, lane_cycles, path, stuck: figures.deadlock ? figures.deadlock.stuck : null });
+  }
+
+  pathed(path, of) {
+    if (of !== this.overrides.join()) return;
+    show_path(path, this.figures);
+    this.show_rest(path);
+  }
+
+  /// What was tried is not taken: the figures stay those of the last that was.
+  failed(error, { is_settled }) {
+    this.complain(error.message);
+    if (!is_settled) return;
+    this.changes = new Map(this.history.now);
+    this.keys.show(this.changes);
+  }
+
+  complain(text) {
+    by_id("complaint").textContent = text;
+    by_id("complaint").hidden = text === "";
+  }
+
+  pin() {
+    this.pinned = this.figures;
+    show_headline(this.figures, this.pinned);
+    show_moved(this.figures, this.pinned);
+  }
+
+  select(kind, name) {
+    this.keys.show_part({ kind, name });
+    by_id("keys").scrollIntoView({ block: "nearest", behavior: "smooth" });
+  }
+
+  async work_out_sensitivities() {
+    const set = this.overrides || [];
+    try {
+      const result = await this.sensitivities.start({ set });
+      if (!result) return;
+      this.keys.show_sensitivities(result.sensitivities);
+      this.sensitivity_note.textContent = set.length === 0 ? "sensitivities: of the recorded run" : "sensitivities: of these settings";
+    } catch (error) {
+      this.sensitivity_note.textContent = error.message;
+    }
+  }
+}
+
+function show_machine() {
+  by_id("machine").textContent = [data.remark, count_of(data.samples, "sample")].filter((part) => part).join(", ");
+}
+
+set_chart_defaults();
+show_machine();
+const explorer = new Explorer();
+ask("retime", { set: [] }).then((recorded) => explorer.begin(recorded));

@@ -1,0 +1,193 @@
+#include "kernel/report/html/graph_data.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <sstream>
+
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/program_output.hpp"
+
+namespace faster::report {
+
+namespace {
+
+/// A node or edge of the drawing, by the name that the page knows it by.
+struct Part {
+    std::string id;
+    std::string name;
+};
+
+/// What dot is asked to place. Names of a design never stand in it, only how much room they take.
+class DotGraph {
+  public:
+    explicit DotGraph(char const* direction) {
+        text_ = fmt::format(
+            "digraph{{rankdir={};nodesep=0.25;ranksep=0.3;node[shape=box,fixedsize=true];edge[fontsize=9,"
+            "fontname=\"Courier\",arrowsize=0.7];\n",
+            direction);
+    }
+    void add_node(std::string const& id, std::string const& kind, std::string const& name, double height_inch) {
+        constexpr double letter_inch = 0.1, least_inch = 0.9;
+        double const width = std::max(least_inch, letter_inch * static_cast<double>(name.size() + 2));
+        fmt::format_to(std::back_inserter(text_), "{}[width={:.2f},height={:.2f}];\n", id, width, height_inch);
+        nodes_.push_back({id, kind + ":" + name});
+    }
+    /// `label`: how many letters it takes.
+    void add_edge(std::string const& from, std::string const& to, std::string const& name, std::size_t label,
+                  char const* more = "") {
+        fmt::format_to(std::back_inserter(text_), "{}->{}[id=e{},label=\"{}\"{}];\n", from, to, edges_.size(),
+                       std::string(label, 'x'), more);
+        edges_.push_back({fmt::format("e{}", edges_.size()), name});
+    }
+    std::string text() const { return text_ + "}\n"; }
+    std::vector<Part> const& nodes() const { return nodes_; }
+    std::vector<Part> const& edges() const { return edges_; }
+
+  private:
+    std::string text_;
+    std::vector<Part> nodes_;
+    std::vector<Part> edges_;
+};
+
+std::string id(char kind, std::size_t number) { return kind + std::to_string(number); }
+
+std::string stream_edge(MachineStream const& stream) { return "memory:" + stream.name; }
+std::string owner_edge(MachineMemory const& memory) { return "bram:" + memory.name; }
+
+DotGraph graph_of(Machine const& machine, char const* direction) {
+    DotGraph graph(direction);
+    for (std::size_t const i : modules_of(machine))
+        graph.add_node(id('p', i), "process", machine.processes[i].name, 0.55);
+    for (std::size_t const i : brams_of(machine))
+        graph.add_node(id('m', i), "bram", machine.memories[i].name, 0.45);
+    std::vector<std::size_t> const streams = machine.external_memory ? streams_of(machine) : std::vector<std::size_t>{};
+    if (!streams.empty())
+        graph.add_node("x0", "memory", "external memory", 0.45);
+    for (std::size_t const i : fifos_of(machine)) {
+        MachineFifo const& fifo = machine.fifos[i];
+        graph.add_edge(id('p', fifo.writer), id('p', fifo.reader), "fifo:" + fifo.name, fifo.name.size() + 2);
+    }
+    for (std::size_t const i : brams_of(machine)) {
+        MachineMemory const& memory = machine.memories[i];
+        graph.add_edge(id('m', i), id('p', memory.owner), owner_edge(memory), 0, ",dir=none");
+        if (memory.reader != memory.owner && machine.processes[memory.reader].is_present)
+            graph.add_edge(id('m', i), id('p', memory.reader), owner_edge(memory) + ":reader", 0, ",dir=none");
+    }
+    for (std::size_t const i : streams) {
+        MachineStream const& stream = machine.streams[i];
+        std::string const process = id('p', stream.process);
+        graph.add_edge(stream.writes ? process : "x0", stream.writes ? "x0" : process, stream_edge(stream), 0,
+                       stream.writes ? ",constraint=false" : "");
+    }
+    return graph;
+}
+
+/// dot counts from the bottom up.
+struct Frame {
+    double height = 0;
+
+    double number(double value) const { return std::round(value * 10) / 10; }
+    Json point(std::string const& text) const {
+        double x = 0, y = 0;
+        char comma = 0;
+        std::istringstream(text) >> x >> comma >> y;
+        return {number(x), number(height - y)};
+    }
+};
+
+/// "e,x,y x,y x,y ..." as the points of a curve: the first, and three for each further piece; the arrow's tip last.
+Json curve(std::string const& text, Frame const& frame) {
+    std::istringstream words(text);
+    Json points = Json::array(), tip;
+    for (std::string word; words >> word;)
+        if (word.front() == 'e')
+            tip = frame.point(word.substr(2));
+        else
+            points.push_back(frame.point(word));
+    return {{"points", points}, {"tip", tip}};
+}
+
+double as_number(Json const& text) { return std::stod(text.get<std::string>()); }
+
+Json placed_nodes(Json const& objects, std::vector<Part> const& nodes, Frame const& frame) {
+    constexpr double points_per_inch = 72;
+    Json placed = Json::object();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Json const& object = objects.at(i);
+        placed[nodes[i].name] = {{"at", frame.point(object.at("pos"))},
+                                 {"width", as_number(object.at("width")) * points_per_inch},
+                                 {"height", as_number(object.at("height")) * points_per_inch}};
+    }
+    return placed;
+}
+
+Json placed_edges(Json const& edges, std::vector<Part> const& names, Frame const& frame) {
+    Json placed = Json::object();
+    for (Json const& edge : edges)
+        for (Part const& part : names)
+            if (edge.at("id") == part.id) {
+                placed[part.name] = curve(edge.at("pos"), frame);
+                if (edge.contains("lp"))
+                    placed[part.name]["label"] = frame.point(edge.at("lp"));
+            }
+    return placed;
+}
+
+/// Null without dot, or if what it says is not understood.
+Json layout(Machine const& machine, char const* direction) {
+    DotGraph const graph = graph_of(machine, direction);
+    std::optional<std::string> const output = program_output({"dot", "-Tjson0"}, graph.text());
+    if (!output)
+        return nullptr;
+    try {
+        Json const drawing = io::parse_json(*output);
+        std::istringstream box(drawing.at("bb").get<std::string>());
+        double left = 0, bottom = 0, width = 0, height = 0;
+        char comma = 0;
+        box >> left >> comma >> bottom >> comma >> width >> comma >> height;
+        Frame const frame{height};
+        return {{"width", width},
+                {"height", height},
+                {"nodes", placed_nodes(drawing.at("objects"), graph.nodes(), frame)},
+                {"edges", placed_edges(drawing.value("edges", Json::array()), graph.edges(), frame)}};
+    } catch (std::exception const&) {
+        return nullptr;
+    }
+}
+
+Json fifo_edges(Machine const& machine) {
+    Json rows = Json::array();
+    for (std::size_t const i : fifos_of(machine))
+        rows.push_back({{"fifo", machine.fifos[i].name},
+                        {"writer", machine.processes[machine.fifos[i].writer].name},
+                        {"reader", machine.processes[machine.fifos[i].reader].name}});
+    return rows;
+}
+
+}  // namespace
+
+Json memory_data(Machine const& machine) {
+    Json rows = Json::array();
+    for (std::size_t const i : brams_of(machine)) {
+        MachineMemory const& memory = machine.memories[i];
+        rows.push_back({{"bram", memory.name},
+                        {"owner", machine.processes[memory.owner].name},
+                        {"ports", memory.ports},
+                        {"banks", memory.partition.banks()}});
+    }
+    return rows;
+}
+
+Json graph_data(Machine const& machine) {
+    Json processes = Json::array();
+    for (std::size_t const i : modules_of(machine))
+        processes.push_back(machine.processes[i].name);
+    return {{"processes", processes},
+            {"fifos", fifo_edges(machine)},
+            {"memories", memory_data(machine)},
+            {"wide", layout(machine, "LR")},
+            {"tall", layout(machine, "TB")}};
+}
+
+}  // namespace faster::report

@@ -1,0 +1,18 @@
+#pragma once
+#include "kernel/base/json.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::report {
+
+/// Parts of what pages draw of a run.
+
+Json headline_data(RunStatistics const& run);
+/// Names of the classes of cycles and of the causes of a critical path that a machine can have.
+Json cycle_class_data(Machine const& machine);
+Json path_cause_data(Machine const& machine);
+/// Where the cycles of the modules went, all cores together.
+Json module_data(RunStatistics const& run);
+/// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
+Json stall_data(RunStatistics const& run);
+
+}  // namespace faster::report

@@ -1,0 +1,104 @@
+#include "tool/explore_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <unistd.h>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/events/event_file_format.hpp"
+#include "kernel/explore/exploration.hpp"
+#include "kernel/report/text_report.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/explore_server.hpp"
+#include "tool/options.hpp"
+#include "tool/progress_line.hpp"
+#include "tool/say.hpp"
+#include "tool/simulated_run.hpp"
+
+namespace faster {
+
+namespace {
+
+struct Recorded {
+    LoadedConfig loaded;
+    replay::RecordedRun run;
+};
+
+bool is_event_file(std::string const& path) {
+    std::string mark(events::opening_mark.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    return file.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == events::opening_mark;
+}
+
+Recorded read_recorded(ExploreRequest const& request) {
+    if (!request.overrides.empty())
+        throw InputError(request.input + ": --set " + request.overrides.front() +
+                         ": expected no --set with an event file; the page has a control for each key");
+    events::EventFile file = events::read_event_file(request.input);
+    return {std::move(file.loaded), std::move(file.run)};
+}
+
+/// Nothing if it deadlocks, which has been said then.
+std::unique_ptr<Recorded> record(ExploreRequest const& request) {
+    auto recorded = std::make_unique<Recorded>();
+    recorded->loaded = load_config(request.input, request.overrides);
+    auto const workload = simulated_design().load_workload(recorded->loaded);
+    ProgressLine progress("samples");
+    SimulationOptions options;
+    options.recorded = &recorded->run;
+    options.at_any_size = request.force;
+    options.progress = [&](std::uint64_t done) { progress.show(done, workload->samples()); };
+    RunStatistics const run = simulate(recorded->loaded.config, *workload, options);
+    if (!run.deadlocked())
+        return recorded;
+    warn("{}", report::deadlock_report(run));
+    return nullptr;
+}
+
+std::string host_name() {
+    char name[256] = "this host";
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+}  // namespace
+
+int explore_run(ExploreRequest const& request) {
+    std::unique_ptr<Recorded> recorded =
+        is_event_file(request.input) ? std::make_unique<Recorded>(read_recorded(request)) : record(request);
+    if (!recorded)
+        return exit_deadlock;
+    explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
+                                     std::move(recorded->loaded), std::move(recorded->run));
+    explore::Answers answers(exploration);
+    ExploreServer server(answers, request.port);
+    say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",
+        server.address(), server.port(), server.port(), host_name());
+    finish_saying();
+    server.serve();
+    return exit_done;
+}
+
+Subcommand explore_command() {
+    return {"explore", "Show a recorded run as a page whose timing can be changed, with what that changes",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<ExploreRequest>();
+                command
+                    .add_option("input", request->input,
+                                "Event file of run --events, or a configuration file to be run first")
+                    ->required()
+                    ->type_name("EVENTS|CONFIG");
+                command.add_option("--port", request->port, "Port of 127.0.0.1; 0: any that is free")
+                    ->type_name("PORT")
+                    ->capture_default_str()
+                    ->check(CLI::Range(0, 65535));
+                command.add_flag("--force", request->force, "Run even if it takes more memory than there is");
+                add_overrides(command, request->overrides);
+                return [request] { return explore_run(*request); };
+            }};
+}
+
+}  // namespace faster

@@ -1,0 +1,168 @@
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "support/browser.hpp"
+#include "support/explore_process.hpp"
+#include "support/live_browser.hpp"
+#include "support/small_workspace.hpp"
+#include "support/tool_output.hpp"
+
+namespace explore_browser_test {
+
+using namespace faster::test;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// The page of a small run.
+class Page {
+  public:
+    explicit Page(int width = 1280)
+        : process_((require_done(workspace_.run({"--events", "events"})), FASTER_SIM_BINARY), {"events"},
+                   workspace_.folder().path()),
+          browser_(width, 900) {
+        open("");
+    }
+
+    LiveBrowser& browser() { return browser_; }
+    TempFolder const& folder() const { return workspace_.folder(); }
+    void open(std::string const& fragment) {
+        browser_.open(process_.address() + fragment);
+        REQUIRE(browser_.becomes_true(
+            "document.readyState == 'complete' && Boolean(document.querySelector('#tried tbody tr'))"));
+    }
+    /// As the headline has it: digits only.
+    std::string cycles() {
+        return browser_.value("document.querySelector('#headline dd').firstChild.textContent.replace(/\\D/g, '')");
+    }
+    std::string fragment() { return browser_.value("decodeURIComponent(location.hash)"); }
+    static std::string slider(std::string const& key) { return "[data-key='" + key + "'] input[type=range]"; }
+    /// Until the address has so many changes, which it has once figures are there.
+    void await_changes(int number) {
+        CHECK(browser_.becomes_true("(location.hash.match(/=/g) || []).length == " + std::to_string(number)));
+    }
+    void check_soundness() {
+        CHECK(browser_.troubles() == Json::array());
+        CHECK(browser_.value("document.getElementById('trouble').textContent") == "");
+        CHECK(browser_.value("document.documentElement.scrollWidth <= innerWidth") == true);
+    }
+    /// What a command of the tool with the exported options says.
+    std::string cycles_of_tool(Words words) {
+        words.insert(words.end(), {"--out", "out"});
+        require_done(run_command(FASTER_SIM_BINARY, words, folder().path()));
+        return std::to_string(workspace_.summary("out")["total_cycles"].get<std::uint64_t>());
+    }
+
+  private:
+    SmallWorkspace workspace_;
+    ExploreProcess process_;
+    LiveBrowser browser_;
+};
+
+Words words_of(std::string const& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string button(std::string const& text) {
+    return "[...document.querySelectorAll('button')].find((b) => b.textContent == '" + text + "')";
+}
+
+TEST_CASE("Dragging three keys, undoing one and exporting gives what the tool says of the export", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page;
+    std::string const recorded = page.cycles();
+    CHECK(recorded == page.cycles_of_tool({"whatif", "events"}));
+    page.browser().drag_slider(Page::slider("accelerator.fifos.edge_token.depth"), 0.5);
+    page.await_changes(1);
+    page.browser().drag_slider(Page::slider("accelerator.brams.depth_buffer.ports"), 0.1);
+    page.await_changes(2);
+    std::string const of_two = page.cycles(), fragment_of_two = page.fragment();
+    page.browser().drag_slider(Page::slider("accelerator.raster_cores"), 0);
+    page.await_changes(3);
+    CHECK(page.cycles() != of_two);
+    page.browser().press_with_control('z');
+    page.await_changes(2);
+    CHECK(page.browser().becomes_true(
+        "document.querySelector('#headline dd').firstChild.textContent.replace(/\\D/g, '') == '" + of_two + "'"));
+    CHECK(page.fragment() == fragment_of_two);
+
+    page.browser().value(button("copy --set") + ".click()");
+    Words words = words_of(page.browser().value("document.getElementById('copied').value"));
+    CHECK(words.size() == 4);
+    words.insert(words.begin(), {"whatif", "events"});
+    CHECK(page.cycles_of_tool(words) == of_two);
+    page.browser().value(button("copy YAML") + ".click()");
+    page.folder().write("exported.yaml", page.browser().value("document.getElementById('copied').value"));
+    CHECK(page.cycles_of_tool({"run", "exported.yaml"}) == of_two);
+
+    page.browser().click("#show-sample");
+    REQUIRE(page.browser().becomes_true("document.querySelectorAll('#timeline-chart canvas').length == 1"));
+    page.browser().wheel("#timeline-chart", -480);
+    CHECK(page.browser().becomes_true("document.querySelector('#timeline-controls input[type=range]').value == 2"));
+
+    page.open("");  // another address, so that the next is no mere change of the fragment
+    page.browser().open("about:blank");
+    page.open(fragment_of_two);
+    CHECK(page.cycles() == of_two);
+    page.check_soundness();
+}
+
+TEST_CASE("The page says what the tool would of a bad value, and shows who waits for whom in a deadlock", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page;
+    std::string const before = page.cycles();
+    std::string const box =
+        "document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] input[type=number]\")";
+    page.browser().value(box + ".value = 0; " + box + ".dispatchEvent(new Event('change'))");
+    CHECK(page.browser().becomes_true(
+        "document.getElementById('complaint').textContent == '--set accelerator.fifos.fragment_depth.depth=0: expected "
+        "an integer from 1 to 1048576'"));
+    CHECK(page.cycles() == before);
+    CHECK(page.browser().value(box + ".value") == "2");
+
+    page.browser().value(
+        "document.querySelector(\"[data-key='accelerator.fifos.fragment_depth.depth'] "
+        "input[type=range]\").focus({preventScroll: true})");
+    page.browser().press("ArrowLeft");
+    CHECK(page.browser().becomes_true("document.querySelectorAll('#deadlock li').length > 1"));
+    CHECK(page.browser().value("document.querySelectorAll('#graph-box .fifo.stuck').length > 1") == true);
+    page.check_soundness();
+}
+
+TEST_CASE("A link with a key that there is not shows the recorded run, and says so", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page;
+    std::string const recorded = page.cycles();
+    page.browser().open("about:blank");
+    page.open("#accelerator.fifos.vertx.depth=4");
+    CHECK(
+        page.browser().becomes_true("document.getElementById('complaint').textContent.includes('did you mean "
+                                    "accelerator.fifos.vertex.depth?')"));
+    CHECK(page.cycles() == recorded);
+    page.check_soundness();
+}
+
+TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page(390);
+    page.browser().value(button("size FIFOs") + ".click()");
+    REQUIRE(page.browser().becomes_true("Boolean(document.getElementById('take-sizing'))"));
+    page.browser().click("#take-sizing");
+    REQUIRE(page.browser().becomes_true("location.hash.includes('depth')"));
+    page.browser().value(button("copy --set") + ".click()");
+    Words words = words_of(page.browser().value("document.getElementById('copied').value"));
+    words.insert(words.begin(), {"whatif", "events"});
+    CHECK(page.cycles() == page.cycles_of_tool(words));
+    CHECK(page.browser().becomes_true("document.querySelectorAll('#tried tbody tr').length > 3"));
+    CHECK(page.browser().becomes_true(
+        "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))"));
+    page.browser().click("#graph-box .fifo");  // shows its keys alone
+    CHECK(page.browser().becomes_true("document.querySelectorAll('#key-list .key').length <= 4"));
+    page.check_soundness();
+}
+
+}  // namespace explore_browser_test

@@ -1,0 +1,180 @@
+#include "support/live_browser.hpp"
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace faster::test {
+
+using Json = nlohmann::json;
+
+namespace {
+
+/// Never returns. The browser reads from descriptor 3 and writes to 4.
+[[noreturn]] void become_browser(std::string const& profile, int requests, int answers) {
+    constexpr unsigned longest_life_s = 120;
+    alarm(longest_life_s);
+    int const quiet = open("/dev/null", O_RDWR);
+    dup2(quiet, STDOUT_FILENO);
+    dup2(quiet, STDERR_FILENO);
+    int const from = fcntl(requests, F_DUPFD, 10);  // out of the way of 3 and 4
+    int const to = fcntl(answers, F_DUPFD, 10);
+    dup2(from, 3);
+    dup2(to, 4);
+    std::string const its_profile = "--user-data-dir=" + profile;
+    execlp("chromium", "chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+           "--remote-debugging-pipe", its_profile.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+}
+
+std::string quoted(std::string const& text) { return Json(text).dump(); }
+
+}  // namespace
+
+LiveBrowser::LiveBrowser(int width, int height) {
+    std::array<int, 2> requests{}, answers{};
+    if (pipe2(requests.data(), O_CLOEXEC) != 0 || pipe2(answers.data(), O_CLOEXEC) != 0)
+        throw std::runtime_error("no pipe to the browser");
+    process_ = fork();
+    if (process_ == 0)
+        become_browser(profile_.path(), requests[0], answers[1]);
+    close(requests[0]);
+    close(answers[1]);
+    to_browser_ = requests[1];
+    from_browser_ = answers[0];
+    std::string const target = call("Target.createTarget", {{"url", "about:blank"}})["targetId"];
+    session_ = call("Target.attachToTarget", {{"targetId", target}, {"flatten", true}})["sessionId"];
+    for (char const* domain : {"Runtime.enable", "Page.enable"})
+        call(domain, Json::object());
+    call("Emulation.setDeviceMetricsOverride",
+         {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
+}
+
+LiveBrowser::~LiveBrowser() {
+    kill(process_, SIGTERM);
+    waitpid(process_, nullptr, 0);
+    close(to_browser_);
+    close(from_browser_);
+}
+
+Json LiveBrowser::call(std::string const& method, Json const& parameters) {
+    Json request{{"id", ++last_id_}, {"method", method}, {"params", parameters}};
+    if (!session_.empty())
+        request["sessionId"] = session_;
+    std::string const text = request.dump();
+    if (write(to_browser_, text.c_str(), text.size() + 1) != static_cast<ssize_t>(text.size() + 1))  // with its NUL
+        throw std::runtime_error("the browser does not listen");
+    for (;;) {
+        Json const message = read_message();
+        if (message.value("id", 0) == last_id_) {
+            if (message.contains("error"))
+                throw std::runtime_error(method + ": " + message["error"].dump());
+            return message["result"];
+        }
+        std::string const event = message.value("method", "");
+        if (event == "Runtime.exceptionThrown" || event == "Runtime.consoleAPICalled")
+            troubles_.push_back(message["params"]);
+    }
+}
+
+Json LiveBrowser::read_message() {
+    std::size_t end = 0;
+    while ((end = unread_.find('\0')) == std::string::npos) {
+        std::array<char, 65536> buffer{};
+        ssize_t const read_now = read(from_browser_, buffer.data(), buffer.size());
+        if (read_now <= 0)
+            throw std::runtime_error("the browser has ended");
+        unread_.append(buffer.data(), static_cast<std::size_t>(read_now));
+    }
+    Json message = Json::parse(unread_.substr(0, end));
+    unread_.erase(0, end + 1);
+    return message;
+}
+
+void LiveBrowser::open(std::string const& address) { call("Page.navigate", {{"url", address}}); }
+
+Json LiveBrowser::value(std::string const& expression) {
+    Json const answer =
+        call("Runtime.evaluate", {{"expression", expression}, {"returnByValue", true}, {"awaitPromise", true}});
+    if (answer.contains("exceptionDetails"))
+        throw std::runtime_error(expression + ": " + answer["exceptionDetails"].dump());
+    return answer["result"].value("value", Json());
+}
+
+bool LiveBrowser::becomes_true(std::string const& expression) {
+    for (int tries = 0; tries < 500; ++tries) {
+        if (value(expression) == true)
+            return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+LiveBrowser::Box LiveBrowser::box_of(std::string const& selector) {
+    Json const box = value("(() => { const e = document.querySelector(" + quoted(selector) +
+                           "); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = "
+                           "e.getBoundingClientRect(); return [r.left, r.top, "
+                           "r.width, r.height]; })()");
+    return {box[0], box[1], box[2], box[3]};
+}
+
+void LiveBrowser::mouse(std::string const& type, double x, double y, int buttons) {
+    call("Input.dispatchMouseEvent",
+         {{"type", type}, {"x", x}, {"y", y}, {"button", "left"}, {"buttons", buttons}, {"clickCount", 1}});
+}
+
+void LiveBrowser::click(std::string const& selector) {
+    Box const box = box_of(selector);
+    double const x = box.left + box.width / 2, y = box.top + box.height / 2;
+    mouse("mousePressed", x, y, 1);
+    mouse("mouseReleased", x, y, 0);
+}
+
+void LiveBrowser::drag_slider(std::string const& selector, double share) {
+    constexpr double half_thumb = 8;  // pixels
+    constexpr int moves = 8;
+    Box const box = box_of(selector);
+    Json const at = value("(() => { const e = document.querySelector(" + quoted(selector) +
+                          "); return (e.value - e.min) / (e.max - e.min); })()");
+    auto const x_of = [&](double part) { return box.left + half_thumb + (box.width - 2 * half_thumb) * part; };
+    double const from = x_of(at), to = x_of(share), y = box.top + box.height / 2;
+    mouse("mousePressed", from, y, 1);
+    for (int i = 1; i <= moves; ++i)
+        mouse("mouseMoved", from + (to - from) * i / moves, y, 1);
+    mouse("mouseReleased", to, y, 0);
+}
+
+void LiveBrowser::wheel(std::string const& selector, double by) {
+    Box const box = box_of(selector);
+    call("Input.dispatchMouseEvent", {{"type", "mouseWheel"},
+                                      {"x", box.left + box.width / 2},
+                                      {"y", box.top + box.height / 2},
+                                      {"deltaX", 0},
+                                      {"deltaY", by}});
+}
+
+void LiveBrowser::press_with_control(char letter) {
+    constexpr int control = 2;
+    std::string const key(1, letter);
+    for (char const* type : {"keyDown", "keyUp"})
+        call("Input.dispatchKeyEvent", {{"type", type}, {"modifiers", control}, {"key", key}});
+}
+
+void LiveBrowser::press(std::string const& key) {
+    for (char const* type : {"keyDown", "keyUp"})
+        call("Input.dispatchKeyEvent", {{"type", type},
+                                        {"key", key},
+                                        {"code", key},
+                                        {"windowsVirtualKeyCode", key == "ArrowRight" ? 39
+                                                                  : key == "Enter"    ? 13
+                                                                                      : 37},
+                                        {"text", key == "Enter" ? "\r" : ""}});
+}
+
+}  // namespace faster::test

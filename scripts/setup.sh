@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that faster-sim needs, and only those that are missing.
 #   scripts/setup.sh          what building, testing and running need
-#   scripts/setup.sh --dev    also clang-format, clang-tidy and Chromium, for the test of the HTML report
+#   scripts/setup.sh --dev    also clang-format, clang-tidy, Chromium for the test of the HTML report, Verilator and Yosys
+#                             for the register-transfer twin
 set -euo pipefail
 
 packages=(
@@ -12,7 +13,7 @@ packages=(
 
 for argument in "$@"; do
     case "$argument" in
-        --dev) packages+=(clang-format clang-tidy chromium) ;;
+        --dev) packages+=(clang-format clang-tidy chromium verilator yosys) ;;
         -h | --help)
             echo "usage: setup.sh [--dev]"
             exit 0

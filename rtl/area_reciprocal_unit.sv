@@ -10,6 +10,9 @@ module area_reciprocal_unit #(
     input  logic                        clock,
     input  logic                        reset,
     input  faster_pkg::stage_t          stages,
+    input  logic                        squeezes,
+    input  logic [11:0]                 capacity,                // of the FIFO behind it
+    input  logic                        area_reciprocal_is_read,  // from that FIFO
     input  logic [5:0]                  one,  // the dividend is 2^one: area_reciprocal + 2 vertex_xy
 
     input  logic                        area_has_token,
@@ -22,6 +25,8 @@ module area_reciprocal_unit #(
     logic leaves;
     wire is_drawn = area > 0;
     wire advance = !reset && (!leaves || area_reciprocal_has_room);
+    logic [11:0] taken;  // results in the unit and in the FIFO
+    wire takes = area_has_token && (!squeezes || !is_drawn || taken < capacity);
     logic [RECIPROCAL_BITS-1:0] quotient;
 
     divider #(
@@ -32,7 +37,7 @@ module area_reciprocal_unit #(
         .clock, .advance, .dividend(RECIPROCAL_BITS'(1) << one), .divisor(area[AREA_BITS-2:0]), .quotient
     );
     delay_line valid_line (
-        .clock, .advance, .stages, .in(area_has_token && is_drawn), .out(leaves)
+        .clock, .advance, .stages, .in(takes && is_drawn), .out(leaves)
     );
     delay_line #(
         .BITS(RECIPROCAL_BITS)
@@ -40,6 +45,11 @@ module area_reciprocal_unit #(
         .clock, .advance, .stages(stages - faster_pkg::stage_t'(DIVIDER_STAGES)), .in(quotient), .out(area_reciprocal)
     );
 
-    assign area_read = area_has_token && advance;
+    assign area_read = takes && advance;
     assign area_reciprocal_write = leaves && area_reciprocal_has_room;
+
+    always_ff @(posedge clock) begin
+        if (reset) taken <= '0;
+        else taken <= taken + 12'(area_read && is_drawn) - 12'(area_reciprocal_is_read);
+    end
 endmodule

@@ -20,6 +20,7 @@ module cosimulated_core (
     input  logic               edge_map_clears_on_read_out,
     input  logic               inlier_unit_clears_on_read_out,
     input  logic               has_line_buffers,
+    input  logic               reciprocals_squeeze,
     input  logic [7:0]         edge_map_ports,
     input  logic [7:0]         object_map_ports,
     input  logic [7:0]         depth_buffer_ports,
@@ -123,6 +124,7 @@ module cosimulated_core (
         settings_asked_for.edge_map_clears_on_read_out = edge_map_clears_on_read_out;
         settings_asked_for.inlier_unit_clears_on_read_out = inlier_unit_clears_on_read_out;
         settings_asked_for.has_line_buffers = has_line_buffers;
+        settings_asked_for.reciprocals_squeeze = reciprocals_squeeze;
         settings_asked_for.depth_buffer_ports = depth_buffer_ports > 8'd6 ? 3'd6 : depth_buffer_ports[2:0];
         settings_asked_for.setup_cycles = setup_cycles;
         settings_asked_for.vertex_loop = scheduled(VERTEX, 8'd1);
@@ -149,6 +151,8 @@ module cosimulated_core (
         settings_asked_for.vertex = resolved(F_VERTEX, 8'd48);
         settings_asked_for.area = resolved(F_AREA, 8'd33);
         settings_asked_for.area_reciprocal = resolved(F_AREA_RECIPROCAL, reciprocal_bits);
+        if (reciprocals_squeeze)
+            settings_asked_for.area_reciprocal.capacity += 12'(fifo_write_latency[F_AREA_RECIPROCAL]);
         settings_asked_for.command = resolved(F_COMMAND, 8'd2);
         settings_asked_for.fragment_depth = resolved(F_FRAGMENT_DEPTH, 8'd48);
         settings_asked_for.fragment_index = resolved(F_FRAGMENT_INDEX, 8'd32);
@@ -181,7 +185,6 @@ module cosimulated_core (
         fifo_read[F_VERTEX] = core.vertex_read;
         fifo_write[F_AREA] = core.area_write;
         fifo_read[F_AREA] = core.area_read;
-        fifo_write[F_AREA_RECIPROCAL] = core.area_reciprocal_write;
         fifo_read[F_AREA_RECIPROCAL] = core.area_reciprocal_read;
         fifo_write[F_COMMAND] = core.command_write;
         fifo_read[F_COMMAND] = core.command_read;
@@ -216,7 +219,14 @@ module cosimulated_core (
         field[F_VERTEX][1] = 64'(core.vertex_in.y);
         field[F_VERTEX][2] = 64'(core.vertex_in.z);
         field[F_AREA][0] = 64'(core.area_in);
-        field[F_AREA_RECIPROCAL][0] = 64'(core.area_reciprocal_in);
+        // A recording has a squeezing unit's result where it is issued.
+        if (settings.reciprocals_squeeze) begin
+            fifo_write[F_AREA_RECIPROCAL] = core.area_read && core.area_out > 0;
+            field[F_AREA_RECIPROCAL][0] = 64'(core.reciprocal.quotient);
+        end else begin
+            fifo_write[F_AREA_RECIPROCAL] = core.area_reciprocal_write;
+            field[F_AREA_RECIPROCAL][0] = 64'(core.area_reciprocal_in);
+        end
         field[F_COMMAND][0] = 64'(core.command_in);
         field[F_FRAGMENT_DEPTH][0] = 64'(core.fragment_depth_in);
         field[F_FRAGMENT_INDEX][0] = 64'(core.fragment_index_in.row);

@@ -42,6 +42,7 @@ package faster_pkg;
         logic        edge_map_clears_on_read_out;
         logic        inlier_unit_clears_on_read_out;
         logic        has_line_buffers;
+        logic        reciprocals_squeeze;
         logic [2:0]  depth_buffer_ports;
         cycles_t     setup_cycles;
         loop_t       vertex_loop;

@@ -83,7 +83,7 @@ module raster_core #(
     logic area_reciprocal_has_room, area_reciprocal_write, area_reciprocal_has_token, area_reciprocal_read;
     logic [RECIPROCAL_BITS-1:0] area_reciprocal_in, area_reciprocal_out;
     fifo #(
-        .BITS(RECIPROCAL_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(RECIPROCAL_BITS), .SHIFT_REGISTER_PLACES(2 * SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_area_reciprocal (
         .clock, .reset, .shape(settings.area_reciprocal),
         .has_room(area_reciprocal_has_room), .write(area_reciprocal_write), .write_data(area_reciprocal_in),
@@ -206,7 +206,8 @@ module raster_core #(
     area_reciprocal_unit #(
         .AREA_BITS(EDGE_BITS), .RECIPROCAL_BITS(RECIPROCAL_BITS), .DIVIDER_STAGES(DIVIDER_STAGES)
     ) reciprocal (
-        .clock, .reset, .stages(settings.area_reciprocal_latency),
+        .clock, .reset, .stages(settings.area_reciprocal_latency), .squeezes(settings.reciprocals_squeeze),
+        .capacity(settings.area_reciprocal.capacity), .area_reciprocal_is_read(area_reciprocal_read),
         .one(settings.fraction.area_reciprocal + (6'(settings.fraction.vertex_xy) << 1)),
         .area_has_token, .area_read, .area(area_out),
         .area_reciprocal_has_room, .area_reciprocal_write, .area_reciprocal(area_reciprocal_in)

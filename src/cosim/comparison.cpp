@@ -39,8 +39,12 @@ class Comparison {
   public:
     Comparison(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
                Stimulus const& stimulus, CoreShare share)
-        : model_(model), maps_(maps), settings_(settings), twin_(settings, stimulus, share.first, share.count),
-          built_(share.first), drawn_(share.first) {
+        : model_(model),
+          maps_(maps),
+          settings_(settings),
+          twin_(settings, stimulus, share.first, share.count),
+          built_(share.first),
+          drawn_(share.first) {
         number_of_.assign(model.machine->fifos.size(), twin_fifos.size());
         for (std::size_t i = 0; i < twin_fifos.size(); ++i) {
             number_of_[model.machine->fifo(twin_fifos[i])] = i;
@@ -103,7 +107,8 @@ class Comparison {
     }
 
     void differs(std::size_t fifo, char const* accesses, recording::TokenValues const& token, bool by_twin) {
-        std::string const what = token.empty() ? accesses : fmt::format("{} ({})", accesses, token_text(layouts_[fifo], token));
+        std::string const what =
+            token.empty() ? accesses : fmt::format("{} ({})", accesses, token_text(layouts_[fifo], token));
         differ(fmt::format("FIFO {}: the {} {}, the {} does not", twin_fifos[fifo], by_twin ? "twin" : "model", what,
                            by_twin ? "model" : "twin"));
     }

@@ -23,6 +23,7 @@ void set(Vcosimulated_core& core, TwinSettings const& settings) {
     core.edge_map_clears_on_read_out = settings.edge_map_clears_on_read_out;
     core.inlier_unit_clears_on_read_out = settings.inlier_unit_clears_on_read_out;
     core.has_line_buffers = settings.has_line_buffers;
+    core.reciprocals_squeeze = settings.reciprocals_squeeze;
     core.edge_map_ports = settings.ports[0];
     core.object_map_ports = settings.ports[1];
     core.depth_buffer_ports = settings.ports[2];

@@ -9,9 +9,9 @@ namespace faster::rtl {
 
 namespace {
 
-constexpr std::uint64_t most_cycles = 255;       // of an interval or a depth
-constexpr std::uint64_t most_stages = 63;        // of a delay line
-constexpr std::uint64_t most_registers = 64;     // places of a FIFO
+constexpr std::uint64_t most_cycles = 255;    // of an interval or a depth
+constexpr std::uint64_t most_stages = 63;     // of a delay line
+constexpr std::uint64_t most_registers = 64;  // places of a FIFO
 constexpr std::uint64_t most_memory_words = 1024;
 constexpr int largest_window = 255;
 
@@ -46,8 +46,6 @@ void check_design(AcceleratorConfig const& config, Machine const& machine) {
     require(config.rasterizer.setup_overlap == 0, "rasterizer.setup_overlap", "0");
     require(config.rasterizer.lanes == 1, "rasterizer.lanes", "1");
     require(!machine.external_memory, "memory.model", "ideal");
-    require(machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::freeze,
-            "area_reciprocal.when_full", "freeze");
     for (MachineMemory const& memory : machine.memories)
         require(memory.partition.banks() <= 1, "brams." + memory.name + ".partition.factor", "1");
     in_range("window", static_cast<std::uint64_t>(config.window), 2, largest_window);
@@ -59,8 +57,8 @@ TwinSettings::Fifo fifo_settings(MachineFifo const& fifo) {
     std::uint64_t const most = fifo.kind == FifoKind::memory ? most_memory_words : most_registers;
     settings.kind = static_cast<std::uint8_t>(fifo.configured_kind);
     settings.depth = static_cast<std::uint16_t>(in_range(key + ".depth", fifo.depth, 1, most));
-    // The word of the edge map has to be read first.
-    std::uint64_t const least = fifo.name == "edge_map" ? 1 : 0;
+    // The word of the edge map has to be read first; and a result cannot leave before the read of its own step.
+    std::uint64_t const least = fifo.name == "edge_map" || fifo.name == "area_reciprocal" ? 1 : 0;
     settings.write_latency =
         static_cast<std::uint8_t>(in_range(key + ".write_latency", fifo.write_latency, least, most_stages));
     return settings;
@@ -116,10 +114,11 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     settings.edge_map_clears_on_read_out = config.edge_map.clearing == MapClearing::on_read_out;
     settings.inlier_unit_clears_on_read_out = config.inlier_unit.clearing == MapClearing::on_read_out;
     settings.has_line_buffers = config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    settings.reciprocals_squeeze = machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::squeeze;
     std::array<char const*, 3> const memories{"edge_map", "object_map", "depth_buffer"};
     for (std::size_t i = 0; i < memories.size(); ++i)
-        settings.ports[i] = static_cast<std::uint8_t>(in_range(std::string("brams.") + memories[i] + ".ports",
-                                                               config.memory(memories[i]).ports, 1, most_cycles));
+        settings.ports[i] = static_cast<std::uint8_t>(
+            in_range(std::string("brams.") + memories[i] + ".ports", config.memory(memories[i]).ports, 1, most_cycles));
     settings.setup_cycles = static_cast<std::uint8_t>(in_range(
         "loops.rasterizer.setup.depth", machine.processes[machine.process("rasterizer")].setup_cycles, 1, most_cycles));
     settings.fifo_rules = static_cast<std::uint8_t>(config.fifo_rules);

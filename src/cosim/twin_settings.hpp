@@ -10,8 +10,9 @@ namespace faster::rtl {
 
 /// FIFOs of the twin, in its order (rtl/cosimulated_core.sv): that of fifos.csv.
 inline constexpr std::array<char const*, 14> twin_fifos{
-    "sample_vertex",  "sample_raster",  "sample_observation", "vertex",   "area",           "area_reciprocal", "command",
-    "fragment_depth", "fragment_index", "edge_token",         "edge_map", "observed_depth", "observed_edge",   "result"};
+    "sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
+    "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
+    "edge_map",        "observed_depth", "observed_edge",      "result"};
 /// Its loops, in the order of the table of SPEC section 3.
 inline constexpr std::array<char const*, 9> twin_loops{
     "vertex_transform.vertex", "rasterizer.scan",         "edge_map_builder.clear",
@@ -41,6 +42,7 @@ struct TwinSettings {
     bool edge_map_clears_on_read_out = false;
     bool inlier_unit_clears_on_read_out = false;
     bool has_line_buffers = false;
+    bool reciprocals_squeeze = false;
     std::array<std::uint8_t, 3> ports{2, 2, 2};  ///< of edge_map, object_map, depth_buffer
     std::uint8_t setup_cycles = 12;
     std::uint8_t fifo_rules = 0;  ///< spec, vivado_hls, vitis_hls

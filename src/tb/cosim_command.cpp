@@ -31,8 +31,8 @@ LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> con
 rtl::TwinSettings settings_of(CosimRequest const& request) {
     LoadedConfig loaded = config_of(request, request.twin_overrides);
     Stimulus const stimulus = load_stimulus(loaded);
-    rtl::TwinSettings settings = rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config),
-                                                        stimulus.width, stimulus.height);
+    rtl::TwinSettings settings =
+        rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
     settings.forwards_object_map = request.forwards;
     return settings;
 }
@@ -40,7 +40,8 @@ rtl::TwinSettings settings_of(CosimRequest const& request) {
 /// True if nothing differs.
 bool tell(std::size_t core, rtl::Compared const& compared) {
     if (!compared.difference) {
-        say("core {}: no difference in {} cycles: {} writes with their tokens, {} reads, {} maps; twin {:.2f} s, {:.0f} "
+        say("core {}: no difference in {} cycles: {} writes with their tokens, {} reads, {} maps; twin {:.2f} s, "
+            "{:.0f} "
             "kHz\n",
             core, compared.cycles, compared.writes, compared.reads, compared.maps, compared.twin_seconds,
             static_cast<double>(compared.cycles) / compared.twin_seconds / 1e3);
@@ -77,25 +78,24 @@ int cosim(CosimRequest const& request) {
 }
 
 Subcommand cosim_command() {
-    return {"cosim", "Compare the model, cycle by cycle, with its register-transfer twin", [](CLI::App& command) {
-                auto const request = std::make_shared<CosimRequest>();
-                command.add_option("trace", request->trace, "Folder of the stimulus trace")
-                    ->required()
-                    ->type_name("TRACE");
-                command.add_option("--config", request->config, "Configuration file (YAML)")->type_name("CONFIG");
-                add_overrides(command, request->overrides);
-                command
-                    .add_option("--twin-set", request->twin_overrides,
-                                "Override a key for the twin alone, to see the difference found")
-                    ->type_name("KEY=VALUE")
-                    ->allow_extra_args(false);
-                command.add_option("--core", request->core, "Compare this core only")
-                    ->type_name("N")
-                    ->check(CLI::Range(0, 1000000));
-                command.add_flag("!--no-forwarding", request->forwards,
-                                 "The twin reads stale words of the object map, as hardware does without forwarding");
-                return [request] { return cosim(*request); };
-            }};
+    return {
+        "cosim", "Compare the model, cycle by cycle, with its register-transfer twin", [](CLI::App& command) {
+            auto const request = std::make_shared<CosimRequest>();
+            command.add_option("trace", request->trace, "Folder of the stimulus trace")->required()->type_name("TRACE");
+            command.add_option("--config", request->config, "Configuration file (YAML)")->type_name("CONFIG");
+            add_overrides(command, request->overrides);
+            command
+                .add_option("--twin-set", request->twin_overrides,
+                            "Override a key for the twin alone, to see the difference found")
+                ->type_name("KEY=VALUE")
+                ->allow_extra_args(false);
+            command.add_option("--core", request->core, "Compare this core only")
+                ->type_name("N")
+                ->check(CLI::Range(0, 1000000));
+            command.add_flag("!--no-forwarding", request->forwards,
+                             "The twin reads stale words of the object map, as hardware does without forwarding");
+            return [request] { return cosim(*request); };
+        }};
 }
 
 }  // namespace faster

@@ -42,7 +42,7 @@ module area_reciprocal_unit #(
     delay_line #(
         .BITS(RECIPROCAL_BITS)
     ) quotient_line (
-        .clock, .advance, .stages(stages - faster_pkg::stage_t'(DIVIDER_STAGES)), .in(quotient), .out(area_reciprocal)
+        .clock, .advance, .stages(stages - 6'(DIVIDER_STAGES)), .in(quotient), .out(area_reciprocal)
     );
 
     assign area_read = takes && advance;

@@ -15,9 +15,11 @@ module block_ram #(
     output logic [PORTS*BITS-1:0]         read_data
 );
     logic [BITS-1:0] words[WORDS] /*verilator public_flat_rd*/;
-    initial for (int i = 0; i < WORDS; ++i) words[i] = INITIAL;
+`ifndef SYNTHESIS  // which takes minutes over the content, and no more primitives
+    initial for (int i = 0; i < WORDS; i = i + 1) words[i] = INITIAL;
+`endif
 
-    for (genvar p = 0; p < PORTS; ++p) begin : g_port
+    for (genvar p = 0; p < PORTS; p = p + 1) begin : g_port
         wire [ADDRESS_BITS-1:0] at = address[p*ADDRESS_BITS+:ADDRESS_BITS];
         always_ff @(posedge clock) begin
             if (enable[p]) begin

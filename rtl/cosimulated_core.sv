@@ -66,13 +66,13 @@ module cosimulated_core (
 
     // II = max(II_target, II_recurrence, II_ports), the worst branch counting in every iteration
     function automatic logic [7:0] ports_interval(input logic [7:0] accesses, input logic [7:0] ports);
-        return (accesses + ports - 8'd1) / ports;
+        ports_interval = (accesses + ports - 8'd1) / ports;
     endfunction
     function automatic logic [7:0] larger(input logic [7:0] a, input logic [7:0] b);
-        return a > b ? a : b;
+        larger = a > b ? a : b;
     endfunction
     function automatic faster_pkg::loop_t scheduled(input loop_number_t number, input logic [7:0] ports);
-        return {larger(larger(loop_target[number], loop_recurrence[number]), ports), loop_depth[number]};
+        scheduled = {larger(larger(loop_target[number], loop_recurrence[number]), ports), loop_depth[number]};
     endfunction
 
     wire has_edge_map = !is_inner_border;
@@ -96,7 +96,7 @@ module cosimulated_core (
         logic [7:0] bits;
         bits = '0;
         for (int b = 0; b < 18; ++b) if (largest[b]) bits = 8'(b + 1);
-        return bits;
+        bits_for = bits;
     endfunction
     wire [7:0] reciprocal_bits = 8'(area_reciprocal_fraction) + (8'(vertex_xy) << 1) + 8'd1;
     wire [7:0] result_bits = (bits_for(18'(window) * 18'(window)) << 2) + 8'd32;
@@ -106,7 +106,7 @@ module cosimulated_core (
         is_small = fifo_rules != 2'd0 && 20'(fifo_depth[number]) * 20'(bits) <= 20'd1024;
         is_memory = fifo_kind[number] == 2'd2 ||
                     (fifo_kind[number] == 2'd0 && fifo_depth[number] > 12'd2 && !is_small);
-        return {is_memory, fifo_depth[number] + 12'(is_memory && fifo_rules != 2'd2)};
+        resolved = {is_memory, fifo_depth[number] + 12'(is_memory && fifo_rules != 2'd2)};
     endfunction
 
     // Taken over at the reset.

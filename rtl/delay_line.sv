@@ -13,7 +13,7 @@ module delay_line #(
         .BITS  (BITS),
         .PLACES(faster_pkg::MAX_STAGES + 1)
     ) line (
-        .clock, .shift(advance), .in, .index(stages - faster_pkg::stage_t'(1)), .out(delayed)
+        .clock, .shift(advance), .in, .index(stages - 6'(1)), .out(delayed)
     );
     assign out = stages == '0 ? in : delayed;
 endmodule

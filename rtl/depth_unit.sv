@@ -15,8 +15,8 @@ module depth_unit #(
     typedef logic signed [7:0] shift_t;
 
     wire [PRODUCT_BITS-1:0] product = PRODUCT_BITS'(z_sum) * PRODUCT_BITS'(reciprocal);
-    wire shift_t right = (shift_t'({1'b0, fraction.vertex_xy}) <<< 1) + shift_t'({1'b0, fraction.vertex_z}) +
-                         shift_t'({1'b0, fraction.area_reciprocal}) - shift_t'({1'b0, fraction.fragment_depth});
+    wire shift_t right = (8'({1'b0, fraction.vertex_xy}) <<< 1) + 8'({1'b0, fraction.vertex_z}) +
+                         8'({1'b0, fraction.area_reciprocal}) - 8'({1'b0, fraction.fragment_depth});
     wire shift_t left = -right;
     // To the left there are 30 bits at most.
     wire [PRODUCT_BITS+29:0] shifted =

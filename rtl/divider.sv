@@ -25,7 +25,7 @@ module divider #(
         assign remainder[0] = '0;
         assign by[0] = divisor;
 
-        for (genvar s = 0; s < STAGES; ++s) begin : g_stage
+        for (genvar s = 0; s < STAGES; s = s + 1) begin : g_stage
             localparam int FIRST = s * BITS_PER_STAGE;
             localparam int BITS = FIRST >= DIVIDEND_BITS ? 0 :
                                   FIRST + BITS_PER_STAGE > DIVIDEND_BITS ? DIVIDEND_BITS - FIRST : BITS_PER_STAGE;
@@ -36,7 +36,7 @@ module divider #(
                 next_rest = rest[s];
                 next_remainder = remainder[s];
                 partial = '0;
-                for (int b = 0; b < BITS; ++b) begin
+                for (int b = 0; b < BITS; b = b + 1) begin
                     partial = {next_remainder, next_rest[DIVIDEND_BITS-1]};
                     next_rest = {next_rest[DIVIDEND_BITS-2:0], partial >= {1'b0, by[s]}};
                     if (partial >= {1'b0, by[s]}) partial = partial - {1'b0, by[s]};

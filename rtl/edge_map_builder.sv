@@ -30,11 +30,11 @@ module edge_map_builder #(
     typedef enum logic [2:0] {BEGIN, CLEAR, FIRST_TOKEN, TOKENS, NO_TOKENS, TURN, OUTPUT} state_t;
     state_t state;
 
-    wire address_t row_words = address_t'(window);
+    wire address_t row_words = ADDRESS_BITS'(window);
     wire [17:0] pixels = 18'(window) * 18'(window);
     logic begins, ends, advance, is_last;
     logic [17:0] counter;  // iterations of clear and output
-    wire address_t counter_address = address_t'(counter);
+    wire address_t counter_address = ADDRESS_BITS'(counter);
     wire counts_last = counter + 18'd1 == (state == OUTPUT && is_inner_border ? pixels + 18'(window) : pixels);
 
     pipelined_loop loop_control (
@@ -53,13 +53,14 @@ module edge_map_builder #(
     logic is_second;
     address_t object_address;  // of the object token that the second iteration belongs to
     wire consumes = state == TOKENS && begins && !is_second;
-    wire is_in_window = faster_pkg::is_inside(token.pixel, window);
+    logic is_in_window;
+    in_window token_in_window (.pixel(token.pixel), .window, .is_inside(is_in_window));
     wire is_object = consumes && token.kind == faster_pkg::OBJECT && is_in_window;
     wire is_edge = consumes && token.kind == faster_pkg::EDGE && is_in_window;
     wire needs_second = is_object && !is_inner_border;
     wire is_last_token = consumes ? edge_token.kind == faster_pkg::END_OF_TOKENS && !(needs_second && flushes_last) :
                                     token.kind == faster_pkg::END_OF_TOKENS;
-    wire address_t token_address = address_t'(token.pixel.row) * row_words + address_t'(token.pixel.col);
+    wire address_t token_address = ADDRESS_BITS'(token.pixel.row) * row_words + ADDRESS_BITS'(token.pixel.col);
 
     assign is_last = state == TOKENS ? is_last_token : counts_last;
     assign edge_token_read = edge_token_has_token && (state == FIRST_TOKEN || consumes);
@@ -79,11 +80,11 @@ module edge_map_builder #(
         is_second ? object_address : token_address
     };
     wire faster_pkg::stage_t read_stage =
-        token_loop.depth >= 8'd4 ? 6'd2 : faster_pkg::stage_t'(token_loop.depth - 8'd2);
+        token_loop.depth >= 8'd4 ? 6'd2 : 6'(token_loop.depth - 8'd2);
     work_t reading, writing;
 
     delay_line #(
-        .BITS($bits(work_t))
+        .BITS(5 + ADDRESS_BITS)
     ) token_line (
         .clock, .advance(advance && state == TOKENS), .stages(read_stage), .in(work), .out(reading)
     );
@@ -171,7 +172,10 @@ module edge_map_builder #(
         .is_covered(object_first), .edge_bit(border_bit)
     );
     wire sends = state == OUTPUT && begins && (!is_inner_border || counter >= 18'(window));
-    always_ff @(posedge clock) if (advance && state == OUTPUT) is_read <= sends;
+    always_ff @(posedge clock) begin
+        if (reset) is_read <= 1'b0;
+        else if (advance && state == OUTPUT) is_read <= sends;
+    end
     delay_line #(
         .BITS(2)
     ) output_line (
@@ -187,7 +191,6 @@ module edge_map_builder #(
         if (reset) begin
             state <= BEGIN;
             counter <= '0;
-            is_read <= 1'b0;
         end else begin
             unique case (state)
                 BEGIN: state <= clears_on_read_out ? FIRST_TOKEN : CLEAR;

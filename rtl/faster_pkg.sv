@@ -3,9 +3,18 @@
 package faster_pkg;
     localparam int MAX_STAGES = 63;  // of a delay line
 
+    // Widths of tokens
+    localparam int HEADER_BITS = 128;
+    localparam int VERTEX_BITS = 48;
+    localparam int COMMAND_BITS = 2;
+    localparam int PIXEL_BITS = 32;
+    localparam int EDGE_TOKEN_BITS = 34;
+    localparam int DEPTH_BITS = 11;  // whatever its point
+    localparam int COUNTERS_BITS = 160;
+
     typedef logic [7:0] cycles_t;
     typedef logic [5:0] stage_t;  // 0 .. MAX_STAGES
-    typedef logic [10:0] depth_t;  // u11, the width of the depth buffer whatever its point
+    typedef logic [DEPTH_BITS-1:0] depth_t;
     localparam depth_t FAR = '1;
 
     // A pipelined loop, scheduled.
@@ -120,20 +129,4 @@ package faster_pkg;
         depth_t depth;
         logic   edge_bit;
     } observation_t;
-
-    // The pixel of a position in the image.
-    function automatic pixel_t relative(input logic signed [16:0] row, input logic signed [16:0] col,
-                                        input logic signed [31:0] origin_row, input logic signed [31:0] origin_col);
-        return '{row: 16'(32'(row) - origin_row), col: 16'(32'(col) - origin_col)};
-    endfunction
-
-    // The window's first row or column.
-    function automatic logic signed [31:0] origin(input logic signed [31:0] centre, input logic [8:0] window);
-        return centre - $signed({23'b0, window >> 1});
-    endfunction
-
-    function automatic logic is_inside(input pixel_t pixel, input logic [8:0] window);
-        return pixel.row >= 0 && pixel.col >= 0 && pixel.row < $signed({7'b0, window}) &&
-               pixel.col < $signed({7'b0, window});
-    endfunction
 endpackage

@@ -36,8 +36,8 @@ module fifo_memory #(
             stored <= '0;
             is_held <= 1'b0;
         end else begin
-            write_at <= write_at + address_t'(write);
-            read_at <= read_at + address_t'(take);
+            write_at <= write_at + ADDRESS_BITS'(write);
+            read_at <= read_at + ADDRESS_BITS'(take);
             stored <= stored + 12'(write) - 12'(take);
             is_held <= take || (is_held && !read);
         end

@@ -26,7 +26,7 @@ module fifo_shift_register #(
 
     always_ff @(posedge clock) begin
         if (reset) count <= '0;
-        else count <= count + count_t'(write) - count_t'(read);
+        else count <= count + COUNT_BITS'(write) - COUNT_BITS'(read);
     end
 
     shift_register #(

@@ -6,7 +6,7 @@ module inlier_sweep #(
     parameter int PORTS = 6,
     parameter int MAX_WINDOW = 256,
     localparam int ADDRESS_BITS = $clog2(WORDS),
-    localparam int DEPTH_WIDTH = $bits(faster_pkg::depth_t)
+    localparam int DEPTH_WIDTH = faster_pkg::DEPTH_BITS
 ) (
     input  logic                          clock,
     input  logic                          active,
@@ -41,7 +41,7 @@ module inlier_sweep #(
     localparam access_t CLEARED = 4'd5;
     localparam access_t NONE = 4'd8;  // and those behind it
 
-    wire address_t row_words = address_t'(window);
+    wire address_t row_words = ADDRESS_BITS'(window);
     wire [17:0] pixels = 18'(window) * 18'(window);
     wire [17:0] row_and_one = 18'(window) + 18'd1;
     wire uses_lines = has_line_buffers && !is_inner_border;
@@ -78,9 +78,9 @@ module inlier_sweep #(
     address_t began_address;
     access_t  next_access, read_first;  // of this step, if no iteration begins; of the step before
     logic     clears_single, has_begun;
-    wire address_t pixel_address = begins ? address_t'(counter) : began_address;
+    wire address_t pixel_address = begins ? ADDRESS_BITS'(counter) : began_address;
     wire access_t first_access = begins ? 4'd0 : next_access;
-    wire access_t after_access = first_access + access_t'(ports);
+    wire access_t after_access = first_access + 4'(ports);
     wire is_cleared = clears_on_read_out && (begins ? counter : 18'(began_address)) >= row_and_one;
 
     always_comb begin
@@ -94,7 +94,7 @@ module inlier_sweep #(
             write[1] = 1'b1;
             address[ADDRESS_BITS+:ADDRESS_BITS] = began_address;
         end else begin
-            for (int p = 0; p < PORTS; ++p) begin
+            for (int p = 0; p < PORTS; p = p + 1) begin
                 if (3'(p) < ports && (begins || has_begun)) begin
                     enable[p] = first_access + 4'(p) < CLEARED || (first_access + 4'(p) == CLEARED && is_cleared);
                     write[p] = first_access + 4'(p) == CLEARED;
@@ -102,9 +102,9 @@ module inlier_sweep #(
                         4'd0: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address;
                         4'd1: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address + row_words;
                         4'd2: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address - row_words;
-                        4'd3: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address + address_t'(1);
-                        4'd4: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address - address_t'(1);
-                        default: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address - row_words - address_t'(1);
+                        4'd3: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address + ADDRESS_BITS'(1);
+                        4'd4: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address - ADDRESS_BITS'(1);
+                        default: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address - row_words - ADDRESS_BITS'(1);
                     endcase
                 end
             end
@@ -119,7 +119,7 @@ module inlier_sweep #(
             read_first <= first_access;
             next_access <= after_access > CLEARED ? NONE : after_access;
             if (begins) begin
-                began_address <= address_t'(counter);
+                began_address <= ADDRESS_BITS'(counter);
                 has_begun <= 1'b1;
             end
         end
@@ -138,17 +138,17 @@ module inlier_sweep #(
         endcase
         if (reads_one) {all_read, first_of_last} = {6'd1, 4'd0};
     end
-    word_t [4:0] around;
-    for (genvar a = 0; a < 5; ++a) begin : g_around
+    logic [5*DEPTH_WIDTH-1:0] around;  // as line_buffers has them
+    for (genvar a = 0; a < 5; a = a + 1) begin : g_around
         word_t kept;
-        wire access_t port_before = access_t'(a) - read_first;
-        wire access_t port_now = access_t'(a) - first_of_last;
-        always_ff @(posedge clock) if (advance && port_before < access_t'(ports)) kept <= word_of(port_before);
-        assign around[a] = access_t'(a) >= first_of_last ? word_of(port_now) : kept;
+        wire access_t port_before = 4'(a) - read_first;
+        wire access_t port_now = 4'(a) - first_of_last;
+        always_ff @(posedge clock) if (advance && port_before < 4'(ports)) kept <= word_of(port_before);
+        assign around[a*DEPTH_WIDTH+:DEPTH_WIDTH] = 4'(a) >= first_of_last ? word_of(port_now) : kept;
     end
     function automatic word_t word_of(input access_t port);
         word_of = words_read[0+:DEPTH_WIDTH];
-        for (int p = 1; p < PORTS; ++p) if (access_t'(p) == port) word_of = words_read[p*DEPTH_WIDTH+:DEPTH_WIDTH];
+        for (int p = 1; p < PORTS; p = p + 1) if (4'(p) == port) word_of = words_read[p*DEPTH_WIDTH+:DEPTH_WIDTH];
     endfunction
 
     // What an iteration brings to the comparison
@@ -161,7 +161,7 @@ module inlier_sweep #(
     judged_t judged;
     logic has_words;
     delay_line #(
-        .BITS(1 + $bits(judged_t))
+        .BITS(4 + DEPTH_WIDTH)
     ) tokens (
         .clock, .advance, .stages(all_read),
         .in({active && begins, reads_tokens && !is_border, edge_map, observed_depth, observed_edge}),
@@ -169,18 +169,18 @@ module inlier_sweep #(
     );
 
     // Line buffers: the words read before, one more with each iteration. The judged pixel is a row and a pixel back.
-    word_t [4:0] of_lines;
+    logic [5*DEPTH_WIDTH-1:0] of_lines;
     line_buffers #(
         .BITS(DEPTH_WIDTH),
         .MAX_WINDOW(MAX_WINDOW)
     ) lines (
         .clock, .advance(advance && has_words && uses_lines), .window, .in(words_read[0+:DEPTH_WIDTH]), .around(of_lines)
     );
-    wire word_t [4:0] words = uses_lines ? of_lines : around;
+    wire [5*DEPTH_WIDTH-1:0] words = uses_lines ? of_lines : around;
 
     pixel_comparison comparison (
         .fraction, .is_edge(judged.edge_bit), .has_own_depth(is_inner_border),
-        .own(words[0]), .below(words[1]), .above(words[2]), .right(words[3]), .left(words[4]),
+        .own(words[0*DEPTH_WIDTH+:DEPTH_WIDTH]), .below(words[1*DEPTH_WIDTH+:DEPTH_WIDTH]), .above(words[2*DEPTH_WIDTH+:DEPTH_WIDTH]), .right(words[3*DEPTH_WIDTH+:DEPTH_WIDTH]), .left(words[4*DEPTH_WIDTH+:DEPTH_WIDTH]),
         .observed(judged.observed_depth), .is_inlier, .is_valid_depth
     );
     assign counts = has_words && judged.is_pixel;

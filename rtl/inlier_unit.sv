@@ -47,14 +47,14 @@ module inlier_unit #(
     output logic                       is_drawn  // the depth buffer of a sample is complete in this cycle
 );
     localparam int ADDRESS_BITS = $clog2(WORDS);
-    localparam int DEPTH_WIDTH = $bits(faster_pkg::depth_t);
+    localparam int DEPTH_WIDTH = faster_pkg::DEPTH_BITS;
     typedef logic [ADDRESS_BITS-1:0] address_t;
     typedef enum logic [3:0] {
         BEGIN, CLEAR, FIRST_COMMAND, RECIPROCAL, FRAGMENTS, NO_FRAGMENTS, END_SEEN, SWEEP, RESULT
     } state_t;
     state_t state;
 
-    wire address_t row_words = address_t'(window);
+    wire address_t row_words = ADDRESS_BITS'(window);
     wire [17:0] pixels = 18'(window) * 18'(window);
     logic begins, ends, advance, sweep_advances, sweep_is_last;
     logic [17:0] counter;  // iterations of clear
@@ -93,9 +93,10 @@ module inlier_unit #(
         address_t              address;
         logic [DEPTH_BITS-1:0] depth;
     } fragment_t;
-    logic is_near;
+    logic is_near, is_in_window;
+    in_window index_in_window (.pixel(fragment_index), .window, .is_inside(is_in_window));
     fragment_t reading, comparing, writing;
-    wire address_t index_address = address_t'(fragment_index.row) * row_words + address_t'(fragment_index.col);
+    wire address_t index_address = ADDRESS_BITS'(fragment_index.row) * row_words + ADDRESS_BITS'(fragment_index.col);
     logic [DEPTH_BITS-1:0] new_depth;
     depth_unit #(
         .Z_SUM_BITS     (Z_SUM_BITS),
@@ -105,12 +106,12 @@ module inlier_unit #(
         .fraction, .z_sum(fragment_depth), .reciprocal, .is_near, .depth(new_depth)
     );
     wire fragment_t fragment = {
-        takes_fragment && is_near && faster_pkg::is_inside(fragment_index, window), index_address, new_depth
+        takes_fragment && is_near && is_in_window, index_address, new_depth
     };
     wire faster_pkg::stage_t read_stage =
-        fragment_loop.depth >= 8'd10 ? 6'd7 : faster_pkg::stage_t'(fragment_loop.depth - 8'd3);
+        fragment_loop.depth >= 8'd10 ? 6'd7 : 6'(fragment_loop.depth - 8'd3);
     delay_line #(
-        .BITS($bits(fragment_t))
+        .BITS(1 + ADDRESS_BITS + DEPTH_BITS)
     ) fragment_line (
         .clock, .advance(draws), .stages(read_stage), .in(fragment), .out(reading)
     );
@@ -170,7 +171,7 @@ module inlier_unit #(
         if (state == CLEAR) begin
             enable[0] = begins;
             write[0] = 1'b1;
-            address[0+:ADDRESS_BITS] = address_t'(counter);
+            address[0+:ADDRESS_BITS] = ADDRESS_BITS'(counter);
         end else if (state == FRAGMENTS) begin
             enable[1:0] = {draws && writing.is_candidate, draws};
             write[1:0] = 2'b10;

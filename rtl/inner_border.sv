@@ -17,12 +17,12 @@ module inner_border #(
     logic is_before;  // there is no row before yet
     localparam int INDEX_BITS = $clog2(2 * MAX_WINDOW);
     typedef logic [INDEX_BITS-1:0] index_t;
-    wire index_t one_row = index_t'(window);
+    wire index_t one_row = INDEX_BITS'(window);
 
-    wire is_pixel_covered = history[one_row-index_t'(1)];
-    wire is_right_covered = history[one_row-index_t'(2)];
+    wire is_pixel_covered = history[one_row-INDEX_BITS'(1)];
+    wire is_right_covered = history[one_row-INDEX_BITS'(2)];
     wire is_left_covered = history[one_row];
-    wire is_above_covered = history[(one_row<<1)-index_t'(1)];
+    wire is_above_covered = history[(one_row<<1)-INDEX_BITS'(1)];
     wire is_last_col = col == window - 9'd1;
 
     assign edge_bit = is_pixel_covered &&

@@ -44,7 +44,7 @@ module observation_reader (
         .clock, .reset, .shape(read_loop), .active(state == LOOP), .advance, .is_last, .begins, .ends
     );
     delay_line #(
-        .BITS(1 + $bits(faster_pkg::depth_t))
+        .BITS(1 + faster_pkg::DEPTH_BITS)
     ) depth_line (
         .clock, .advance, .stages(observed_depth_latency),
         .in({begins, is_in_image ? observation.depth : '0}), .out({depth_leaves, observed_depth})
@@ -56,8 +56,11 @@ module observation_reader (
         .in({begins, is_in_image && observation.edge_bit}), .out({edge_leaves, observed_edge})
     );
 
-    wire logic signed [31:0] first_row = faster_pkg::origin(sample_observation.centre_row, window);
-    wire logic signed [31:0] new_first_col = faster_pkg::origin(sample_observation.centre_col, window);
+    logic signed [31:0] first_row, new_first_col;
+    window_origin origin (
+        .centre_row(sample_observation.centre_row), .centre_col(sample_observation.centre_col), .window,
+        .row(first_row), .col(new_first_col)
+    );
 
     always_ff @(posedge clock) begin
         if (reset) state <= TAKE_SAMPLE;

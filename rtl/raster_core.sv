@@ -33,7 +33,7 @@ module raster_core #(
     logic sample_vertex_has_room, sample_vertex_write, sample_vertex_has_token, sample_vertex_read;
     faster_pkg::header_t sample_vertex_in, sample_vertex_out;
     fifo #(
-        .BITS($bits(faster_pkg::header_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::HEADER_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_sample_vertex (
         .clock, .reset, .shape(settings.sample_vertex),
         .has_room(sample_vertex_has_room), .write(sample_vertex_write), .write_data(sample_vertex_in),
@@ -43,7 +43,7 @@ module raster_core #(
     logic sample_raster_has_room, sample_raster_write, sample_raster_has_token, sample_raster_read;
     faster_pkg::header_t sample_raster_in, sample_raster_out;
     fifo #(
-        .BITS($bits(faster_pkg::header_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::HEADER_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_sample_raster (
         .clock, .reset, .shape(settings.sample_raster),
         .has_room(sample_raster_has_room), .write(sample_raster_write), .write_data(sample_raster_in),
@@ -53,7 +53,7 @@ module raster_core #(
     logic sample_observation_has_room, sample_observation_write, sample_observation_has_token, sample_observation_read;
     faster_pkg::header_t sample_observation_in, sample_observation_out;
     fifo #(
-        .BITS($bits(faster_pkg::header_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::HEADER_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_sample_observation (
         .clock, .reset, .shape(settings.sample_observation),
         .has_room(sample_observation_has_room), .write(sample_observation_write), .write_data(sample_observation_in),
@@ -63,7 +63,7 @@ module raster_core #(
     logic vertex_has_room, vertex_write, vertex_has_token, vertex_read;
     faster_pkg::vertex_t vertex_in, vertex_out;
     fifo #(
-        .BITS($bits(faster_pkg::vertex_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::VERTEX_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_vertex (
         .clock, .reset, .shape(settings.vertex),
         .has_room(vertex_has_room), .write(vertex_write), .write_data(vertex_in),
@@ -93,7 +93,7 @@ module raster_core #(
     logic command_has_room, command_write, command_has_token, command_read;
     faster_pkg::command_t command_in, command_out;
     fifo #(
-        .BITS($bits(faster_pkg::command_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::COMMAND_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_command (
         .clock, .reset, .shape(settings.command),
         .has_room(command_has_room), .write(command_write), .write_data(command_in),
@@ -113,7 +113,7 @@ module raster_core #(
     logic fragment_index_has_room, fragment_index_write, fragment_index_has_token, fragment_index_read;
     faster_pkg::pixel_t fragment_index_in, fragment_index_out;
     fifo #(
-        .BITS($bits(faster_pkg::pixel_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::PIXEL_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_fragment_index (
         .clock, .reset, .shape(settings.fragment_index),
         .has_room(fragment_index_has_room), .write(fragment_index_write), .write_data(fragment_index_in),
@@ -123,7 +123,7 @@ module raster_core #(
     logic edge_token_has_room, edge_token_write, edge_token_has_token, edge_token_read;
     faster_pkg::edge_token_t edge_token_in, edge_token_out;
     fifo #(
-        .BITS($bits(faster_pkg::edge_token_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::EDGE_TOKEN_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_edge_token (
         .clock, .reset, .shape(settings.edge_token),
         .has_room(edge_token_has_room), .write(edge_token_write), .write_data(edge_token_in),
@@ -143,7 +143,7 @@ module raster_core #(
     logic observed_depth_has_room, observed_depth_write, observed_depth_has_token, observed_depth_read;
     faster_pkg::depth_t observed_depth_in, observed_depth_out;
     fifo #(
-        .BITS($bits(faster_pkg::depth_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::DEPTH_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_observed_depth (
         .clock, .reset, .shape(settings.observed_depth),
         .has_room(observed_depth_has_room), .write(observed_depth_write), .write_data(observed_depth_in),
@@ -163,7 +163,7 @@ module raster_core #(
     logic result_has_room, result_write, result_has_token, result_read;
     faster_pkg::counters_t result_in, result_out;
     fifo #(
-        .BITS($bits(faster_pkg::counters_t)), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
+        .BITS(faster_pkg::COUNTERS_BITS), .SHIFT_REGISTER_PLACES(SHIFT_REGISTER_PLACES), .MEMORY_WORDS(MEMORY_WORDS)
     ) fifo_result (
         .clock, .reset, .shape(settings.result),
         .has_room(result_has_room), .write(result_write), .write_data(result_in),

@@ -49,6 +49,12 @@ module rasterizer #(
     faster_pkg::vertex_t v0, v1, v2;
     logic signed [31:0] origin_row, origin_col;
 
+    logic signed [31:0] new_origin_row, new_origin_col;
+    window_origin origin (
+        .centre_row(sample_raster.centre_row), .centre_col(sample_raster.centre_col), .window,
+        .row(new_origin_row), .col(new_origin_col)
+    );
+
     // Setup: all of it is ready in the last of its cycles.
     logic signed [EDGE_BITS-1:0] new_area;
     logic signed [15:0] new_col_min, new_col_max, new_row_max, new_start_row, new_start_col;
@@ -120,9 +126,9 @@ module rasterizer #(
 
     // What an iteration sends, each FIFO at a stage of its own
     logic command_leaves, fragment_depth_leaves, fragment_index_leaves, edge_token_leaves;
-    wire faster_pkg::pixel_t index = faster_pkg::relative(row, col, origin_row, origin_col);
+    wire faster_pkg::pixel_t index = {16'(32'(row) - origin_row), 16'(32'(col) - origin_col)};
     wire faster_pkg::edge_token_t token =
-        '{kind: token_kind, pixel: faster_pkg::relative(token_row, token_col, origin_row, origin_col)};
+        {token_kind, 16'(32'(token_row) - origin_row), 16'(32'(token_col) - origin_col)};
     faster_pkg::edge_token_t scanned_token;
 
     delay_line command_line (
@@ -135,13 +141,13 @@ module rasterizer #(
         .out({fragment_depth_leaves, fragment_depth})
     );
     delay_line #(
-        .BITS(1 + $bits(faster_pkg::pixel_t))
+        .BITS(1 + faster_pkg::PIXEL_BITS)
     ) fragment_index_line (
         .clock, .advance, .stages(fragment_index_latency), .in({begins && is_fragment, index}),
         .out({fragment_index_leaves, fragment_index})
     );
     delay_line #(
-        .BITS(1 + $bits(faster_pkg::edge_token_t))
+        .BITS(1 + faster_pkg::EDGE_TOKEN_BITS)
     ) edge_token_line (
         .clock, .advance, .stages(edge_token_latency), .in({begins && has_token, token}),
         .out({edge_token_leaves, scanned_token})
@@ -165,7 +171,7 @@ module rasterizer #(
     assign fragment_depth_write = advance && fragment_depth_leaves;
     assign fragment_index_write = advance && fragment_index_leaves;
     assign edge_token_write = (advance && edge_token_leaves) || ends_sample;
-    assign edge_token = state == SCAN ? scanned_token : '{kind: faster_pkg::END_OF_TOKENS, pixel: '0};
+    assign edge_token = state == SCAN ? scanned_token : {faster_pkg::END_OF_TOKENS, 32'd0};
 
     wire triangle_done = (announces && !is_drawn) || (advance && ends);
 
@@ -174,8 +180,8 @@ module rasterizer #(
         else begin
             unique case (state)
                 TAKE_SAMPLE: begin
-                    origin_row <= faster_pkg::origin(sample_raster.centre_row, window);
-                    origin_col <= faster_pkg::origin(sample_raster.centre_col, window);
+                    origin_row <= new_origin_row;
+                    origin_col <= new_origin_col;
                     triangles_left <= sample_raster.triangles;
                     vertices_read <= '0;
                     if (sample_raster_read) state <= sample_raster.triangles == '0 ? LAST_TRIANGLE_DONE : VERTICES;

@@ -10,7 +10,7 @@ module shift_register #(
     input  logic [INDEX_BITS-1:0] index,
     output logic [BITS-1:0]       out
 );
-    for (genvar b = 0; b < BITS; ++b) begin : g_bit
+    for (genvar b = 0; b < BITS; b = b + 1) begin : g_bit
         logic [PLACES-1:0] places = '0;
         always_ff @(posedge clock) if (shift) places <= {places[PLACES-2:0], in[b]};
         assign out[b] = places[index];

@@ -31,12 +31,12 @@ module triangle_setup #(
     function automatic code_t least(input code_t a, input code_t b, input code_t c);
         code_t of_two;
         of_two = a < b ? a : b;
-        return c < of_two ? c : of_two;
+        least = c < of_two ? c : of_two;
     endfunction
     function automatic code_t most(input code_t a, input code_t b, input code_t c);
         code_t of_two;
         of_two = a > b ? a : b;
-        return c > of_two ? c : of_two;
+        most = c > of_two ? c : of_two;
     endfunction
 
     // E_ab(P) = (Px - ax)(by - ay) - (bx - ax)(Py - ay)
@@ -48,17 +48,17 @@ module triangle_setup #(
         from_a_y = 18'(py) - 18'(ay);
         along_x = 17'(bx) - 17'(ax);
         along_y = 17'(by) - 17'(ay);
-        return EDGE_BITS'(from_a_x) * EDGE_BITS'(along_y) - EDGE_BITS'(along_x) * EDGE_BITS'(from_a_y);
+        edge_value = EDGE_BITS'(from_a_x) * EDGE_BITS'(along_y) - EDGE_BITS'(along_x) * EDGE_BITS'(from_a_y);
     endfunction
 
     // A pixel further, along one axis: the other end's coordinate difference, a pixel times.
     function automatic edge_t per_pixel(input code_t a, input code_t b, input logic [3:0] fraction);
-        return (EDGE_BITS'(b) - EDGE_BITS'(a)) << fraction;
+        per_pixel = (EDGE_BITS'(b) - EDGE_BITS'(a)) << fraction;
     endfunction
 
     // Modulo 2^Z_SUM_BITS, which is exact for covered pixels.
     function automatic logic [Z_SUM_BITS-1:0] weighted(input edge_t w, input logic [15:0] z);
-        return Z_SUM_BITS'(w) * Z_SUM_BITS'($signed({1'b0, z}));
+        weighted = Z_SUM_BITS'(w) * Z_SUM_BITS'($signed({1'b0, z}));
     endfunction
 
     wire code_t row_min = least(v0.y, v1.y, v2.y) >>> vertex_xy;

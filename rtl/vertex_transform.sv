@@ -32,7 +32,7 @@ module vertex_transform (
         .clock, .reset, .shape(vertex_loop), .active(state == LOOP), .advance, .is_last, .begins, .ends
     );
     delay_line #(
-        .BITS(1 + $bits(faster_pkg::vertex_t))
+        .BITS(1 + faster_pkg::VERTEX_BITS)
     ) pipeline (
         .clock, .advance, .stages(write_latency), .in({begins, vertex_value}), .out({leaves, vertex})
     );
@@ -43,7 +43,7 @@ module vertex_transform (
             unique case (state)
                 TAKE_SAMPLE: begin
                     vertex_sample <= sample_vertex.sample;
-                    vertices <= 32'd3 * sample_vertex.triangles;
+                    vertices <= (sample_vertex.triangles << 1) + sample_vertex.triangles;
                     vertex_number <= '0;
                     if (sample_vertex_read) state <= sample_vertex.triangles == '0 ? NO_TRIANGLES : LOOP;
                 end

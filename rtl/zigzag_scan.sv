@@ -38,14 +38,14 @@ module zigzag_scan #(
 
     // Each of the three values steps by itself: no carry from one to the next.
     function automatic logic [3*EDGE_BITS-1:0] plus(input logic [3*EDGE_BITS-1:0] a, input logic [3*EDGE_BITS-1:0] b);
-        return {
+        plus = {
             a[2*EDGE_BITS+:EDGE_BITS] + b[2*EDGE_BITS+:EDGE_BITS],
             a[EDGE_BITS+:EDGE_BITS] + b[EDGE_BITS+:EDGE_BITS],
             a[0+:EDGE_BITS] + b[0+:EDGE_BITS]
         };
     endfunction
     function automatic logic [3*EDGE_BITS-1:0] minus(input logic [3*EDGE_BITS-1:0] a, input logic [3*EDGE_BITS-1:0] b);
-        return {
+        minus = {
             a[2*EDGE_BITS+:EDGE_BITS] - b[2*EDGE_BITS+:EDGE_BITS],
             a[EDGE_BITS+:EDGE_BITS] - b[EDGE_BITS+:EDGE_BITS],
             a[0+:EDGE_BITS] - b[0+:EDGE_BITS]

@@ -20,6 +20,8 @@ module cosimulated_core (
     input  logic               edge_map_clears_on_read_out,
     input  logic               inlier_unit_clears_on_read_out,
     input  logic               has_line_buffers,
+    input  logic               fragment_loop_is_flattened,
+    input  logic               forwards_depth_buffer,
     input  logic               reciprocals_squeeze,
     input  logic [7:0]         edge_map_ports,
     input  logic [7:0]         object_map_ports,
@@ -124,6 +126,8 @@ module cosimulated_core (
         settings_asked_for.edge_map_clears_on_read_out = edge_map_clears_on_read_out;
         settings_asked_for.inlier_unit_clears_on_read_out = inlier_unit_clears_on_read_out;
         settings_asked_for.has_line_buffers = has_line_buffers;
+        settings_asked_for.fragment_loop_is_flattened = fragment_loop_is_flattened;
+        settings_asked_for.forwards_depth_buffer = forwards_depth_buffer;
         settings_asked_for.reciprocals_squeeze = reciprocals_squeeze;
         settings_asked_for.depth_buffer_ports = depth_buffer_ports > 8'd6 ? 3'd6 : depth_buffer_ports[2:0];
         settings_asked_for.setup_cycles = setup_cycles;

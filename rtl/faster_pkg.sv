@@ -51,6 +51,8 @@ package faster_pkg;
         logic        edge_map_clears_on_read_out;
         logic        inlier_unit_clears_on_read_out;
         logic        has_line_buffers;
+        logic        fragment_loop_is_flattened;
+        logic        forwards_depth_buffer;
         logic        reciprocals_squeeze;
         logic [2:0]  depth_buffer_ports;
         cycles_t     setup_cycles;

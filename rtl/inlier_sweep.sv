@@ -97,7 +97,7 @@ module inlier_sweep #(
             for (int p = 0; p < PORTS; p = p + 1) begin
                 if (3'(p) < ports && (begins || has_begun)) begin
                     enable[p] = first_access + 4'(p) < CLEARED || (first_access + 4'(p) == CLEARED && is_cleared);
-                    write[p] = first_access + 4'(p) == CLEARED;
+                    write[p] = clears_on_read_out && first_access + 4'(p) == CLEARED;
                     case (first_access + 4'(p))
                         4'd0: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address;
                         4'd1: address[p*ADDRESS_BITS+:ADDRESS_BITS] = pixel_address + row_words;

@@ -1,6 +1,8 @@
 // Keeps the depth buffer of a sample, then compares it with the observation (A.3).
 // T += 1; loop `clear`; (read command); T += 1; while Triangle: (read area_reciprocal, command); T += 1; loop `fragment`
 // while the last command is Fragment, without iterations T += 1; at End: T += 1; loop `sweep`; (write result); T += 1.
+// With a flattened loop `fragment` has an iteration for every command before End: (read area_reciprocal, command) or
+// (read fragment_depth, fragment_index, command).
 module inlier_unit #(
     parameter int WORDS = 65536,
     parameter int PORTS = 6,  // of the depth buffer, as built
@@ -16,6 +18,8 @@ module inlier_unit #(
     input  logic [2:0]                 ports,  // that the sweep uses, at most PORTS
     input  logic                       is_inner_border,
     input  logic                       has_line_buffers,
+    input  logic                       is_flattened,
+    input  logic                       forwards,  // depths that are being written, to who reads them
     input  logic                       clears_on_read_out,
     input  logic [8:0]                 window,
     input  faster_pkg::fraction_t      fraction,
@@ -66,7 +70,7 @@ module inlier_unit #(
         .active (state == CLEAR || state == FRAGMENTS || state == SWEEP),
         .advance,
         .is_last(state == CLEAR ? counter + 18'd1 == pixels :
-                 state == FRAGMENTS ? command != faster_pkg::FRAGMENT : sweep_is_last),
+                 state == FRAGMENTS ? is_last_fragment : sweep_is_last),
         .begins,
         .ends
     );
@@ -74,10 +78,14 @@ module inlier_unit #(
     // Steps of the drawing
     logic [RECIPROCAL_BITS-1:0] reciprocal;
     faster_pkg::command_t next;  // command, read one ahead
-    wire takes_fragment = state == FRAGMENTS && begins;
-    wire draws = state == FRAGMENTS &&
-                 (!begins || (fragment_depth_has_token && fragment_index_has_token && command_has_token));
-    wire takes_reciprocal = state == RECIPROCAL && area_reciprocal_has_token && command_has_token;
+    wire begins_triangle = state == FRAGMENTS && begins && is_flattened && next == faster_pkg::TRIANGLE;
+    wire takes_fragment = state == FRAGMENTS && begins && !begins_triangle;
+    wire is_last_fragment =
+        is_flattened ? command == faster_pkg::END_OF_COMMANDS : command != faster_pkg::FRAGMENT;
+    wire fragment_is_there = fragment_depth_has_token && fragment_index_has_token && command_has_token;
+    wire triangle_is_there = area_reciprocal_has_token && command_has_token;
+    wire draws = state == FRAGMENTS && (!takes_fragment || fragment_is_there) && (!begins_triangle || triangle_is_there);
+    wire takes_reciprocal = (state == RECIPROCAL && triangle_is_there) || (begins_triangle && draws);
     wire takes_command = state == FIRST_COMMAND && command_has_token;
     wire fragment_is_taken = takes_fragment && draws;
 
@@ -120,7 +128,13 @@ module inlier_unit #(
     wire logic signed [5:0] finer =
         6'({1'b0, fraction.fragment_depth}) - 6'({2'b0, fraction.depth_buffer});
     wire logic [5:0] coarser = 6'(-finer);
-    logic [DEPTH_WIDTH-1:0] buffered;  // what was read
+    // What was read, unless an iteration before it writes the word now, or wrote it in the step of the read.
+    logic [DEPTH_WIDTH-1:0] read_word, written_word;
+    address_t written_address;
+    logic was_written;
+    wire [DEPTH_WIDTH-1:0] buffered =
+        forwards && writing.is_candidate && writing.address == comparing.address ? written_code[DEPTH_WIDTH-1:0] :
+        forwards && was_written && written_address == comparing.address ? written_word : read_word;
     wire [DEPTH_BITS-1:0] buffered_finely = DEPTH_BITS'(buffered) << 6'(finer);
     wire [DEPTH_BITS+11:0] depth_finely = (DEPTH_BITS + 12)'(comparing.depth) << coarser;
     wire is_nearer = finer[5] ? depth_finely <= (DEPTH_BITS + 12)'(buffered) : comparing.depth <= buffered_finely;
@@ -131,6 +145,9 @@ module inlier_unit #(
             comparing <= reading;
             writing <= comparing;
             writing.is_candidate <= comparing.is_candidate && is_nearer;
+            was_written <= writing.is_candidate;
+            written_address <= writing.address;
+            written_word <= written_code[DEPTH_WIDTH-1:0];
         end
     end
 
@@ -159,7 +176,7 @@ module inlier_unit #(
     assign observed_edge_read = edge_map_read;
     assign advance = state == CLEAR || draws || sweep_advances;
 
-    // Ports of the depth buffer: 0 clears and reads fragments' words, 1 writes them; the sweep uses all it may.
+    // Ports of the depth buffer: 0 reads fragments' words, 1 clears and writes; the sweep uses all it may.
     logic [PORTS-1:0] enable, write;
     logic [PORTS*ADDRESS_BITS-1:0] address;
     logic [PORTS*DEPTH_WIDTH-1:0] write_data;
@@ -169,9 +186,9 @@ module inlier_unit #(
         address = sweep_address;
         write_data = '1;  // far
         if (state == CLEAR) begin
-            enable[0] = begins;
-            write[0] = 1'b1;
-            address[0+:ADDRESS_BITS] = ADDRESS_BITS'(counter);
+            enable[1:0] = {begins, 1'b0};
+            write[1:0] = 2'b10;
+            address[ADDRESS_BITS+:ADDRESS_BITS] = ADDRESS_BITS'(counter);
         end else if (state == FRAGMENTS) begin
             enable[1:0] = {draws && writing.is_candidate, draws};
             write[1:0] = 2'b10;
@@ -187,7 +204,7 @@ module inlier_unit #(
     ) depth_buffer_ram (
         .clock, .enable, .write, .address, .write_data, .read_data(words_read)
     );
-    assign buffered = words_read[DEPTH_WIDTH-1:0];
+    assign read_word = words_read[DEPTH_WIDTH-1:0];
 
     faster_pkg::counters_t counters;
     assign result = counters;
@@ -218,7 +235,9 @@ module inlier_unit #(
             unique case (state)
                 BEGIN: state <= clears_on_read_out ? FIRST_COMMAND : CLEAR;
                 CLEAR: if (ends) state <= FIRST_COMMAND;
-                FIRST_COMMAND: if (takes_command) state <= command == faster_pkg::TRIANGLE ? RECIPROCAL : END_SEEN;
+                FIRST_COMMAND:
+                    if (takes_command)
+                        state <= command != faster_pkg::TRIANGLE ? END_SEEN : is_flattened ? FRAGMENTS : RECIPROCAL;
                 RECIPROCAL:
                     if (takes_reciprocal) state <= command == faster_pkg::FRAGMENT ? FRAGMENTS : NO_FRAGMENTS;
                 FRAGMENTS:

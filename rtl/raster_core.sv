@@ -241,6 +241,7 @@ module raster_core #(
         .clock, .reset, .clear_loop(settings.depth_clear_loop), .fragment_loop(settings.fragment_loop),
         .sweep_loop(settings.sweep_loop), .ports(settings.depth_buffer_ports),
         .is_inner_border(settings.is_inner_border), .has_line_buffers(settings.has_line_buffers),
+        .is_flattened(settings.fragment_loop_is_flattened), .forwards(settings.forwards_depth_buffer),
         .clears_on_read_out(settings.inlier_unit_clears_on_read_out), .window(settings.window),
         .fraction(settings.fraction),
         .area_reciprocal_has_token, .area_reciprocal_read, .area_reciprocal(area_reciprocal_out),

@@ -19,7 +19,9 @@ void set(Vcosimulated_core& core, TwinSettings const& settings) {
     core.sends_edges = settings.sends_edges;
     core.is_inner_border = settings.is_inner_border;
     core.flushes_last = settings.flushes_last;
-    core.forwards_object_map = settings.forwards_object_map;
+    core.forwards_object_map = settings.forwards;
+    core.forwards_depth_buffer = settings.forwards;
+    core.fragment_loop_is_flattened = settings.is_flattened;
     core.edge_map_clears_on_read_out = settings.edge_map_clears_on_read_out;
     core.inlier_unit_clears_on_read_out = settings.inlier_unit_clears_on_read_out;
     core.has_line_buffers = settings.has_line_buffers;

@@ -40,8 +40,6 @@ void check_design(AcceleratorConfig const& config, Machine const& machine) {
     require(config.inlier_unit.buffers == 1, "inlier_unit.buffers", "1");
     require(config.inlier_unit.sweep_lanes == 1, "inlier_unit.sweep_lanes", "1");
     require(config.inlier_unit.sweep_region == SweepRegion::window, "inlier_unit.sweep_region", "window");
-    require(config.inlier_unit.fragment_loop == FragmentLoop::per_triangle, "inlier_unit.fragment_loop",
-            "per_triangle");
     require(config.rasterizer.scan == ScanPolicy::zigzag, "rasterizer.scan", "zigzag");
     require(config.rasterizer.setup_overlap == 0, "rasterizer.setup_overlap", "0");
     require(config.rasterizer.lanes == 1, "rasterizer.lanes", "1");
@@ -114,6 +112,7 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     settings.edge_map_clears_on_read_out = config.edge_map.clearing == MapClearing::on_read_out;
     settings.inlier_unit_clears_on_read_out = config.inlier_unit.clearing == MapClearing::on_read_out;
     settings.has_line_buffers = config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    settings.is_flattened = config.inlier_unit.fragment_loop == FragmentLoop::flattened;
     settings.reciprocals_squeeze = machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::squeeze;
     std::array<char const*, 3> const memories{"edge_map", "object_map", "depth_buffer"};
     for (std::size_t i = 0; i < memories.size(); ++i)

@@ -38,10 +38,11 @@ struct TwinSettings {
     bool sends_edges = true;
     bool is_inner_border = false;
     bool flushes_last = false;
-    bool forwards_object_map = true;  ///< SPEC's function; else the hardware that `inter false` makes
+    bool forwards = true;  ///< what is being written, to reads: SPEC's function; else as `inter false` makes it
     bool edge_map_clears_on_read_out = false;
     bool inlier_unit_clears_on_read_out = false;
     bool has_line_buffers = false;
+    bool is_flattened = false;  ///< the loop `fragment`
     bool reciprocals_squeeze = false;
     std::array<std::uint8_t, 3> ports{2, 2, 2};  ///< of edge_map, object_map, depth_buffer
     std::uint8_t setup_cycles = 12;

@@ -33,7 +33,7 @@ rtl::TwinSettings settings_of(CosimRequest const& request) {
     Stimulus const stimulus = load_stimulus(loaded);
     rtl::TwinSettings settings =
         rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
-    settings.forwards_object_map = request.forwards;
+    settings.forwards = request.forwards;
     return settings;
 }
 
@@ -93,7 +93,7 @@ Subcommand cosim_command() {
                 ->type_name("N")
                 ->check(CLI::Range(0, 1000000));
             command.add_flag("!--no-forwarding", request->forwards,
-                             "The twin reads stale words of the object map, as hardware does without forwarding");
+                             "The twin reads stale words of its memories, as hardware does without forwarding");
             return [request] { return cosim(*request); };
         }};
 }

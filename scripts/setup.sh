@@ -2,7 +2,8 @@
 # Installs the Debian packages that faster-sim needs, and only those that are missing.
 #   scripts/setup.sh             what building, testing and running need
 #   scripts/setup.sh --package   also what makes a .deb with man pages
-#   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, and strace for tests of faults
+#   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
+#                                Verilator and Yosys for the register-transfer twin
 set -euo pipefail
 
 packages=(
@@ -15,7 +16,7 @@ packages=(
 for argument in "$@"; do
     case "$argument" in
         --package) packages+=(dpkg-dev help2man) ;;
-        --dev) packages+=(clang-format clang-tidy chromium strace) ;;
+        --dev) packages+=(clang-format clang-tidy chromium strace verilator yosys) ;;
         -h | --help)
             echo "usage: setup.sh [--package] [--dev]"
             exit 0

@@ -1,6 +1,7 @@
 #include <systemc>
 
 #include "tb/compare_architectures_command.hpp"
+#include "tb/cosim_command.hpp"
 #include "tb/edge_quality_command.hpp"
 #include "tb/estimate_command.hpp"
 #include "tb/evaluate_command.hpp"
@@ -26,7 +27,7 @@ int sc_main(int argc, char** argv) {
         {"faster-sim", "Cycle-approximate model of the FASTER pose-scoring accelerator", FASTER_VERSION},
         {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
          explore_command(), whatif_command(), sensitivities_command(), size_fifos_command(), compare_command(),
-         compare_architectures_command(), sweep_command(), edge_quality_command(), grip_command(), estimate_command(),
-         evaluate_command(), experiment_command(), show_command(), keys_command()},
+         compare_architectures_command(), cosim_command(), sweep_command(), edge_quality_command(), grip_command(),
+         estimate_command(), evaluate_command(), experiment_command(), show_command(), keys_command()},
         argc, argv);
 }

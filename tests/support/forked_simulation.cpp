@@ -209,7 +209,7 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
         options.recordings = wanted.recordings;
         replay::RecordedRun recorded;
         options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
-        RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : nullptr);
+        RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : wanted.probe);
         if (wanted.sensitivities) {
             run.sensitivities = replay::sensitivities(recorded, loaded_from(config));
             run.alternatives = replay::alternatives(recorded, loaded_from(config));

@@ -23,6 +23,7 @@ struct ForkOptions {
     std::filesystem::path events{};  ///< event file to be written, unless the run deadlocks; empty: none
     std::size_t trail_length = timing::Trail::usual_length;
     std::vector<Recording> recordings{};  ///< handed over in the child: they can tell by throwing
+    SampleProbe* probe = nullptr;         ///< sees the maps in the child, instead of with_maps; may be null
 };
 
 /// simulate() in a child process, because the SystemC kernel elaborates once per process. Throws std::runtime_error

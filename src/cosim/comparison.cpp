@@ -1,0 +1,210 @@
+#include "cosim/comparison.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <utility>
+
+#include "kernel/recording/event_merge.hpp"
+
+namespace faster::rtl {
+
+namespace {
+
+/// Longer than any pipeline of the twin.
+constexpr Cycles quiet_cycles = 1000;
+constexpr std::size_t history_cycles = 8;
+
+template <class Word> Image<Word> square(Word const* words, int side) {
+    Image<Word> image(side, side);
+    std::copy_n(words, image.pixels().size(), image.pixels().begin());
+    return image;
+}
+
+/// What one side does in a cycle: accesses and, of writes, the tokens.
+struct Accesses {
+    std::uint32_t writes = 0;
+    std::uint32_t reads = 0;
+    std::array<recording::TokenValues, twin_fifos.size()> tokens;
+};
+
+std::string token_text(std::vector<TokenField> const& layout, recording::TokenValues const& values) {
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += fmt::format("{}{} {}", i == 0 ? "" : ", ", layout[i].name, values[i]);
+    return text;
+}
+
+class Comparison {
+  public:
+    Comparison(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
+               Stimulus const& stimulus, CoreShare share)
+        : model_(model),
+          maps_(maps),
+          settings_(settings),
+          twin_(settings, stimulus, share.first, share.count),
+          built_(share.first),
+          drawn_(share.first) {
+        number_of_.assign(model.machine->fifos.size(), twin_fifos.size());
+        for (std::size_t i = 0; i < twin_fifos.size(); ++i) {
+            number_of_[model.machine->fifo(twin_fifos[i])] = i;
+            layouts_.push_back(model.token_layouts[model.machine->fifo(twin_fifos[i])]);
+        }
+    }
+
+    Compared run() {
+        recording::for_each_event({{model_.core, model_.spools}},
+                                  [this](recording::CoreEvent const& event) { take(event); });
+        for (Cycles i = 0; i <= quiet_cycles && !compared_.difference; ++i)
+            compare_cycle();
+        return std::move(compared_);
+    }
+
+  private:
+    void take(recording::CoreEvent const& event) {
+        using Kind = recording::Event::Kind;
+        bool const writes = event.event.kind == Kind::write;
+        if (!writes && event.event.kind != Kind::read)
+            return;
+        while (compared_.cycles < event.event.cycle && !compared_.difference)
+            compare_cycle();
+        std::size_t const fifo = number_of_[event.event.item];
+        (writes ? expected_.writes : expected_.reads) |= 1U << fifo;
+        if (writes)
+            expected_.tokens[fifo] = *event.fields;
+    }
+
+    void compare_cycle() {
+        std::uint32_t const writes = twin_.writes();
+        std::uint32_t const reads = twin_.reads();
+        if ((writes | reads | expected_.writes | expected_.reads) != 0)
+            compare_accesses(writes, reads);
+        if (!compared_.difference)
+            compare_maps();
+        expected_.writes = expected_.reads = 0;
+        auto const start = std::chrono::steady_clock::now();
+        twin_.step();
+        compared_.twin_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        ++compared_.cycles;
+    }
+
+    void compare_accesses(std::uint32_t writes, std::uint32_t reads) {
+        remember(writes, reads);
+        for (std::size_t fifo = 0; fifo < twin_fifos.size() && !compared_.difference; ++fifo) {
+            std::uint32_t const bit = 1U << fifo;
+            if (((writes ^ expected_.writes) & bit) != 0)
+                differs(fifo, "writes", (expected_.writes & bit) != 0 ? expected_.tokens[fifo] : written(fifo),
+                        (writes & bit) != 0);
+            else if (((reads ^ expected_.reads) & bit) != 0)
+                differs(fifo, "reads", {}, (reads & bit) != 0);
+            else if ((writes & bit) != 0 && written(fifo) != expected_.tokens[fifo])
+                differ(fmt::format("FIFO {}: the model writes ({}), the twin ({})", twin_fifos[fifo],
+                                   token_text(layouts_[fifo], expected_.tokens[fifo]),
+                                   token_text(layouts_[fifo], written(fifo))));
+            compared_.writes += (writes & bit) != 0 ? 1 : 0;
+            compared_.reads += (reads & bit) != 0 ? 1 : 0;
+        }
+    }
+
+    void differs(std::size_t fifo, char const* accesses, recording::TokenValues const& token, bool by_twin) {
+        std::string const what =
+            token.empty() ? accesses : fmt::format("{} ({})", accesses, token_text(layouts_[fifo], token));
+        differ(fmt::format("FIFO {}: the {} {}, the {} does not", twin_fifos[fifo], by_twin ? "twin" : "model", what,
+                           by_twin ? "model" : "twin"));
+    }
+
+    recording::TokenValues written(std::size_t fifo) const {
+        recording::TokenValues values(layouts_[fifo].size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = twin_.field(fifo, i);
+        return values;
+    }
+
+    void differ(std::string what) {
+        compared_.difference = {compared_.cycles, std::move(what), {history_.begin(), history_.end()}};
+    }
+
+    void remember(std::uint32_t writes, std::uint32_t reads) {
+        if (history_.size() == history_cycles)
+            history_.pop_front();
+        history_.push_back(fmt::format("cycle {}: model {}; twin {}", compared_.cycles,
+                                       names(expected_.writes, expected_.reads), names(writes, reads)));
+    }
+
+    static std::string names(std::uint32_t writes, std::uint32_t reads) {
+        std::string text;
+        for (std::size_t fifo = 0; fifo < twin_fifos.size(); ++fifo) {
+            if ((reads >> fifo & 1U) != 0)
+                text += fmt::format("{}reads {}", text.empty() ? "" : ", ", twin_fifos[fifo]);
+            if ((writes >> fifo & 1U) != 0)
+                text += fmt::format("{}writes {}", text.empty() ? "" : ", ", twin_fifos[fifo]);
+        }
+        return text.empty() ? "-" : text;
+    }
+
+    void compare_maps() {
+        if (twin_.maps_are_built()) {
+            SampleMaps const* const maps = maps_.of(built_++);
+            if (!settings_.is_inner_border)  // else there is no such memory
+                compare_map("edge_map", maps ? maps->edge_map.pixels() : std::vector<std::uint8_t>{}, twin_.edge_map());
+            compare_map("object_map", maps ? maps->object_map.pixels() : std::vector<std::uint8_t>{},
+                        twin_.object_map());
+        }
+        if (twin_.depth_buffer_is_drawn()) {
+            SampleMaps const* const maps = maps_.of(drawn_++);
+            compare_map("depth_buffer", maps ? maps->depth_buffer.pixels() : std::vector<std::uint16_t>{},
+                        twin_.depth_buffer());
+        }
+    }
+
+    template <class Word>
+    void compare_map(char const* name, std::vector<Word> const& expected, std::vector<Word> const& found) {
+        if (compared_.difference || expected.empty())  // the model did not get there: its tokens will tell
+            return;
+        ++compared_.maps;
+        auto const at = std::mismatch(expected.begin(), expected.end(), found.begin(), found.end());
+        if (at.first == expected.end())
+            return;
+        auto const pixel = static_cast<std::size_t>(at.first - expected.begin());
+        differ(fmt::format("memory {}, row {}, column {}: the model has {}, the twin {}", name,
+                           pixel / settings_.window, pixel % settings_.window, *at.first, *at.second));
+    }
+
+    recording::RecordedCore const& model_;
+    KeptMaps const& maps_;
+    TwinSettings const& settings_;
+    TwinCore twin_;
+    std::size_t built_;  ///< the sample whose maps come next
+    std::size_t drawn_;
+    std::vector<std::size_t> number_of_;  ///< in the twin, by the machine's number
+    std::vector<std::vector<TokenField>> layouts_;
+    Accesses expected_;
+    std::deque<std::string> history_;
+    Compared compared_;
+};
+
+}  // namespace
+
+void KeptMaps::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
+    maps_[sample].edge_map = square(maps.edge, maps.side);
+    maps_[sample].object_map = square(maps.object, maps.side);
+}
+
+void KeptMaps::depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {
+    int side = 0;
+    while (static_cast<std::size_t>(side) * static_cast<std::size_t>(side) < depth_buffer.size())
+        ++side;
+    maps_[sample].depth_buffer = square(depth_buffer.data(), side);
+}
+
+SampleMaps const* KeptMaps::of(std::size_t sample) const {
+    auto const at = maps_.find(sample);
+    return at == maps_.end() ? nullptr : &at->second;
+}
+
+Compared compare(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
+                 Stimulus const& stimulus, CoreShare share) {
+    return Comparison(model, maps, settings, stimulus, share).run();
+}
+
+}  // namespace faster::rtl

@@ -1,0 +1,132 @@
+#include "cosim/twin_settings.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "kernel/base/input_error.hpp"
+
+namespace faster::rtl {
+
+namespace {
+
+constexpr std::uint64_t most_cycles = 255;    // of an interval or a depth
+constexpr std::uint64_t most_stages = 63;     // of a delay line
+constexpr std::uint64_t most_registers = 64;  // places of a FIFO
+constexpr std::uint64_t most_memory_words = 1024;
+constexpr int largest_window = 255;
+
+[[noreturn]] void refuse(std::string const& key, std::string const& found, std::string const& expected) {
+    throw InputError(fmt::format("accelerator.{} = {}, expected {}: the register-transfer twin has nothing else", key,
+                                 found, expected));
+}
+
+std::uint64_t in_range(std::string const& key, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
+    if (value < least || value > most)
+        refuse(key, fmt::format("{}", value), fmt::format("{} to {}", least, most));
+    return value;
+}
+
+void require(bool holds, std::string const& key, std::string const& expected) {
+    if (!holds)
+        refuse(key, "another value", expected);
+}
+
+void check_design(AcceleratorConfig const& config, Machine const& machine) {
+    require(config.flow == Flow::faster, "flow", "faster");
+    require(config.edge_map.algorithm == EdgeMapAlgorithm::dual_map ||
+                config.edge_map.algorithm == EdgeMapAlgorithm::inner_border,
+            "edge_map.algorithm", "dual_map or inner_border");
+    require(config.edge_map.buffers == 1, "edge_map.buffers", "1");
+    require(config.inlier_unit.buffers == 1, "inlier_unit.buffers", "1");
+    require(config.inlier_unit.sweep_lanes == 1, "inlier_unit.sweep_lanes", "1");
+    require(config.inlier_unit.sweep_region == SweepRegion::window, "inlier_unit.sweep_region", "window");
+    require(config.rasterizer.scan == ScanPolicy::zigzag, "rasterizer.scan", "zigzag");
+    require(config.rasterizer.setup_overlap == 0, "rasterizer.setup_overlap", "0");
+    require(config.rasterizer.lanes == 1, "rasterizer.lanes", "1");
+    require(!machine.external_memory, "memory.model", "ideal");
+    for (MachineMemory const& memory : machine.memories)
+        require(memory.partition.banks() <= 1, "brams." + memory.name + ".partition.factor", "1");
+    in_range("window", static_cast<std::uint64_t>(config.window), 2, largest_window);
+}
+
+TwinSettings::Fifo fifo_settings(MachineFifo const& fifo) {
+    TwinSettings::Fifo settings;
+    std::string const key = "fifos." + fifo.name;
+    std::uint64_t const most = fifo.kind == FifoKind::memory ? most_memory_words : most_registers;
+    settings.kind = static_cast<std::uint8_t>(fifo.configured_kind);
+    settings.depth = static_cast<std::uint16_t>(in_range(key + ".depth", fifo.depth, 1, most));
+    // The word of the edge map has to be read first; and a result cannot leave before the read of its own step.
+    std::uint64_t const least = fifo.name == "edge_map" || fifo.name == "area_reciprocal" ? 1 : 0;
+    settings.write_latency =
+        static_cast<std::uint8_t>(in_range(key + ".write_latency", fifo.write_latency, least, most_stages));
+    return settings;
+}
+
+/// Stages that reading a memory, and what comes after, takes at least.
+std::uint64_t least_depth(std::string const& loop, AcceleratorConfig const& config, Machine const& machine) {
+    if (loop == "edge_map_builder.token")
+        return 2;
+    if (loop == "edge_map_builder.output")
+        return 2;
+    if (loop == "inlier_unit.fragment")
+        return 3;
+    if (loop != "inlier_unit.sweep")
+        return 1;
+    bool const reads_one = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border ||
+                           config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    if (reads_one)
+        return 2;
+    std::uint64_t const ports = machine.memories[machine.memory("depth_buffer")].ports;
+    return std::max((5 + ports - 1) / ports + 1, 5 / ports + 1);
+}
+
+TwinSettings::Loop loop_settings(MachineLoop const& loop, std::string const& name, std::uint64_t least) {
+    TwinSettings::Loop settings;
+    std::string const key = "loops." + name;
+    settings.target = static_cast<std::uint8_t>(in_range(key + ".ii", loop.interval.target, 1, most_cycles));
+    settings.recurrence =
+        static_cast<std::uint8_t>(in_range(key + ".recurrence_ii", loop.interval.recurrence, 1, most_cycles));
+    settings.depth = static_cast<std::uint8_t>(in_range(key + ".depth", loop.depth, least, most_cycles));
+    return settings;
+}
+
+std::size_t number_of_loop(Machine const& machine, std::string const& name) {
+    for (std::size_t i = 0; i < machine.loops.size(); ++i)
+        if (machine.loop_name(i) == name)
+            return i;
+    throw std::logic_error("no loop " + name);
+}
+
+}  // namespace
+
+TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machine, int width, int height) {
+    check_design(config, machine);
+    TwinSettings settings;
+    settings.width = static_cast<std::uint16_t>(width);
+    settings.height = static_cast<std::uint16_t>(height);
+    settings.window = static_cast<std::uint16_t>(config.window);
+    settings.fraction = config.fraction_bits;
+    settings.sends_edges = config.rasterizer.edge_tokens == EdgeTokens::all;
+    settings.is_inner_border = config.edge_map.algorithm == EdgeMapAlgorithm::inner_border;
+    settings.flushes_last = config.edge_map.flush_last;
+    settings.edge_map_clears_on_read_out = config.edge_map.clearing == MapClearing::on_read_out;
+    settings.inlier_unit_clears_on_read_out = config.inlier_unit.clearing == MapClearing::on_read_out;
+    settings.has_line_buffers = config.inlier_unit.neighbour_access == NeighbourAccess::window;
+    settings.is_flattened = config.inlier_unit.fragment_loop == FragmentLoop::flattened;
+    settings.reciprocals_squeeze = machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::squeeze;
+    std::array<char const*, 3> const memories{"edge_map", "object_map", "depth_buffer"};
+    for (std::size_t i = 0; i < memories.size(); ++i)
+        settings.ports[i] = static_cast<std::uint8_t>(
+            in_range(std::string("brams.") + memories[i] + ".ports", config.memory(memories[i]).ports, 1, most_cycles));
+    settings.setup_cycles = static_cast<std::uint8_t>(in_range(
+        "loops.rasterizer.setup.depth", machine.processes[machine.process("rasterizer")].setup_cycles, 1, most_cycles));
+    settings.fifo_rules = static_cast<std::uint8_t>(config.fifo_rules);
+    for (std::size_t i = 0; i < twin_fifos.size(); ++i)
+        settings.fifos[i] = fifo_settings(machine.fifos[machine.fifo(twin_fifos[i])]);
+    for (std::size_t i = 0; i < twin_loops.size(); ++i)
+        settings.loops[i] = loop_settings(machine.loops[number_of_loop(machine, twin_loops[i])], twin_loops[i],
+                                          least_depth(twin_loops[i], config, machine));
+    return settings;
+}
+
+}  // namespace faster::rtl

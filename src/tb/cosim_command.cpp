@@ -1,0 +1,101 @@
+#include "tb/cosim_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cosim/comparison.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/layered_config.hpp"
+#include "modules/faster_simulation.hpp"
+#include "tb/workload_source.hpp"
+#include "tool/exit_codes.hpp"
+#include "tool/options.hpp"
+#include "tool/say.hpp"
+
+namespace faster {
+
+namespace {
+
+LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> const& more) {
+    std::vector<std::filesystem::path> files;
+    if (!request.config.empty())
+        files.emplace_back(request.config);
+    std::vector<std::string> overrides{"workload.trace=" + request.trace};
+    overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return layered_config(files, overrides);
+}
+
+rtl::TwinSettings settings_of(CosimRequest const& request) {
+    LoadedConfig loaded = config_of(request, request.twin_overrides);
+    Stimulus const stimulus = load_stimulus(loaded);
+    rtl::TwinSettings settings =
+        rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
+    settings.forwards = request.forwards;
+    return settings;
+}
+
+/// True if nothing differs.
+bool tell(std::size_t core, rtl::Compared const& compared) {
+    if (!compared.difference) {
+        say("core {}: no difference in {} cycles: {} writes with their tokens, {} reads, {} maps; twin {:.2f} s, "
+            "{:.0f} "
+            "kHz\n",
+            core, compared.cycles, compared.writes, compared.reads, compared.maps, compared.twin_seconds,
+            static_cast<double>(compared.cycles) / compared.twin_seconds / 1e3);
+        return true;
+    }
+    say("core {}, cycle {}: {}\n", core, compared.difference->cycle, compared.difference->what);
+    for (std::string const& line : compared.difference->history)
+        say("  {}\n", line);
+    return false;
+}
+
+}  // namespace
+
+int cosim(CosimRequest const& request) {
+    rtl::TwinSettings const settings = settings_of(request);
+    LoadedConfig loaded = config_of(request, {});
+    Stimulus const stimulus = load_stimulus(loaded);
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    rtl::KeptMaps maps;
+    bool is_same = true;
+    SimulationOptions options;
+    Recording recording;
+    if (request.core >= 0)
+        recording.window.cores = {static_cast<std::size_t>(request.core)};
+    recording.done = [&](std::vector<recording::RecordedCore> const& cores) {
+        for (recording::RecordedCore const& core : cores) {
+            CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
+            is_same = tell(core.core, rtl::compare(core, maps, settings, stimulus, share)) && is_same;
+        }
+    };
+    options.recordings.push_back(recording);
+    simulate(config, stimulus, Engine::decoupled, options, &maps);
+    return is_same ? exit_done : exit_failed_check;
+}
+
+Subcommand cosim_command() {
+    return {
+        "cosim", "Compare the model, cycle by cycle, with its register-transfer twin", [](CLI::App& command) {
+            auto const request = std::make_shared<CosimRequest>();
+            command.add_option("trace", request->trace, "Folder of the stimulus trace")->required()->type_name("TRACE");
+            command.add_option("--config", request->config, "Configuration file (YAML)")->type_name("CONFIG");
+            add_overrides(command, request->overrides);
+            command
+                .add_option("--twin-set", request->twin_overrides,
+                            "Override a key for the twin alone, to see the difference found")
+                ->type_name("KEY=VALUE")
+                ->allow_extra_args(false);
+            command.add_option("--core", request->core, "Compare this core only")
+                ->type_name("N")
+                ->check(CLI::Range(0, 1000000));
+            command.add_flag("!--no-forwarding", request->forwards,
+                             "The twin reads stale words of its memories, as hardware does without forwarding");
+            return [request] { return cosim(*request); };
+        }};
+}
+
+}  // namespace faster

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "cosim/comparison.hpp"
+#include "faster/faster_config.hpp"
+#include "kernel/config/layered_config.hpp"
+#include "kernel/figures/table_rows.hpp"
+#include "support/command.hpp"
+#include "support/forked_simulation.hpp"
+#include "support/plain_config.hpp"
+#include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
+#include "workload/files/trace.hpp"
+
+namespace faster::testing::cosimulation_test {
+
+std::string const source = FASTER_SOURCE_DIR;
+
+/// What the model does, as `config` says, that the twin does not, as `settings` say; empty: nothing.
+std::string difference(AcceleratorConfig const& config, rtl::TwinSettings const& settings, Stimulus const& stimulus) {
+    std::string const unequal = "differs in cycle ";
+    rtl::KeptMaps maps;
+    ForkOptions options;
+    options.probe = &maps;
+    auto const compare = [&](std::vector<recording::RecordedCore> const& cores) {
+        for (recording::RecordedCore const& core : cores) {
+            CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
+            auto const found = rtl::compare(core, maps, settings, stimulus, share).difference;
+            if (found)
+                throw std::runtime_error(unequal + std::to_string(found->cycle) + ": " + found->what);
+        }
+    };
+    options.recordings.push_back({{}, compare});
+    try {
+        run_forked(config, stimulus, Engine::decoupled, options);
+    } catch (std::runtime_error const& error) {
+        std::string const what = error.what();
+        if (what.find(unequal) == std::string::npos)
+            throw;
+        return what.substr(what.find(unequal));
+    }
+    return {};
+}
+
+rtl::TwinSettings settings_of(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    return rtl::twin_settings(config, raster_machine(config), stimulus.width, stimulus.height);
+}
+
+std::string difference(AcceleratorConfig const& config, AcceleratorConfig const& twin, Stimulus const& stimulus) {
+    return difference(config, settings_of(twin, stimulus), stimulus);
+}
+
+/// As the model reports them.
+std::uint64_t hazards_of(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    ForkOptions options;
+    options.hazards = true;
+    std::uint64_t hazards = 0;
+    for (DependenceRow const& row :
+         dependence_sums(run_forked(config, stimulus, Engine::decoupled, options).statistics))
+        hazards += row.hazards();
+    return hazards;
+}
+
+/// Brings what random_config() draws to where the twin has places and stages for it.
+void fit_to_twin(AcceleratorConfig& config, std::mt19937_64& random) {
+    for (FifoId const id : fifo_ids)
+        if (auto const at = config.fifos.find(id); at != config.fifos.end() && at->second.depth)
+            at->second.depth = std::min<std::uint64_t>(*at->second.depth, 64);
+    auto const at_least = [&config](LoopId loop, Cycles depth) {
+        config.loop(loop).depth = std::max(depth, config.loop(loop).depth.value_or(1));
+    };
+    at_least(LoopId::token, 2);
+    at_least(LoopId::output, 2);
+    at_least(LoopId::fragment, 3);
+    at_least(LoopId::sweep, 6);
+    for (FifoId const id : {FifoId::edge_map, FifoId::area_reciprocal}) {
+        Cycles& latency = *config.fifo(id).write_latency;
+        latency = std::max<Cycles>(latency, 1);
+    }
+    config.fifo_rules = static_cast<FifoGeneration>(random() % 3);
+    if (config.edge_map.algorithm == EdgeMapAlgorithm::inner_border && random() % 2 == 0)
+        config.rasterizer.edge_tokens = EdgeTokens::object;
+    config.inlier_unit.fragment_loop = static_cast<FragmentLoop>(random() % 2);
+}
+
+struct Trial {
+    AcceleratorConfig config;
+    Stimulus stimulus;
+};
+
+Trial random_trial(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    RandomStimulusOptions stimulus;
+    stimulus.width = {24, 64};
+    stimulus.height = {24, 64};
+    stimulus.window = {2, 24};
+    stimulus.samples = {0, 6};
+    stimulus.random_fraction_bits = seed % 3 == 0;
+    RandomConfigOptions config;
+    config.cores = {1, 3};
+    config.max_ports = 6;
+    config.any_clearing = seed % 2 == 0;
+    config.algorithm = seed % 4 < 2 ? EdgeMapAlgorithm::dual_map : EdgeMapAlgorithm::inner_border;
+    config.is_deadlock_free = seed % 5 != 0;
+    Trial trial{random_config(seed, config), random_stimulus(seed, stimulus)};
+    fit_to_twin(trial.config, random);
+    adopt(trial.stimulus, trial.config);
+    trial.config.fraction_bits = trial.stimulus.fraction;
+    return trial;
+}
+
+void check_seeds(std::uint64_t first, std::uint64_t count) {
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        CAPTURE(seed);
+        Trial const trial = random_trial(seed);
+        CHECK(difference(trial.config, trial.config, trial.stimulus) == "");
+    }
+}
+
+/// The default design on a trace of the repository, one core, with keys changed.
+AcceleratorConfig config_with(std::string const& trace, std::vector<std::string> keys) {
+    keys.push_back("workload.trace=" + source + "/traces/" + trace);
+    keys.push_back("accelerator.raster_cores=1");
+    LoadedConfig loaded = layered_config({}, keys);
+    Stimulus const stimulus = io::read_trace(source + "/traces/" + trace);
+    adopt(stimulus, accelerator_of(loaded.config));
+    accelerator_of(loaded.config).fraction_bits = stimulus.fraction;
+    return accelerator_of(loaded.config);
+}
+
+/// FIFOs that are written and read beside another one: alone, another kind of theirs changes no access.
+bool is_beside_another(FifoId id) {
+    return id == FifoId::fragment_depth || id == FifoId::fragment_index || id == FifoId::observed_depth ||
+           id == FifoId::observed_edge;
+}
+
+using Mutation = std::vector<std::string>;
+
+/// One change each of everything that decides when or what, as the model would have it by mistake.
+std::vector<Mutation> mutations() {
+    std::vector<Mutation> all;
+    for (FifoId const id : fifo_ids) {
+        if (FifoId::result < id)
+            break;
+        std::string const fifo = std::string("accelerator.fifos.") + id.name;
+        if (!is_beside_another(id))
+            all.push_back({fifo + ".kind=memory"});
+        if (Cycles const latency = default_write_latency(id); latency > 0)
+            all.push_back({fifo + ".write_latency=" + std::to_string(latency - 1)});
+    }
+    for (LoopId const id : keyed_loop_ids) {
+        if (LoopId::sweep < id || id == LoopId::extract)
+            continue;
+        std::string const loop = std::string("accelerator.loops.") + id.module.name + "." + id.name;
+        // The target of a sweep with five accesses and two ports does not matter up to 3.
+        // Fragments come every other cycle.
+        bool const is_slow = id == LoopId::sweep || id == LoopId::fragment;
+        all.push_back({loop + (is_slow ? ".ii=4" : ".ii=2")});
+        all.push_back({loop + ".depth=" + std::to_string(default_depth(id) + 1)});
+    }
+    for (char const* const more :
+         {"loops.rasterizer.setup.depth=11", "brams.edge_map.ports=1", "brams.object_map.ports=1",
+          "brams.depth_buffer.ports=1", "brams.depth_buffer.ports=3", "fifos.command.depth=3",
+          "fifos.fragment_depth.depth=1", "fifos.fragment_index.depth=1", "fifos.edge_token.depth=1",
+          "edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "inlier_unit.clearing=on_read_out",
+          "inlier_unit.neighbour_access=window", "rasterizer.scan=early_exit", "rasterizer.setup_overlap=1",
+          "inlier_unit.fragment_loop=flattened", "edge_map.algorithm=transition", "edge_map.algorithm=bounded",
+          "edge_map.algorithm=dual_map_4_1_2"})
+        all.push_back({std::string("accelerator.") + more});
+    all.push_back({"accelerator.fifos.fragment_depth.kind=memory", "accelerator.fifos.fragment_index.kind=memory"});
+    all.push_back({"accelerator.fifos.observed_depth.kind=memory", "accelerator.fifos.observed_edge.kind=memory"});
+    return all;
+}
+
+TEST_CASE("Each of many mutations of the model is found", "[rtl]") {
+    Stimulus const stimulus = io::read_trace(source + "/traces/edge_heavy");
+    AcceleratorConfig const twin = config_with("edge_heavy", {});
+    REQUIRE(difference(twin, twin, stimulus) == "");
+    std::vector<Mutation> const all = mutations();
+    REQUIRE(all.size() >= 50);
+    for (Mutation const& mutation : all) {
+        CAPTURE(mutation);
+        CHECK(difference(config_with("edge_heavy", mutation), twin, stimulus) != "");
+    }
+}
+
+TEST_CASE("Without forwarding the twin is wrong only where the model reports hazards", "[rtl]") {
+    int clean = 0;
+    int wrong = 0;
+    for (std::uint64_t seed = 300; seed < 340; ++seed) {
+        CAPTURE(seed);
+        Trial trial = random_trial(seed);
+        trial.config.edge_map.algorithm = EdgeMapAlgorithm::dual_map;
+        trial.config.rasterizer.edge_tokens = EdgeTokens::all;
+        for (BramId const id : {BramId::edge_map, BramId::object_map})  // ports that let II be 1
+            trial.config.memory(id).ports = 2;
+        trial.config.loop(LoopId::token).ii = trial.config.loop(LoopId::token).recurrence_ii = 1;
+        rtl::TwinSettings settings = settings_of(trial.config, trial.stimulus);
+        settings.forwards = false;
+        bool const differs = !difference(trial.config, settings, trial.stimulus).empty();
+        bool const has_hazards = hazards_of(trial.config, trial.stimulus) > 0;
+        CHECK((has_hazards || !differs));
+        clean += has_hazards ? 0 : 1;
+        wrong += differs ? 1 : 0;
+    }
+    CHECK(clean > 0);
+    CHECK(wrong > 0);
+}
+
+TEST_CASE("The command says where model and twin differ first, and with which values", "[rtl]") {
+    auto const cosim = [](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(),
+                         {"cosim", source + "/traces/one_triangle", "--set", "accelerator.raster_cores=1"});
+        return test::run_command(FASTER_SIM_BINARY, arguments, source);
+    };
+    auto const same = cosim({});
+    CHECK(same.exit_code == 0);
+    CHECK(same.out.find("core 0: no difference in 5159 cycles: 3149 writes with their tokens, 3149 reads, 3 maps") ==
+          0);
+    auto const late = cosim({"--twin-set", "accelerator.fifos.vertex.write_latency=39"});
+    CHECK(late.exit_code == 1);
+    CHECK(late.out.find(
+              "core 0, cycle 41: FIFO vertex: the twin writes (x 480, y 320, z 16384), the model does not\n") == 0);
+    auto const stale = cosim({"--no-forwarding"});  // the trace has two hazards
+    CHECK(stale.exit_code == 1);
+    CHECK(stale.out.find("memory edge_map, row 13, column 14: the model has 0, the twin 1\n") != std::string::npos);
+    auto const other = cosim({"--set", "accelerator.rasterizer.scan=spans"});
+    CHECK(other.exit_code == 2);
+    CHECK(other.err.find("accelerator.rasterizer.scan = another value, expected zigzag") != std::string::npos);
+}
+
+TEST_CASE("Model and twin do the same in the same cycles: seeds 1 to 60", "[rtl]") { check_seeds(1, 60); }
+TEST_CASE("Model and twin do the same in the same cycles: seeds 61 to 120", "[rtl]") { check_seeds(61, 60); }
+TEST_CASE("Model and twin do the same in the same cycles: seeds 121 to 180", "[rtl]") { check_seeds(121, 60); }
+TEST_CASE("Model and twin do the same in the same cycles: seeds 181 to 240", "[rtl]") { check_seeds(181, 60); }
+
+}  // namespace faster::testing::cosimulation_test

@@ -7,7 +7,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build ccache pkg-config git
     libsystemc-dev libeigen3-dev libassimp-dev libopencv-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
-    libspdlog-dev nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev libnanoflann-dev libjs-chart.js libzstd-dev libpng-dev zlib1g-dev
+    libspdlog-dev nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev libnanoflann-dev libjs-chart.js libzstd-dev libpng-dev zlib1g-dev verilator
 )
 
 for argument in "$@"; do

@@ -1,15 +1,19 @@
 #pragma once
 #include <filesystem>
-#include <vector>
 
-#include "kernel/recording/recorded_core.hpp"
+#include "kernel/recording/recorded_window.hpp"
 #include "kernel/recording/signal_filter.hpp"
 
 namespace faster::recording {
 
-/// Writes the GTKWave save file of a value change dump: signals in groups, numbers in sensible radices, states and
-/// stalls as text.
-void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine,
-                        std::vector<RecordedCore> const& cores, SignalFilter const& filter);
+/// Where GTKWave finds what values mean: in the waveform, or in tables of their own (.states.txt, .stalls.txt, ...),
+/// which are written too.
+enum class ValueNames { in_waveform, in_tables };
+
+/// Writes a GTKWave save file (.gtkw) beside a waveform, with the same stem: signals in groups, numbers in sensible
+/// radices, states and stalls as text. All names of files are relative, so that their folder can be moved. Errors:
+/// InputError if one cannot be written.
+void write_gtkwave_save(std::filesystem::path const& waveform, ValueNames names, Machine const& machine,
+                        RecordedWindow const& window, SignalFilter const& filter);
 
 }  // namespace faster::recording

@@ -16,7 +16,8 @@
 
 #include "faster/faster_config.hpp"
 #include "kernel/config/load_config.hpp"
-#include "kernel/recording/vcd_trace.hpp"
+#include "kernel/recording/vcd_file.hpp"
+#include "kernel/recording/write_waveform.hpp"
 #include "modules/faster_simulation.hpp"
 #include "modules/raster_core_description.hpp"
 #include "reference/scorer.hpp"
@@ -122,15 +123,16 @@ Measurement with_vcd(Engine kind, std::uint64_t samples, std::optional<std::size
             vcd.window.samples = recording::RecordingWindow::Samples{*sample, *sample};
         AcceleratorConfig const& accelerator = accelerator_of(config);
         Machine const machine = make_machine(describe_raster_core(accelerator), accelerator);
-        vcd.done = [&file, machine](std::vector<recording::RecordedCore> const& cores) {
-            recording::write_vcd(file, machine, cores, recording::SignalFilter({}, machine));
+        vcd.done = [&file, machine](recording::RecordedWindow const& window) {
+            recording::WaveformFiles files;
+            files.push_back(std::make_unique<recording::VcdFile>(file, machine.clock_mhz));
+            recording::write_waveform(files, machine, window, recording::SignalFilter({}, machine));
         };
         SimulationOptions options;
         options.recordings.push_back(vcd);
         return options;
     });
-    for (char const* const ending : {".vcd", ".gtkw", ".states.txt", ".stalls.txt"})
-        std::filesystem::remove(std::filesystem::path(file).replace_extension(ending));
+    std::filesystem::remove(file);
     return result;
 }
 

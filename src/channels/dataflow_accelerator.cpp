@@ -72,10 +72,11 @@ void DataflowAccelerator::let_cores_take_turns() {
         cores_[core]->run_after(*cores_[core - 1]);
 }
 
-/// A core that is stuck before it has done its share does not keep the next ones from theirs.
+/// A core that is stuck before it has done its share does not keep the next ones from theirs. Somebody may pause it
+/// all.
 void DataflowAccelerator::run() {
     sc_core::sc_start();
-    for (std::size_t next = 1; engine_ == Engine::decoupled && next < cores_.size(); ++next) {
+    for (std::size_t next = 1; engine_ == Engine::decoupled && !is_left_ && next < cores_.size(); ++next) {
         if (cores_[next]->share().count == 0 || cores_[next - 1]->is_turn_over())
             continue;
         cores_[next - 1]->end_turn();

@@ -36,6 +36,12 @@ class DataflowAccelerator : public sc_core::sc_module {
 
     /// Lets simulated time pass until nothing moves any more.
     void run();
+    /// Gives the run up, from inside it.
+    void leave() {
+        is_left_ = true;
+        sc_core::sc_pause();
+    }
+    bool is_left() const { return is_left_; }
 
   private:
     void let_cores_share_automaton();
@@ -49,6 +55,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     std::vector<std::unique_ptr<DataflowCore>> cores_;
     std::unique_ptr<timing::MemorySystem> memory_;
     std::vector<timing::LoadedRange> loaded_;
+    bool is_left_ = false;
     sc_core::sc_event memory_asked_{"memory_asked"};
 };
 

@@ -23,17 +23,38 @@ Recordings::Recordings(DataflowAccelerator& accelerator, std::vector<Recording> 
             of_core.push_back(recorder.get());
             recorders_.push_back({i, core, std::move(recorder)});
         }
-        if (of_core.empty())
-            continue;
-        accelerator.cores()[core]->on_start([of_core] {
-            for (recording::CoreRecorder* recorder : of_core)
-                recorder->before_start();
-        });
-        accelerator.cores()[core]->on_sample_begins([of_core](std::size_t i) {
-            for (recording::CoreRecorder* recorder : of_core)
-                recorder->sample_begins(i);
-        });
+        if (!of_core.empty())
+            attach(core, of_core);
     }
+    if (accelerator.memory() != nullptr && !recorders_.empty())
+        listen_to_memory();
+}
+
+void Recordings::attach(std::size_t core, std::vector<recording::CoreRecorder*> const& recorders) {
+    accelerator_.cores()[core]->on_start([recorders] {
+        for (recording::CoreRecorder* recorder : recorders)
+            recorder->before_start();
+    });
+    accelerator_.cores()[core]->on_sample_begins([this, recorders](std::size_t i) {
+        for (recording::CoreRecorder* recorder : recorders)
+            recorder->sample_begins(i);
+        forget_bursts();
+    });
+}
+
+void Recordings::listen_to_memory() {
+    memory_.emplace(accelerator_.memory()->shape());
+    accelerator_.memory()->on_served([this](timing::ServedBurst const& burst) { memory_->take(burst); });
+}
+
+/// Those before all windows.
+void Recordings::forget_bursts() {
+    if (!memory_)
+        return;
+    Cycles from = ~Cycles{0};
+    for (Recorder const& recorder : recorders_)
+        from = std::min(from, recorder.recorder->earliest_from());
+    memory_->forget_before(from);
 }
 
 recording::RecordedCore Recordings::recorded(Recorder& recorder, Cycles end) const {
@@ -56,11 +77,12 @@ void Recordings::finish(Cycles end) {
     for (Recorder& recorder : recorders_)
         recorder.recorder->finish();
     for (std::size_t i = 0; i < requests_.size(); ++i) {
-        std::vector<recording::RecordedCore> cores;
+        recording::RecordedWindow window;
         for (Recorder& recorder : recorders_)
             if (recorder.request == i && recorder.recorder->from() < end)
-                cores.push_back(recorded(recorder, end));
-        requests_[i].done(cores);
+                window.cores.push_back(recorded(recorder, end));
+        window.memory = memory_ ? &memory_->recorded() : nullptr;
+        requests_[i].done(window);
     }
 }
 

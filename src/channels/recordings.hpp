@@ -1,10 +1,12 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "channels/dataflow_accelerator.hpp"
 #include "channels/simulate.hpp"
 #include "kernel/recording/core_recorder.hpp"
+#include "kernel/recording/memory_recorder.hpp"
 
 namespace faster {
 
@@ -22,11 +24,15 @@ class Recordings {
         std::size_t core;
         std::unique_ptr<recording::CoreRecorder> recorder;
     };
+    void attach(std::size_t core, std::vector<recording::CoreRecorder*> const& recorders);
+    void listen_to_memory();
+    void forget_bursts();
     recording::RecordedCore recorded(Recorder& recorder, Cycles end) const;
 
     DataflowAccelerator& accelerator_;
     std::vector<Recording> const& requests_;
     std::vector<Recorder> recorders_;
+    std::optional<recording::MemoryRecorder> memory_;
 };
 
 }  // namespace faster

@@ -1,5 +1,6 @@
 #include "channels/simulate.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -52,13 +53,39 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
         cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
     return replay::critical_path_of(cores, accelerator.machine());
 }
+
+/// Whether the first core's samples have got their cycles.
+bool has_done(DataflowAccelerator const& accelerator, std::size_t samples) {
+    timing::CoreTiming const& timing = accelerator.cores().front()->timing();
+    return timing.processes()[accelerator.machine().ends].stamps().size() >= samples;
+}
+
+/// Counts samples done, of all cores.
+void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& options, std::uint64_t& done) {
+    for (auto const& core : accelerator.cores())
+        core->set_progress([&] {
+            ++done;
+            if (options.progress)
+                options.progress(done);
+            if (has_done(accelerator, options.most_samples))
+                accelerator.leave();
+        });
+}
+
+Cycles latest_of(DataflowAccelerator const& accelerator) {
+    Cycles latest = 0;
+    for (auto const& core : accelerator.cores())
+        for (timing::ProcessTiming const& process : core->timing().processes())
+            latest = std::max(latest, process.local_time());
+    return latest;
+}
 }  // namespace
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
     std::uint64_t done = 0;
+    if (options.progress || options.most_samples != SimulationOptions{}.most_samples)
+        watch_samples(accelerator, options, done);
     for (auto const& core : accelerator.cores()) {
-        if (options.progress)
-            core->set_progress([&done, &options] { options.progress(++done); });
         if (options.critical_path)
             core->timing().leave_trail(options.trail_length);
         if (options.hazards)
@@ -69,6 +96,10 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     if (options.recorded != nullptr)
         taping = std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator, options));
     accelerator.run();
+    if (accelerator.is_left()) {
+        recordings.finish(latest_of(accelerator));
+        return {};
+    }
     RunStatistics run = statistics_of(accelerator, taping.get());
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);

@@ -5,7 +5,7 @@
 
 #include "channels/dataflow_accelerator.hpp"
 #include "kernel/figures/run_statistics.hpp"
-#include "kernel/recording/recorded_core.hpp"
+#include "kernel/recording/recorded_window.hpp"
 #include "kernel/recording/recording_window.hpp"
 #include "kernel/replay/recorded_run.hpp"
 #include "kernel/timing/trail.hpp"
@@ -16,13 +16,16 @@ namespace faster {
 /// samples are left out.
 struct Recording {
     recording::RecordingWindow window;
-    std::function<void(std::vector<recording::RecordedCore> const& cores)> done;
+    std::function<void(recording::RecordedWindow const& window)> done;
 };
 
 struct SimulationOptions {
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
     std::vector<Recording> recordings;
-    replay::RecordedRun* recorded = nullptr;                 ///< takes down what was done; may be null
+    replay::RecordedRun* recorded = nullptr;  ///< takes down what was done; may be null
+    /// The run ends when the first core has done so many; what is recorded by then is handed over, and the figures are
+    /// empty.
+    std::size_t most_samples = ~std::size_t{0};
     bool critical_path = false;                              ///< to be traced
     bool at_any_size = false;                                ///< even if there seems to be too little memory
     bool hazards = false;                                    ///< to be looked for

@@ -32,7 +32,7 @@ template <> struct TokenFields<std::uint64_t> {
     static std::array<std::int64_t, 1> values(std::uint64_t t) { return {static_cast<std::int64_t>(t)}; }
 };
 template <> struct TokenFields<Command> {
-    static constexpr std::array<TokenField, 1> layout{{{"command", 2}}};
+    static constexpr std::array<TokenField, 1> layout{{{"command", 2, false, TokenField::only_lane, command_names}}};
     static std::array<std::int64_t, 1> values(Command t) { return {static_cast<std::int64_t>(t)}; }
 };
 template <> struct TokenFields<FragmentIndex> {
@@ -48,7 +48,8 @@ template <> struct TokenFields<DepthGroup> {
     static std::array<std::int64_t, 2> values(DepthGroup const& t) { return {t.z_sum, t.z_sum_per_column}; }
 };
 template <> struct TokenFields<EdgeToken> {
-    static constexpr std::array<TokenField, 3> layout{{{"row", 16, true}, {"col", 16, true}, {"kind", 2}}};
+    static constexpr std::array<TokenField, 3> layout{
+        {{"row", 16, true}, {"col", 16, true}, {"kind", 2, false, TokenField::only_lane, edge_token_kind_names}}};
     static std::array<std::int64_t, 3> values(EdgeToken const& t) {
         return {t.row, t.col, static_cast<std::int64_t>(t.kind)};
     }

@@ -33,6 +33,7 @@ struct SampleHeader {
 
 /// Tokens of `command` (thesis A.1: Read_area, Read_d_i, End_raster).
 enum class Command : std::uint8_t { Triangle, Fragment, End };
+constexpr char const* command_names = "triangle fragment end";
 
 /// Token of `fragment_index`: the pixel of a fragment, relative to the window; may lie outside it.
 struct FragmentIndex {
@@ -58,6 +59,7 @@ struct DepthGroup {
 
 /// What an edge token says of its pixel; `End` closes the sample.
 enum class EdgeTokenKind : std::int32_t { Edge, Object, End };
+constexpr char const* edge_token_kind_names = "edge object end";
 
 /// Token of `edge_token` (thesis: edge_position). Coordinates are relative to the window and may lie outside it.
 struct EdgeToken {

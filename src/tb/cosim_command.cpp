@@ -66,8 +66,8 @@ int cosim(CosimRequest const& request) {
     Recording recording;
     if (request.core >= 0)
         recording.window.cores = {static_cast<std::size_t>(request.core)};
-    recording.done = [&](std::vector<recording::RecordedCore> const& cores) {
-        for (recording::RecordedCore const& core : cores) {
+    recording.done = [&](recording::RecordedWindow const& window) {
+        for (recording::RecordedCore const& core : window.cores) {
             CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
             is_same = tell(core.core, rtl::compare(core, maps, settings, stimulus, share)) && is_same;
         }

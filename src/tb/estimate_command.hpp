@@ -24,7 +24,7 @@ struct EstimateRequest {
     std::string events;          ///< file of that iteration's events; empty: none
     RecordingRequest recording;  ///< of that iteration
 
-    bool records() const { return !events.empty() || !recording.vcd.empty() || !recording.timeline.empty(); }
+    bool records() const { return !events.empty() || recording.has_waveform() || !recording.timeline.empty(); }
 };
 
 /// Looks for an object's pose by the thesis's second stage. Throws InputError on bad input. Exit code 3 if the

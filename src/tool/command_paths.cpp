@@ -5,7 +5,6 @@
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/named_files.hpp"
-#include "kernel/recording/gtkwave_save.hpp"
 
 namespace faster {
 
@@ -37,13 +36,6 @@ void CommandPaths::writes(std::string const& what, fs::path const& file) { add(w
 
 void CommandPaths::writes(std::string const& what, fs::path const& folder, io::FolderKind const& kind) {
     add(what, folder, &kind);
-}
-
-void CommandPaths::writes_vcd(std::string const& what, fs::path const& file) {
-    writes(what, file);
-    if (!file.empty() && !io::is_device(file))
-        for (fs::path const& beside : recording::files_beside(file))
-            writes("what is beside " + what, beside);
 }
 
 void CommandPaths::add(std::string const& what, fs::path const& given, io::FolderKind const* kind) {

@@ -20,8 +20,6 @@ class CommandPaths {
     /// `what`: for messages, e.g. "--report"
     void writes(std::string const& what, std::filesystem::path const& file);
     void writes(std::string const& what, std::filesystem::path const& folder, io::FolderKind const& kind);
-    /// A value change dump and what is beside it.
-    void writes_vcd(std::string const& what, std::filesystem::path const& file);
 
   private:
     struct Place {

@@ -3,19 +3,27 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
+#include <memory>
+#include <set>
+#include <utility>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/machine/core_share.hpp"
+#include "kernel/recording/fst_file.hpp"
 #include "kernel/recording/gtkwave_save.hpp"
+#include "kernel/recording/thinned_timeline.hpp"
 #include "kernel/recording/timeline_json.hpp"
-#include "kernel/recording/vcd_trace.hpp"
+#include "kernel/recording/vcd_file.hpp"
+#include "kernel/recording/write_waveform.hpp"
+#include "tool/progress_line.hpp"
 
 namespace faster {
 
 namespace {
 
 using recording::RecordingWindow;
+using recording::ValueNames;
 
 /// "5" or "5-7".
 RecordingWindow::Samples parse_range(char const* option, std::string const& text, std::size_t end) {
@@ -48,10 +56,9 @@ std::vector<std::size_t> parse_cores(std::string const& text, std::size_t count)
     return cores;
 }
 
-RecordingWindow vcd_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
+RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
     RecordingWindow window;
-    if (!request.vcd_cores.empty())
-        window.cores = parse_cores(request.vcd_cores, machine.cores);
+    window.cores = cores_recorded(request, machine);
     if (!request.vcd_samples.empty()) {
         if (request.vcd_from || request.vcd_to)
             throw InputError("--vcd-samples: expected it without --vcd-from and --vcd-to");
@@ -67,41 +74,138 @@ RecordingWindow vcd_window(RecordingRequest const& request, Machine const& machi
 
 /// Before the work whose results would be lost.
 void require_writable(std::string const& file) {
-    if (!io::is_device(file))
+    if (!file.empty() && !io::is_device(file))
         io::OutputFile const probe(file);
 }
 
+/// What a timeline may hold: about 100 MB of JSON.
+constexpr std::size_t most_spans = 600'000;
+
+/// What is known of a timeline when the run is over.
+struct Timeline {
+    std::vector<recording::CoreTimeline> cores;
+    std::optional<recording::MemoryTimeline> memory;
+    Cycles from = ~Cycles{0};  ///< first and last cycle of all cores
+    Cycles to = 0;
+};
+
 /// The first samples of every core, as far as they go.
+Recording timeline_recording(std::size_t core, CoreShare const& share, std::int64_t samples) {
+    Recording recording;
+    recording.window.cores = {core};
+    std::size_t const count = std::min(share.count, static_cast<std::size_t>(samples));
+    recording.window.samples = RecordingWindow::Samples{share.first, share.first + count - 1};
+    return recording;
+}
+
 std::vector<Recording> timeline_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples,
-                                           std::shared_ptr<std::vector<recording::CoreTimeline>> const& timelines) {
+                                           PlaceOf const& place_of) {
+    require_writable(request.timeline);
+    auto const timeline = std::make_shared<Timeline>();
     std::vector<Recording> recordings;
     for (std::size_t core = 0; core < machine.cores; ++core) {
         CoreShare const share = share_of(core, machine.cores, samples);
         if (share.count == 0)
             continue;
-        Recording recording;
-        recording.window.cores = {core};
-        std::size_t const count = std::min(share.count, static_cast<std::size_t>(request.timeline_samples));
-        recording.window.samples = RecordingWindow::Samples{share.first, share.first + count - 1};
-        recording.done = [timelines](std::vector<recording::RecordedCore> const& cores) {
-            for (recording::RecordedCore const& recorded : cores)
-                timelines->push_back(recording::make_timeline(recorded, {}));
+        recordings.push_back(timeline_recording(core, share, request.timeline_samples));
+        recordings.back().done = [timeline, &machine](recording::RecordedWindow const& window) {
+            std::size_t const most = most_spans / machine.cores;
+            for (recording::RecordedCore const& recorded : window.cores)
+                timeline->cores.push_back(recording::thinned(recording::make_timeline(recorded, {}), most));
+            if (window.cores.empty())
+                return;
+            timeline->from = std::min(timeline->from, window.from());
+            timeline->to = std::max(timeline->to, window.to());
         };
-        recordings.push_back(std::move(recording));
     }
+    Recording last;  // after those of all cores
+    last.window.samples = RecordingWindow::Samples{~std::size_t{0} - 1, ~std::size_t{0} - 1};
+    last.done = [timeline, &request, &machine, place_of](recording::RecordedWindow const& window) {
+        if (window.memory != nullptr)
+            timeline->memory =
+                recording::make_memory_timeline(*window.memory, timeline->from, timeline->to, most_spans / 4);
+        io::write_file_atomically(place_of(request.timeline),
+                                  recording::timeline_json(timeline->cores, timeline->memory, machine.clock_mhz));
+    };
+    recordings.push_back(std::move(last));
     return recordings;
+}
+
+void refuse_without_waveform(RecordingRequest const& request) {
+    auto const refuse_if = [](bool is_given, char const* option) {
+        if (is_given)
+            throw InputError(fmt::format("{}: expected it with --vcd or --fst", option));
+    };
+    refuse_if(!request.vcd_cores.empty(), "--vcd-cores");
+    refuse_if(!request.vcd_modules.empty(), "--vcd-modules");
+    refuse_if(!request.vcd_samples.empty(), "--vcd-samples");
+    refuse_if(request.vcd_from.has_value(), "--vcd-from");
+    refuse_if(request.vcd_to.has_value(), "--vcd-to");
+}
+
+/// Those that can have files beside them, the VCD last: its save file says what values mean to both.
+std::vector<std::pair<std::filesystem::path, ValueNames>> waveforms_of(RecordingRequest const& request) {
+    std::vector<std::pair<std::filesystem::path, ValueNames>> files;
+    if (!request.fst.empty() && !io::is_device(request.fst))
+        files.emplace_back(request.fst, ValueNames::in_waveform);
+    if (!request.vcd.empty() && !io::is_device(request.vcd))
+        files.emplace_back(request.vcd, ValueNames::in_tables);
+    return files;
+}
+
+RecordingRequest placed(RecordingRequest request, PlaceOf const& place_of) {
+    for (std::string* const file : {&request.vcd, &request.fst})
+        if (!file->empty())
+            *file = place_of(*file).string();
+    return request;
+}
+
+/// Both files hold the same, and are written at once.
+Recording waveform_recording(RecordingRequest const& request, Machine const& machine, std::size_t samples,
+                             PlaceOf const& place_of) {
+    require_writable(request.vcd);
+    require_writable(request.fst);
+    Recording recording;
+    recording.window = waveform_window(request, machine, samples);
+    recording::SignalFilter const filter(request.vcd_modules, machine);
+    recording.done = [&request, &machine, filter, place_of](recording::RecordedWindow const& window) {
+        RecordingRequest const files = placed(request, place_of);
+        write_waveform_files(files, machine, window);
+        for (auto const& [file, names] : waveforms_of(files))
+            recording::write_gtkwave_save(file, names, machine, window, filter);
+    };
+    return recording;
 }
 
 }  // namespace
 
+std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine) {
+    return parse_cores(request.vcd_cores.empty() ? fmt::format("0-{}", machine.cores - 1) : request.vcd_cores,
+                       machine.cores);
+}
+
+std::vector<double> write_waveform_files(RecordingRequest const& request, Machine const& machine,
+                                         recording::RecordedWindow const& window) {
+    recording::WaveformFiles files;
+    if (!request.vcd.empty())
+        files.push_back(std::make_unique<recording::VcdFile>(request.vcd, machine.clock_mhz));
+    if (!request.fst.empty())
+        files.push_back(std::make_unique<recording::FstFile>(request.fst, machine.clock_mhz));
+    ProgressLine progress("cycles of the waveform");
+    recording::write_waveform(files, machine, window, recording::SignalFilter(request.vcd_modules, machine),
+                              [&progress](Cycles done, Cycles all) { progress.show(done, all); });
+    std::vector<double> bytes;
+    for (auto const& file : files)
+        bytes.push_back(static_cast<double>(file->bytes()));
+    return bytes;
+}
+
 void add_recording_options(CLI::App& command, RecordingRequest& request) {
-    std::string const vcd = "Waveforms";
-    command.add_option("--vcd", request.vcd, "Write a value change dump, and a GTKWave save file beside it")
-        ->type_name("FILE")
-        ->group(vcd);
-    auto const for_vcd = [&](CLI::Option* option, char const* type) {
-        option->type_name(type)->group(vcd)->needs("--vcd");
-    };
+    std::string const waveforms = "Waveforms";
+    auto const for_vcd = [&](CLI::Option* option, char const* type) { option->type_name(type)->group(waveforms); };
+    for_vcd(command.add_option("--vcd", request.vcd, "Write a value change dump, and a GTKWave save file beside it"),
+            "FILE");
+    for_vcd(command.add_option("--fst", request.fst, "Write the same as FST, as GTKWave and Surfer read it"), "FILE");
     for_vcd(command.add_option("--vcd-cores", request.vcd_cores, "Only these cores, e.g. 0,2-4"), "LIST");
     for_vcd(
         command
@@ -115,12 +219,12 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
     for_vcd(command.add_option("--vcd-to", request.vcd_to, "Last cycle"), "CYCLE");
     command.add_option("--timeline", request.timeline, "Write a timeline for Perfetto or chrome://tracing (JSON)")
         ->type_name("FILE")
-        ->group(vcd);
+        ->group(waveforms);
     command.add_option("--timeline-samples", request.timeline_samples, "Samples of each core in the timeline")
         ->type_name("N")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000000))
-        ->group(vcd)
+        ->group(waveforms)
         ->needs("--timeline");
 }
 
@@ -131,55 +235,44 @@ Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
     Recording recording;
     recording.window.cores = {0};
     recording.window.samples = RecordingWindow::Samples{sample, sample};
-    recording.done = [&timelines, sample](std::vector<recording::RecordedCore> const& cores) {
-        for (recording::RecordedCore const& core : cores)
+    recording.done = [&timelines, sample](recording::RecordedWindow const& window) {
+        for (recording::RecordedCore const& core : window.cores)
             timelines.push_back(recording::sample_timeline(core, sample));
     };
     return recording;
 }
 
 void add_paths(RecordingRequest const& request, CommandPaths& paths) {
-    paths.writes_vcd("--vcd", request.vcd);
+    paths.writes("--vcd", request.vcd);
+    paths.writes("--fst", request.fst);
     paths.writes("--timeline", request.timeline);
+    std::set<std::filesystem::path> beside;
+    for (auto const& [file, names] : waveforms_of(request))
+        for (std::filesystem::path const& one : recording::files_beside(file, names))
+            if (beside.insert(one).second)
+                paths.writes("what is beside " + file.string(), one);
 }
 
 std::string written_files(RecordingRequest const& request) {
-    std::vector<std::string> files;
-    if (!request.timeline.empty())
-        files.push_back(request.timeline);
-    if (!request.vcd.empty())
-        files.push_back(request.vcd);
-    if (!request.vcd.empty() && !io::is_device(request.vcd))
-        for (std::filesystem::path const& beside : recording::files_beside(request.vcd))
-            files.push_back(beside.string());
+    std::set<std::string> files;
+    for (std::string const& file : {request.timeline, request.vcd, request.fst})
+        if (!file.empty())
+            files.insert(file);
+    for (auto const& [file, names] : waveforms_of(request))
+        for (std::filesystem::path const& beside : recording::files_beside(file, names))
+            files.insert(beside.string());
     return fmt::format("{}", fmt::join(files, ", "));
 }
 
 std::vector<Recording> make_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples,
                                        PlaceOf const& place_of) {
     std::vector<Recording> recordings;
-    if (!request.timeline.empty()) {
-        require_writable(request.timeline);
-        auto const timelines = std::make_shared<std::vector<recording::CoreTimeline>>();
-        recordings = timeline_recordings(request, machine, samples, timelines);
-        Recording last;  // after those of all cores
-        last.window.samples = RecordingWindow::Samples{~std::size_t{0} - 1, ~std::size_t{0} - 1};
-        last.done = [timelines, &request, &machine, place_of](std::vector<recording::RecordedCore> const&) {
-            io::write_file_atomically(place_of(request.timeline),
-                                      recording::timeline_json(*timelines, machine.clock_mhz));
-        };
-        recordings.push_back(std::move(last));
-    }
-    if (!request.vcd.empty()) {
-        require_writable(request.vcd);
-        Recording vcd;
-        vcd.window = vcd_window(request, machine, samples);
-        recording::SignalFilter const filter(request.vcd_modules, machine);
-        vcd.done = [&request, &machine, filter, place_of](std::vector<recording::RecordedCore> const& cores) {
-            recording::write_vcd(place_of(request.vcd), machine, cores, filter);
-        };
-        recordings.push_back(std::move(vcd));
-    }
+    if (!request.timeline.empty())
+        recordings = timeline_recordings(request, machine, samples, place_of);
+    if (request.has_waveform())
+        recordings.push_back(waveform_recording(request, machine, samples, place_of));
+    else
+        refuse_without_waveform(request);
     return recordings;
 }
 

@@ -20,6 +20,7 @@ namespace faster {
 /// What of a run is to be recorded: options of `faster-sim run`.
 struct RecordingRequest {
     std::string vcd;                       ///< file; empty: none
+    std::string fst;                       ///< likewise
     std::string vcd_cores;                 ///< e.g. 0,2-4; empty: all
     std::vector<std::string> vcd_modules;  ///< glob patterns; empty: all
     std::optional<Cycles> vcd_from;
@@ -27,6 +28,9 @@ struct RecordingRequest {
     std::string vcd_samples;  ///< e.g. 5 or 5-7; empty: by cycles
     std::string timeline;     ///< file; empty: none
     std::int64_t timeline_samples = 2;
+
+    bool has_waveform() const { return !vcd.empty() || !fst.empty(); }
+    bool has_window() const { return vcd_from || vcd_to || !vcd_samples.empty(); }
 };
 
 void add_recording_options(CLI::App& command, RecordingRequest& request);
@@ -35,6 +39,13 @@ void add_recording_options(CLI::App& command, RecordingRequest& request);
 /// usually do, or its only one.
 Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
                                     std::vector<SampleTimeline>& timelines);
+
+/// The cores of which a waveform is wanted. Errors: InputError for cores that there are not.
+std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine);
+
+/// Writes the waveform's files. Returns how long they are, in bytes: of the VCD first.
+std::vector<double> write_waveform_files(RecordingRequest const& request, Machine const& machine,
+                                         recording::RecordedWindow const& window);
 
 /// Says what of its paths is written.
 void add_paths(RecordingRequest const& request, CommandPaths& paths);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/config/design.hpp"
@@ -23,6 +24,7 @@
 #include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
+#include "tool/waveform_size.hpp"
 
 namespace faster {
 
@@ -120,6 +122,12 @@ int run(RunRequest const& request, RunExtras& extras) {
     std::size_t const samples = workload->samples();
     announce(size_of_run(loaded.config, machine, *workload), request.force);
 
+    std::vector<Recording> recordings = make_recordings(
+        request.recording, machine, samples,
+        [&outputs](fs::path const& file) { return outputs.folder ? outputs.folder->place_of(file) : file; });
+    announce_waveform(request.recording, machine, samples, request.force,
+                      [&](SimulationOptions const& options) { return simulate(loaded.config, *workload, options); });
+
     extras.before(*workload);
     start = HostClock::now();
     RunStatistics statistics;
@@ -133,9 +141,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         options.hazards = request.hazards;
         bool const shows_roofline = machine.external_memory && outputs.report;
         options.recorded = request.sensitivities || outputs.events || shows_roofline ? &recorded : nullptr;
-        options.recordings = make_recordings(request.recording, machine, samples, [&](fs::path const& file) {
-            return outputs.folder ? outputs.folder->place_of(file) : file;
-        });
+        options.recordings = std::move(recordings);
         if (outputs.report)
             options.recordings.push_back(sample_timeline_recording(machine, samples, timelines));
         options.progress = [&](std::uint64_t done) { progress.show(done, samples); };
@@ -186,7 +192,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
             command.add_flag("--force", request->force,
-                             "Run even if it takes more than an hour or more memory than there is");
+                             "Run even if it takes more than an hour or more memory than there is, or writes a "
+                             "waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);

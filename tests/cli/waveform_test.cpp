@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,13 @@
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 #include "support/vcd_reader.hpp"
+#include "support/waves.hpp"
 
 namespace waveform_test {
 
 using namespace faster::test;
-namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-using Row = std::map<std::string, std::string>;
+using Row = Waves::Row;
 
-std::string const config = FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml";
-fs::path const traces = fs::path(FASTER_SOURCE_DIR) / "traces";
 Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                        "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                        "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
@@ -26,41 +24,6 @@ Words const fifo_names{"sample_vertex",   "sample_raster",  "sample_observation"
 Words const module_names{"sample_dispatcher", "vertex_transform",   "rasterizer",  "area_reciprocal",
                          "edge_map_builder",  "observation_reader", "inlier_unit", "result_collector",
                          "edge_map_output",   "inlier_sweep"};
-
-Words split(std::string const& line) {
-    Words cells{""};
-    for (char const letter : line)
-        letter == ',' ? cells.emplace_back() : cells.back() += std::string(1, letter);
-    return cells;
-}
-
-class Waves {
-  public:
-    CommandResult run(std::string const& trace, Words const& more) const {
-        Words arguments{"run", config, "--trace", (traces / trace).string(), "--set", "accelerator.raster_cores=2"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return run_command(FASTER_SIM_BINARY, arguments, folder_.path());
-    }
-    std::vector<Row> table(std::string const& file) const {
-        std::vector<std::string> const lines = lines_of(content_of(folder_ / file));
-        Words const names = split(lines.at(0));
-        std::vector<Row> rows;
-        for (std::size_t i = 1; i < lines.size(); ++i) {
-            Words const cells = split(lines[i]);
-            rows.emplace_back();
-            for (std::size_t k = 0; k < names.size(); ++k)
-                rows.back()[names[k]] = cells.at(k);
-        }
-        return rows;
-    }
-    std::string text(std::string const& file) const { return content_of(folder_ / file); }
-    Vcd vcd(std::string const& file) const { return read_vcd(folder_ / file, 5); }
-    bool has(std::string const& file) const { return fs::exists(folder_ / file); }
-    fs::path path() const { return folder_.path(); }
-
-  private:
-    TempFolder folder_;
-};
 
 std::uint64_t number(Row const& row, std::string const& column) { return std::stoull(row.at(column)); }
 
@@ -118,25 +81,6 @@ void check_samples(Vcd const& vcd, std::vector<Row> const& rows) {
     }
 }
 
-/// Within its window, a waveform says what that of the whole run says.
-void check_window(Vcd const& whole, Vcd const& part, std::uint64_t from, std::uint64_t to) {
-    for (auto const& [signal, values] : part.signals) {
-        CAPTURE(signal, from, to);
-        bool const starts_unknown = signal.find("_address") != std::string::npos ||
-                                    signal.find("iteration") != std::string::npos ||
-                                    signal.find("sample.") != std::string::npos;
-        if (starts_unknown) {
-            // What an address was last, a window does not know before it comes: compare from the first on.
-            auto const known = part.within(signal, from, to);
-            auto const expected = whole.within(signal, from, to);
-            for (std::size_t i = 1; i <= std::min(known.size(), expected.size()) - 1; ++i)
-                CHECK(known[known.size() - i] == expected[expected.size() - i]);
-            continue;
-        }
-        CHECK(part.within(signal, from, to) == whole.within(signal, from, to));
-    }
-}
-
 TEST_CASE("A waveform says what the tables say, in both engines alike", "[vcd]") {
     for (std::string const trace : {"empty", "one_triangle", "edge_heavy", "full_window"}) {
         CAPTURE(trace);
@@ -190,74 +134,6 @@ TEST_CASE("A waveform's loops are those of the table, and no block RAM has more 
     for (std::size_t i = 0; i < rows.size(); ++i)
         fragments_inside += rows[i].bits < 32 && cols[i].bits < 32 ? 1U : 0U;
     CHECK(reads == samples * 5 * 30 * 30 + fragments_inside);
-}
-
-TEST_CASE("A window of a waveform is what the whole waveform says there", "[vcd]") {
-    Waves const waves;
-    std::string const region = GENERATE("window", "touched");
-    std::string const buffers = GENERATE("1", "2");
-    for (std::string const engine : {"lockstep", "decoupled"}) {
-        CAPTURE(engine, region, buffers);
-        Words const common{"--set", "simulation.engine=" + engine,
-                           "--set", "accelerator.raster_cores=1",
-                           "--set", "accelerator.edge_map.buffers=" + buffers,
-                           "--set", "accelerator.inlier_unit.buffers=" + buffers,
-                           "--set", "accelerator.inlier_unit.sweep_region=" + region};
-        auto const with = [&](Words more) {
-            more.insert(more.end(), common.begin(), common.end());
-            require_done(waves.run("edge_heavy", more));
-        };
-        with({"--vcd", "all.vcd", "--out", engine});
-        Vcd const whole = waves.vcd("all.vcd");
-        std::vector<Row> const samples = waves.table(engine + "/samples.csv");
-        for (std::size_t sample = 0; sample < samples.size(); ++sample) {
-            with({"--vcd", "part.vcd", "--vcd-samples", std::to_string(sample)});
-            check_window(whole, waves.vcd("part.vcd"), number(samples[sample], "start_cycle"),
-                         number(samples[sample], "end_cycle"));
-        }
-        std::uint64_t const end = number(samples.back(), "end_cycle");
-        for (std::uint64_t const from : {std::uint64_t{0}, end / 3, end / 2, end - 400}) {
-            with({"--vcd", "part.vcd", "--vcd-from", std::to_string(from), "--vcd-to", std::to_string(from + 300)});
-            check_window(whole, waves.vcd("part.vcd"), from, from + 300);
-        }
-    }
-}
-
-TEST_CASE("Deep FIFOs let the rasterizer run ahead of a window's other modules", "[vcd]") {
-    Waves const waves;
-    std::string const region = GENERATE("window", "touched");
-    std::string const buffers = GENERATE("1", "2");
-    std::string const engine = region == "window" ? "decoupled" : "lockstep";
-    CAPTURE(region, buffers);
-    Words deep{"--set", "simulation.engine=" + engine,
-               "--set", "accelerator.raster_cores=1",
-               "--set", "accelerator.edge_map.buffers=" + buffers,
-               "--set", "accelerator.inlier_unit.buffers=" + buffers,
-               "--set", "accelerator.inlier_unit.sweep_region=" + region};
-    for (std::string const& fifo : fifo_names) {
-        bool const is_of_region = fifo == "region" || fifo == "valid_depth";
-        bool const is_of_buffers = fifo.rfind("map_", 0) == 0 || fifo.rfind("depth_", 0) == 0;
-        if ((!is_of_region || region == "touched") && (!is_of_buffers || buffers == "2"))
-            deep.insert(deep.end(), {"--set", "accelerator.fifos." + fifo + ".depth=4096"});
-    }
-    auto const with = [&](Words more) {
-        more.insert(more.end(), deep.begin(), deep.end());
-        require_done(waves.run("edge_heavy", more));
-    };
-    with({"--vcd", "all.vcd", "--out", "out"});
-    Vcd const whole = waves.vcd("all.vcd");
-    for (Row const& row : waves.table("out/fifos.csv"))
-        check_fifo(whole, row);
-    for (Row const& row : waves.table("out/samples.csv")) {
-        with({"--vcd", "part.vcd", "--vcd-samples", row.at("sample")});
-        check_window(whole, waves.vcd("part.vcd"), number(row, "start_cycle"), number(row, "end_cycle"));
-    }
-    // A window may begin while another sample is swept than the one that is drawn.
-    std::uint64_t const end = number(waves.table("out/samples.csv").back(), "end_cycle");
-    for (std::uint64_t from = end / 8; from < end; from += end / 8) {
-        with({"--vcd", "part.vcd", "--vcd-from", std::to_string(from), "--vcd-to", std::to_string(from + 300)});
-        check_window(whole, waves.vcd("part.vcd"), from, from + 300);
-    }
 }
 
 TEST_CASE("A waveform shows what was selected", "[vcd]") {
@@ -458,6 +334,146 @@ TEST_CASE("A timeline has a track per module, stalls inside loops, and as many s
     CHECK(samples == 2);  // one of each core
     CHECK(slices["loop"] > 10);
     CHECK(slices["stall"] > 10);
+}
+
+/// As Perfetto's trace processor takes times from JSON, in ns.
+std::int64_t nanoseconds(nlohmann::json const& time) {
+    return time.is_number_integer() ? time.get<std::int64_t>() * 1000
+                                    : static_cast<std::int64_t>(time.get<double>() * 1000.0);
+}
+
+/// Slices that it drops: those that begin inside another of their track, and end behind it.
+std::vector<std::string> dropped_slices(nlohmann::json const& timeline) {
+    struct Slice {
+        std::int64_t begin, end;
+        std::string text;
+    };
+    std::map<std::pair<int, int>, std::vector<Slice>> tracks;
+    for (auto const& event : timeline.at("traceEvents"))
+        if (event.at("ph") == "X") {
+            std::int64_t const begin = nanoseconds(event.at("ts"));
+            tracks[{event.at("pid"), event.at("tid")}].push_back(
+                {begin, begin + nanoseconds(event.at("dur")), event.dump()});
+        }
+    std::vector<std::string> dropped;
+    for (auto& [track, slices] : tracks) {
+        std::stable_sort(slices.begin(), slices.end(),
+                         [](Slice const& a, Slice const& b) { return a.begin < b.begin; });
+        std::vector<Slice> open;
+        for (Slice const& slice : slices) {
+            while (!open.empty() && open.back().end <= slice.begin)
+                open.pop_back();
+            if (!open.empty() && slice.end > open.back().end)
+                dropped.push_back(slice.text);
+            else
+                open.push_back(slice);
+        }
+    }
+    return dropped;
+}
+
+std::size_t count_of(nlohmann::json const& timeline, char const* key, std::string const& value) {
+    std::size_t count = 0;
+    for (auto const& event : timeline.at("traceEvents"))
+        count += event.value(key, "") == value ? 1U : 0U;
+    return count;
+}
+
+/// The number in "FILE: about N MB", in bytes.
+double announced_bytes(std::string const& output, std::string const& file) {
+    std::string const mark = file + ": about ";
+    std::istringstream words(output.substr(output.find(mark) + mark.size()));
+    double number = 0;
+    std::string unit;
+    words >> number >> unit;
+    return number * (unit == "kB" ? 1e3 : unit == "MB" ? 1e6 : 1e9);
+}
+
+TEST_CASE("Perfetto drops no slice of a timeline", "[timeline]") {
+    for (std::string const config : {"faster_zcu102.yaml", "faster_zcu102_memory.yaml", "architectures/next.yaml"}) {
+        CAPTURE(config);
+        Waves const waves(config);
+        require_done(waves.run(
+            "edge_heavy", {"--timeline", "t.json", "--timeline-samples", "9", "--set", "accelerator.clock_mhz=170"}));
+        auto const timeline = nlohmann::json::parse(waves.text("t.json"));
+        CHECK(dropped_slices(timeline).empty());
+        CHECK(count_of(timeline, "cat", "sample") == 5);
+        bool const has_memory = config == "faster_zcu102_memory.yaml";
+        CHECK((count_of(timeline, "name", "busy") > 10) == has_memory);
+        CHECK((count_of(timeline, "name", "port 1 waiting") > 10) == has_memory);
+    }
+}
+
+TEST_CASE("An FST holds what the VCD holds", "[vcd][fst]") {
+    Waves const waves("faster_zcu102_memory.yaml");
+    for (Words const& window : {Words{}, Words{"--vcd-from", "700", "--vcd-to", "1900"}}) {
+        Words options{"--vcd", "a.vcd", "--fst", "b.fst"};
+        options.insert(options.end(), window.begin(), window.end());
+        require_done(waves.run("one_triangle", options));
+        Vcd const vcd = waves.vcd("a.vcd");
+        Vcd const fst = read_fst(waves.path() / "b.fst", 5);
+        REQUIRE(fst.signals.size() == vcd.signals.size());
+        std::uint64_t const end = vcd.signals.at("clock").back().cycle;
+        for (auto const& [signal, values] : vcd.signals) {
+            CAPTURE(signal);
+            CHECK(fst.within(signal, values.front().cycle, end) == vcd.within(signal, values.front().cycle, end));
+        }
+    }
+    // Names of values are in the FST itself.
+    CHECK(waves.text("b.gtkw").find("@100000028\naccelerator.core_0.rasterizer.state[7:0]\n") != std::string::npos);
+    CHECK_FALSE(waves.has("b.states.txt"));
+}
+
+TEST_CASE("A save file names files beside it, and groups end as they begin", "[vcd]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd"}));
+    std::vector<std::string> const lines = lines_of(waves.text("a.gtkw"));
+    CHECK(waves.text("a.gtkw").find(waves.path().string()) == std::string::npos);
+    CHECK(std::count(lines.begin(), lines.end(), "^1 a.command_command.txt") == 4);  // written and read, of two cores
+    CHECK(waves.text("a.edge_token_kind.txt") == "0 edge\n1 object\n2 end\n");
+    auto const count = [&lines](char const* flags) { return std::count(lines.begin(), lines.end(), flags); };
+    CHECK(count("@c00200") > 10);
+    CHECK(count("@c00200") == count("@1400200"));
+    CHECK(count("@800200") == count("@1000200"));
+}
+
+TEST_CASE("The memory's ports in a waveform carry what the run reports", "[vcd][memory]") {
+    Waves const waves("faster_zcu102_memory.yaml");
+    require_done(waves.run("edge_heavy", {"--vcd", "a.vcd", "--out", "out"}));
+    Vcd const vcd = waves.vcd("a.vcd");
+    auto const memory = nlohmann::json::parse(waves.text("out/summary.json")).at("external_memory");
+    std::uint64_t bytes = 0;
+    for (std::size_t port = 0; port < 3; ++port) {
+        std::string const path = "memory.port_" + std::to_string(port);
+        bytes += vcd.largest(path + ".bytes");
+        CHECK(vcd.duration(path + ".busy", 1) == memory.at("ports").at(port).at("beats").get<std::uint64_t>());
+    }
+    CHECK(vcd.largest("memory.controller.queue") <= memory.at("controller").at("largest_queue").get<std::uint64_t>());
+    CHECK(bytes <= memory.at("bytes").get<std::uint64_t>());  // writes under way in the end are not waited for
+    CHECK(bytes + 3 * 32 >= memory.at("bytes").get<std::uint64_t>());
+}
+
+TEST_CASE("A whole waveform says beforehand how large it will be", "[vcd][fst]") {
+    Waves const waves;
+    CommandResult const result = waves.run("edge_heavy", {"--vcd", "a.vcd", "--fst", "a.fst"});
+    require_done(result);
+    for (std::string const file : {"a.vcd", "a.fst"}) {
+        CAPTURE(file, result.out);
+        auto const bytes = static_cast<double>(std::filesystem::file_size(waves.path() / file));
+        CHECK(announced_bytes(result.out, file) > bytes / 2);
+        CHECK(announced_bytes(result.out, file) < bytes * 2);
+    }
+    CHECK(waves.run("edge_heavy", {"--vcd", "b.vcd", "--vcd-to", "50"}).out.find("about") == std::string::npos);
+}
+
+TEST_CASE("A waveform of more than 2 GB has to be forced", "[vcd]") {
+    TempFolder const folder;
+    CommandResult const result = run_command(
+        FASTER_SIM_BINARY,
+        {"run", FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml", "--vcd", "a.vcd", "--vcd-modules", "inlier_unit"},
+        folder.path());
+    check_bad_input(result, {"--vcd a.vcd", "GB", "--vcd-samples", "--force"});
+    CHECK_FALSE(std::filesystem::exists(folder / "a.vcd"));
 }
 
 TEST_CASE("A run that gets stuck still leaves its waveform", "[vcd]") {

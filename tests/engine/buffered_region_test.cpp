@@ -85,9 +85,9 @@ class DirtyWords {
 };
 
 /// In the simulation's process: what it throws, run_forked() throws.
-void check_clearing(std::vector<recording::RecordedCore> const& cores) {
+void check_clearing(recording::RecordedWindow const& window) {
     std::map<std::size_t, DirtyWords> dirty;
-    for_each_access(cores, [&](auto const& event, auto const& read, auto const& accesses) {
+    for_each_access(window.cores, [&](auto const& event, auto const& read, auto const& accesses) {
         DirtyWords& words = dirty[event.core];
         for (recording::PortAccess const& access : accesses)
             words.take(event.process, access);

@@ -211,8 +211,8 @@ TEST_CASE("No two samples are in one buffer at once", "[double_buffers]") {
         recording::RecordingWindow window;
         if (seed % 3 != 0)  // buffers are taken up where they stand
             window.samples = {samples / 2, samples - 1};
-        options.recordings.push_back({window, [&](std::vector<recording::RecordedCore> const& cores) {
-                                          watch_buffers(trial.config, samples, cores);
+        options.recordings.push_back({window, [&](recording::RecordedWindow const& recorded) {
+                                          watch_buffers(trial.config, samples, recorded.cores);
                                       }});
         Engine const engine = seed % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         CHECK_NOTHROW(run(trial, engine, options));

@@ -244,10 +244,9 @@ TEST_CASE("The addresses of a waveform have the same distances", "[hazards]") {
         adopt(stimulus, config);
         ForkOptions options;
         options.hazards = true;
-        options.recordings.push_back(
-            {recording::RecordingWindow{}, [&](std::vector<recording::RecordedCore> const& cores) {
-                 note_distances(cores, bram, folder / "distances");
-             }});
+        options.recordings.push_back({recording::RecordingWindow{}, [&](recording::RecordedWindow const& recorded) {
+                                          note_distances(recorded.cores, bram, folder / "distances");
+                                      }});
         DependenceRow const row =
             row_of(run_forked(config, stimulus, Engine::decoupled, options).statistics, "token", name_of(bram));
         PerDistance const expected = read_distances(folder / "distances");

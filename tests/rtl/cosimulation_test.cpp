@@ -23,8 +23,8 @@ std::string difference(AcceleratorConfig const& config, rtl::TwinSettings const&
     rtl::KeptMaps maps;
     ForkOptions options;
     options.probe = &maps;
-    auto const compare = [&](std::vector<recording::RecordedCore> const& cores) {
-        for (recording::RecordedCore const& core : cores) {
+    auto const compare = [&](recording::RecordedWindow const& window) {
+        for (recording::RecordedCore const& core : window.cores) {
             CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
             auto const found = rtl::compare(core, maps, settings, stimulus, share).difference;
             if (found)

@@ -1,7 +1,10 @@
 #include "support/vcd_reader.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <fstapi.h>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -35,26 +38,26 @@ class Reader {
     }
     void change(std::string const& line) {
         if (line[0] == '#') {
-            std::uint64_t const time = std::stoull(line.substr(1));
-            if (time % ticks_per_cycle_ != 0)
-                throw std::runtime_error("a time between cycles: " + line);
-            cycle_ = time / ticks_per_cycle_;
+            time_ = std::stoull(line.substr(1));
             return;
         }
         bool const is_vector = line[0] == 'b';
         std::size_t const gap = is_vector ? line.find(' ') : 0;
         std::string const bits = is_vector ? line.substr(1, gap - 1) : line.substr(0, 1);
+        std::string const& signal = names_.at(line.substr(gap + 1));
+        if (time_ % ticks_per_cycle_ != 0 && signal != "clock")
+            throw std::runtime_error(signal + " changes between cycles");
         Vcd::Value value;
-        value.cycle = cycle_;
-        value.known = bits != "x";
+        value.cycle = time_ / ticks_per_cycle_;
+        value.known = bits.find('x') == std::string::npos;
         value.bits = value.known ? std::stoull(bits, nullptr, 2) : 0;
-        vcd_.signals[names_.at(line.substr(gap + 1))].push_back(value);
+        vcd_.signals[signal].push_back(value);
     }
     Vcd take() { return std::move(vcd_); }
 
   private:
     std::uint64_t ticks_per_cycle_;
-    std::uint64_t cycle_ = 0;
+    std::uint64_t time_ = 0;
     std::vector<std::string> scopes_;
     std::map<std::string, std::string> names_;
     Vcd vcd_;
@@ -73,10 +76,23 @@ Vcd read_vcd(std::filesystem::path const& file, std::uint64_t ticks_per_cycle) {
             declares = false;
         else if (declares)
             reader.declare(line);
-        else
+        else if (line[0] != '$')
             reader.change(line);
     }
     return reader.take();
+}
+
+Vcd read_fst(std::filesystem::path const& file, std::uint64_t ticks_per_cycle) {
+    std::filesystem::path const vcd = file.string() + ".vcd";
+    std::unique_ptr<void, void (*)(void*)> const fst(fstReaderOpen(file.c_str()), fstReaderClose);
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> text(std::fopen(vcd.c_str(), "w"), std::fclose);
+    if (fst == nullptr || text == nullptr)
+        throw std::runtime_error(file.string() + " is no FST");
+    fstReaderProcessHier(fst.get(), text.get());
+    fstReaderSetFacProcessMaskAll(fst.get());
+    fstReaderIterBlocks(fst.get(), nullptr, nullptr, text.get());
+    text.reset();
+    return read_vcd(vcd, ticks_per_cycle);
 }
 
 std::uint64_t Vcd::duration(std::string const& signal, std::uint64_t bits) const {

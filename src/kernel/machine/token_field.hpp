@@ -14,6 +14,8 @@ struct TokenField {
     bool is_signed = false;
     static constexpr int only_lane = -1;
     int lane = only_lane;  ///< of a token of several values: which of them
+    /// What its values 0, 1, ... mean, a word each, separated by spaces; null: it is a number.
+    char const* values = nullptr;
 };
 
 /// "depth"; of a token of several values "depth0", "depth1", ...

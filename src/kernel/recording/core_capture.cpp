@@ -39,44 +39,62 @@ void CoreCapture::number_parts(Machine const& machine) {
 
 void CoreCapture::take_down_state() {
     for (ProcessTiming const& process : core_.processes()) {
-        take_down_tokens(process);
-        if (process.in_loop())
-            entered_loop(process, process.current_loop(), process.local_time());
+        take_down_past(process);
+        take_down_loop(process);
     }
+}
+
+/// The iteration that began last can be seen until a loop is entered again.
+void CoreCapture::take_down_loop(ProcessTiming const& process) {
+    if (process.in_loop())
+        entered_loop(process, process.current_loop(), process.local_time());
+    std::uint64_t const begun = process.iterations() + (process.is_in_iteration() ? 1U : 0U);
+    if (begun == 0)
+        return;
+    Event event;
+    event.cycle = process.local_time();
+    event.kind = Kind::at_iteration;
+    event.value = static_cast<std::int64_t>(begun - 1);
+    put(process, event);
 }
 
 /// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
 /// they are told as written and read before, the read a cycle later if events of one cycle come reader first.
-void CoreCapture::take_down_tokens(ProcessTiming const& process) {
-    struct Access {
-        Cycles cycle;
-        std::uint32_t fifo;
-        std::uint64_t number;
-        bool writes;
-    };
-    std::vector<Access> accesses;
+std::vector<CoreCapture::PastEvent> CoreCapture::past_accesses(ProcessTiming const& process) const {
+    std::vector<PastEvent> accesses;
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
         if (fifo.is_memory())
             continue;
         std::uint32_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
+        Kind const kind = writes ? Kind::write : Kind::read;
         Cycles const latency = fifo.shape().read_latency + fifo.shape().issue_latency;
         Cycles const read_at = fifo.shape().issue_latency + (writers_[number] > process.index() ? 1 : 0);
         for (std::uint64_t i = std::min(tokens_in_use_, fifo.reads()); i > 0; --i)
-            accesses.push_back({writes ? 0 : read_at, number, fifo.reads() - i, writes});
+            accesses.push_back({writes ? 0 : read_at, kind, number, fifo.reads() - i});
         for (std::uint64_t i = 0; writes && i < fifo.known_reads(); ++i)
-            accesses.push_back({fifo.earliest_read(i) - latency, number, fifo.reads() + i, true});
+            accesses.push_back({fifo.earliest_read(i) - latency, kind, number, fifo.reads() + i});
     }
-    std::stable_sort(accesses.begin(), accesses.end(),
-                     [](Access const& a, Access const& b) { return a.cycle < b.cycle; });
-    for (Access const& access : accesses)
-        if (!access.writes)
-            put_read(process, access.fifo, access.cycle);
-        else if (process.flushes() && access.cycle >= process.local_time())
-            put_late(process, access.fifo, access.number, process.due(access.cycle), access.cycle);
+    return accesses;
+}
+
+/// Tokens, and the last stamp, in the order of their cycles.
+void CoreCapture::take_down_past(ProcessTiming const& process) {
+    std::vector<PastEvent> events = past_accesses(process);
+    if (!process.stamps().empty())
+        events.push_back({process.stamps().back(), Kind::stamp, 0, 0});
+    std::stable_sort(events.begin(), events.end(),
+                     [](PastEvent const& a, PastEvent const& b) { return a.cycle < b.cycle; });
+    for (PastEvent const& event : events)
+        if (event.kind == Kind::stamp)
+            stamped(process, event.cycle);
+        else if (event.kind == Kind::read)
+            put_read(process, event.fifo, event.cycle);
+        else if (process.flushes() && event.cycle >= process.local_time())
+            put_late(process, event.fifo, event.number, process.due(event.cycle), event.cycle);
         else
-            put_write(process, access.fifo, access.number, access.cycle);
+            put_write(process, event.fifo, event.number, event.cycle);
 }
 
 void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cycles cycle) {

@@ -12,8 +12,9 @@ namespace faster::recording {
 /// Takes down what the processes of one core do, with the tokens they write.
 class CoreCapture : public timing::StepObserver {
   public:
-    /// Observes `core` from where it stands, its loops and the tokens in its FIFOs included. `taps`: by FIFO; they
-    /// still hold the last `tokens_in_use` tokens that have been read. `spools`: as many as processes.
+    /// Observes `core` from where it stands. What can be seen of that comes first, as events up to its local times: the
+    /// last stamps, the loops and their iterations, the tokens in its FIFOs. `taps`: by FIFO; they still hold the last
+    /// `tokens_in_use` tokens that have been read. `spools`: as many as processes.
     CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
                 std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools);
 
@@ -43,7 +44,16 @@ class CoreCapture : public timing::StepObserver {
     void put_read(timing::ProcessTiming const& process, std::uint32_t fifo, Cycles cycle);
     void number_parts(Machine const& machine);
     void take_down_state();
-    void take_down_tokens(timing::ProcessTiming const& process);
+    void take_down_loop(timing::ProcessTiming const& process);
+    /// What happened before, and can still be seen.
+    struct PastEvent {
+        Cycles cycle;
+        Event::Kind kind;      ///< read, write or stamp
+        std::uint32_t fifo;    ///< of an access
+        std::uint64_t number;  ///< of its token
+    };
+    std::vector<PastEvent> past_accesses(timing::ProcessTiming const& process) const;
+    void take_down_past(timing::ProcessTiming const& process);
     std::uint32_t fifo_at(timing::ProcessTiming const& process, unsigned port) const {
         return fifos_at_[process.index()][port];
     }

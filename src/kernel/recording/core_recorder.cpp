@@ -35,6 +35,7 @@ CoreRecorder::CoreRecorder(RunningCore& core, RecordingWindow const& window) : c
     if (phase_ == Phase::done)
         return;
     spools_.resize(core.timing().processes().size());
+    told_loops_.resize(spools_.size());
     for (std::size_t fifo = 0; fifo < core.machine().fifos.size(); ++fifo)
         taps_.emplace_back(core.token_fields(fifo));
     for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
@@ -75,8 +76,18 @@ void CoreRecorder::sample_begins(std::size_t i) {
     make_checkpoint();
     drop_checkpoints(i);
     // Otherwise, a later begin may do as well.
-    if (from_ && checkpoints_.back().latest > *from_)
+    if (from_ && checkpoints_.back().settled_from > *from_)
         start();
+}
+
+/// An iteration under way accesses memories in each of the cycles up to the next one. That is over, and the cycle
+/// behind it.
+Cycles CoreRecorder::settling_cycles() const {
+    Cycles longest = 0;
+    for (timing::ProcessTiming const& process : core_.timing().processes())
+        for (timing::LoopShape const& loop : process.loops())
+            longest = std::max(longest, loop.interval.achieved);
+    return longest + 1;
 }
 
 /// Not while nobody can tell whether it is early enough: the first one will do.
@@ -87,7 +98,13 @@ bool CoreRecorder::needs_checkpoint() const {
 void CoreRecorder::make_checkpoint() {
     Checkpoint checkpoint;
     checkpoint.timing = core_.timing().copy();
-    checkpoint.latest = latest_of(*checkpoint.timing);
+    for (std::size_t i = 0; i < told_loops_.size(); ++i) {
+        timing::ProcessTiming& process = checkpoint.timing->process(i);
+        if (taped_to_ != nullptr)
+            told_loops_[i].take(taped_to_->logs[i]);
+        process.set_iterations(told_loops_[i].done_in_loop(process));
+    }
+    checkpoint.settled_from = taped_to_ == nullptr ? 0 : latest_of(*checkpoint.timing) + settling_cycles();
     checkpoint.tape.logs.resize(core_.timing().processes().size());
     checkpoint.tape.deliveries.resize(core_.timing().streams().size());
     checkpoints_.push_back(std::move(checkpoint));
@@ -96,7 +113,7 @@ void CoreRecorder::make_checkpoint() {
 
 void CoreRecorder::drop_checkpoints(std::size_t i) {
     if (from_)
-        while (checkpoints_.size() > 1 && checkpoints_[1].latest <= *from_)
+        while (checkpoints_.size() > 1 && checkpoints_[1].settled_from <= *from_)
             checkpoints_.pop_front();
     else if (i + core_.most_samples_ahead() <= samples_->first)
         while (checkpoints_.size() > 1)
@@ -116,6 +133,12 @@ void CoreRecorder::learn_window() {
         from_ = starts[samples_->first];
     if (!to_ && ends.size() > samples_->last)
         to_ = ends[samples_->last];
+}
+
+/// Before the first sample wanted there are those that have begun.
+Cycles CoreRecorder::earliest_from() const {
+    std::vector<Cycles> const& starts = core_.timing().process(core_.machine().begins).stamps();
+    return from_.value_or(starts.empty() ? 0 : starts.back());
 }
 
 void CoreRecorder::start() {

@@ -7,6 +7,7 @@
 #include "kernel/recording/core_capture.hpp"
 #include "kernel/recording/recording_window.hpp"
 #include "kernel/recording/running_core.hpp"
+#include "kernel/recording/told_loops.hpp"
 
 namespace faster::recording {
 
@@ -31,6 +32,8 @@ class CoreRecorder {
     /// First and last cycle wanted; known after finish().
     Cycles from() const { return from_.value_or(~Cycles{0}); }
     Cycles to() const { return to_.value_or(~Cycles{0}); }
+    /// At any time: from() is not before it.
+    Cycles earliest_from() const;
 
   private:
     /// What the processes say, and what their streams are delivered.
@@ -42,7 +45,7 @@ class CoreRecorder {
     struct Checkpoint {
         std::unique_ptr<timing::CoreTiming> timing;
         Tape tape;
-        Cycles latest = 0;  ///< nothing has happened after it
+        Cycles settled_from = 0;  ///< nothing that happened before can be seen any more but as state
     };
     enum class Phase { waiting, recording, done };
 
@@ -55,6 +58,7 @@ class CoreRecorder {
     void stop();
     void tape_to(Tape* tape);
     bool needs_checkpoint() const;
+    Cycles settling_cycles() const;
 
     RunningCore& core_;
     std::optional<RecordingWindow::Samples> samples_;  ///< of the core, from 0
@@ -62,6 +66,7 @@ class CoreRecorder {
     std::optional<Cycles> to_;
     Phase phase_ = Phase::waiting;
     std::deque<Checkpoint> checkpoints_;
+    std::vector<ToldLoops> told_loops_;  // by process
     Tape* taped_to_ = nullptr;
     std::vector<TokenTap> taps_;  // by FIFO
     Spools spools_;

@@ -39,6 +39,7 @@ class TimelineMaker {
         Cycles bucket = 0;
     };
 
+    bool is_in_window(Cycles cycle) const { return cycle >= core_.from && cycle <= core_.to; }
     void close(Open& open, Cycles end);
     TimelineSpan::Kind kind_of_stall(std::size_t module, std::size_t item) const;
     void take_stall(std::size_t module, Event const& event);
@@ -71,15 +72,15 @@ void TimelineMaker::take(CoreEvent const& core_event) {
     std::size_t const module = core_event.process;
     switch (event.kind) {
         case Kind::enter:
-            close(stalls_[module], event.cycle);
+            close(stalls_[module], std::min(stalls_[module].span.end, event.cycle));
             loops_[module] = {{module, TimelineSpan::Kind::loop, event.item, event.cycle, 0, 0}, true};
             break;
         case Kind::leave:
-            close(stalls_[module], stalls_[module].span.end);
+            close(stalls_[module], std::min(stalls_[module].span.end, event.cycle));
             close(loops_[module], event.cycle);
             break;
         case Kind::iterate:
-            loops_[module].span.count += event.cycle >= core_.from && event.cycle <= core_.to ? 1 : 0;
+            loops_[module].span.count += is_in_window(event.cycle) ? 1U : 0U;
             break;
         case Kind::stall:
             take_stall(module, event);
@@ -95,6 +96,7 @@ void TimelineMaker::take(CoreEvent const& core_event) {
             break;
         case Kind::resume:
         case Kind::field:
+        case Kind::at_iteration:
             break;
     }
 }
@@ -108,6 +110,8 @@ TimelineSpan::Kind TimelineMaker::kind_of_stall(std::size_t module, std::size_t 
 void TimelineMaker::take_stall(std::size_t module, Event const& event) {
     Open& open = stalls_[module];
     auto const until = static_cast<Cycles>(event.value);
+    if (until <= core_.from)
+        return;
     bool const goes_on =
         open.is_open && open.span.item == event.item && event.cycle <= open.span.end + grain_.stall_gap;
     if (!goes_on) {
@@ -122,7 +126,7 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
 
 void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
     auto const sample = static_cast<std::size_t>(event.value);
-    if (event.cycle < core_.from || event.cycle > core_.to)
+    if (!is_in_window(event.cycle))
         return;
     if (module == machine_.begins)
         timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
@@ -144,7 +148,7 @@ void TimelineMaker::change_occupancy(std::size_t fifo, Cycles cycle, int change)
         now.largest = now.tokens;
     }
     now.tokens = change > 0 ? now.tokens + 1 : now.tokens - 1;
-    now.largest = std::max(now.largest, now.tokens);
+    now.largest = cycle < core_.from ? now.tokens : std::max(now.largest, now.tokens);
 }
 
 void TimelineMaker::put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens) {
@@ -169,10 +173,7 @@ CoreTimeline TimelineMaker::finish() {
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);
     }
-    // What encloses others first.
-    std::stable_sort(timeline_.spans.begin(), timeline_.spans.end(), [](TimelineSpan const& a, TimelineSpan const& b) {
-        return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
-    });
+    std::stable_sort(timeline_.spans.begin(), timeline_.spans.end(), outermost_first);
     return std::move(timeline_);
 }
 

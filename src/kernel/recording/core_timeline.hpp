@@ -27,6 +27,11 @@ struct TimelineGrain {
     Cycles occupancy_bucket = 64;  ///< an occupancy is the largest in so many cycles
 };
 
+/// The order of spans: by begin; what encloses others first.
+inline bool outermost_first(TimelineSpan const& a, TimelineSpan const& b) {
+    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+}
+
 /// Spans are cut off at the window's borders.
 CoreTimeline make_timeline(RecordedCore const& core, TimelineGrain const& grain);
 

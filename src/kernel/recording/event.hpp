@@ -9,15 +9,16 @@ namespace faster::recording {
 /// Something that a process did, as it is taken down. Its own cycles never go back.
 struct Event {
     enum class Kind : std::uint8_t {
-        enter,    ///< a loop; item: its number in the machine
-        leave,    ///< the loop it is in
-        iterate,  ///< `count` iterations begin, numbered from `value`, `stride` cycles apart
-        stall,    ///< for the FIFO `item`, or memory, if there is no such FIFO, until cycle `value`
-        resume,   ///< made from a stall: its end
-        read,     ///< a token from FIFO `item`
-        write,    ///< a token into FIFO `item`; `value` is its first field, further fields follow
-        field,    ///< a further field of the token just written
-        stamp,    ///< the begin or end of sample number `value`
+        enter,         ///< a loop; item: its number in the machine
+        leave,         ///< the loop it is in
+        iterate,       ///< `count` iterations begin, numbered from `value`, `stride` cycles apart
+        at_iteration,  ///< number `value` began last, before anything was taken down
+        stall,         ///< for the FIFO `item`, or memory, if there is no such FIFO, until cycle `value`
+        resume,        ///< made from a stall: its end
+        read,          ///< a token from FIFO `item`
+        write,         ///< a token into FIFO `item`; `value` is its first field, further fields follow
+        field,         ///< a further field of the token just written
+        stamp,         ///< the begin or end of sample number `value`
     };
     Cycles cycle = 0;
     std::int64_t value = 0;

@@ -1,187 +1,190 @@
 #include "kernel/recording/gtkwave_save.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
 
-#include "kernel/base/files/hidden_name.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/printable.hpp"
 #include "kernel/recording/port_names.hpp"
 #include "kernel/recording/state_codes.hpp"
+#include "kernel/recording/waveform_file.hpp"
 
 namespace faster::recording {
 
 namespace {
 
 // GTKWave's trace flags.
-constexpr unsigned decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022;
-constexpr unsigned group_begin = 0x800200, group_end = 0x1000200, closed = 0x400000;
+using Flags = std::uint64_t;
+constexpr Flags decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022, named = 0x100000028;
+constexpr Flags group_begin = 0x800200, group_end = 0x1000200, closed = 0x400000;
 
 constexpr double first_cycles = 300;  // shown at first
 constexpr double ticks_across = 5;    // marks of the time axis, 200 pixels apart
 
-class SaveText {
+/// A table that GTKWave translates values by: as it shows them in hexadecimal, and what they mean.
+std::string table_of(std::vector<std::string> const& names, unsigned bits) {
+    std::string table;
+    for (std::size_t value = 0; value < names.size(); ++value)
+        if (!names[value].empty())
+            table += fmt::format("{:0{}X} {}\n", value, (bits + 3) / 4, names[value]);
+    return table;
+}
+
+/// The save file as far as it is written, and the tables that it names.
+class Save {
   public:
-    void flags(unsigned value) { put("@{:x}\n", value); }
+    /// `stem`: of the waveform's name.
+    Save(std::string stem, ValueNames names) : stem_(std::move(stem)), names_(names) {}
+
     void open_group(std::string const& name, bool is_closed) {
-        flags(group_begin | (is_closed ? closed : 0U));
+        flags(group_begin | (is_closed ? closed : 0));
         put("-{}\n", name);
+        groups_.push_back({name, is_closed});
     }
-    void close_group(std::string const& name) {
-        flags(group_end);
-        put("-{}\n", name);
+    void close_group() {
+        flags(group_end | (groups_.back().is_closed ? closed : 0));
+        put("-{}\n", groups_.back().name);
+        groups_.pop_back();
     }
-    void signal(unsigned radix, std::string const& path, unsigned bits) {
+    void signal(Flags radix, std::string const& path, unsigned bits) {
         flags(radix);
         put("{}{}\n", path, range(bits));
     }
-    void translated_signal(std::string const& path, unsigned bits, std::string const& table) {
+    void named_signal(std::string const& path, unsigned bits, std::string const& table,
+                      std::vector<std::string> const& names) {
+        if (names_ == ValueNames::in_waveform)
+            return signal(named, path, bits);
+        tables_[table] = table_of(names, bits);
         flags(translated);
-        put("^1 {}\n", table);
-        put("{}{}\n", path, range(bits));
+        put("^1 {}\n{}{}\n", printable(name_of(table)), path, range(bits));
     }
-    std::string const& text() const { return text_; }
-
     template <class... Arguments> void put(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
     }
+    void write_to(std::filesystem::path const& folder) const {
+        for (auto const& [table, text] : tables_)
+            io::write_file_atomically(folder / name_of(table), text);
+        io::write_file_atomically(folder / (stem_ + ".gtkw"), text_);
+    }
 
   private:
+    struct Group {
+        std::string name;
+        bool is_closed;
+    };
+    std::string name_of(std::string const& table) const { return stem_ + "." + table + ".txt"; }
     static std::string range(unsigned bits) { return bits > 1 ? fmt::format("[{}:0]", bits - 1) : ""; }
+    void flags(Flags value) { put("@{:x}\n", value); }
+
+    std::string stem_;
+    ValueNames names_;
     std::string text_;
+    std::vector<Group> groups_;
+    std::map<std::string, std::string> tables_;
 };
 
-/// Files that translate numbers to names.
-struct Tables {
-    std::string states;
-    std::string stalls;
-};
-
-void add_module(SaveText& save, std::string const& path, Machine const& machine, std::size_t module,
-                Tables const& tables) {
-    std::string const& name = machine.processes[module].name;
-    save.open_group(name, false);
-    save.translated_signal(path + ".state", state_bits(machine), printable(tables.states));
-    save.translated_signal(path + ".stall", stall_bits(machine), printable(tables.stalls));
+void add_module(Save& save, std::string const& path, Machine const& machine, std::size_t module) {
+    save.open_group(machine.processes[module].name, false);
+    save.named_signal(path + ".state", state_bits(machine), "states", state_names(machine));
+    save.named_signal(path + ".stall", stall_bits(machine), "stalls", stall_names(machine));
     save.signal(decimal, path + ".iteration", 32);
-    save.close_group(name);
+    save.close_group();
 }
 
-void add_fifo(SaveText& save, std::string const& path, RecordedCore const& core, std::size_t fifo) {
+void add_field(Save& save, std::string const& path, std::string const& fifo, TokenField const& field) {
+    if (field.values != nullptr)
+        return save.named_signal(path, field.bits, fmt::format("{}_{}", fifo, field.name), value_names(field));
+    save.signal(field.is_signed ? signed_decimal : decimal, path, field.bits);
+}
+
+void add_fifo(Save& save, std::string const& path, RecordedCore const& core, std::size_t fifo) {
+    std::string const& name = core.machine->fifos[fifo].name;
+    save.open_group("fifo " + name, true);
     save.signal(decimal, path + ".occupancy", bits_for(core.fifos[fifo].capacity));
-    for (char const* const name : {"full", "empty", "write", "read"})
-        save.signal(binary, fmt::format("{}.{}", path, name), 1);
+    for (char const* const bit : {"full", "empty", "write", "read"})
+        save.signal(binary, fmt::format("{}.{}", path, bit), 1);
     for (char const* const side : {"written", "read"})
         for (TokenField const& field : core.token_layouts[fifo])
-            save.signal(field.is_signed ? signed_decimal : decimal, fmt::format("{}.{}_{}", path, side, label(field)),
-                        field.bits);
+            add_field(save, fmt::format("{}.{}_{}", path, side, label(field)), name, field);
+    save.close_group();
 }
 
-void add_memory(SaveText& save, std::string const& path, MachineMemory const& memory) {
+void add_block_ram(Save& save, std::string const& path, MachineMemory const& memory) {
+    save.open_group("bram " + memory.name, true);
     for (std::string const& port : port_names(memory)) {
         save.signal(binary, fmt::format("{}.{}_enable", path, port), 1);
         save.signal(binary, fmt::format("{}.{}_write_enable", path, port), 1);
         save.signal(decimal, fmt::format("{}.{}_address", path, port), address_bits(memory));
     }
+    save.close_group();
 }
 
-void add_fifos(SaveText& save, std::string const& path, RecordedCore const& core, SignalFilter const& filter) {
-    for (std::size_t fifo = 0; fifo < core.machine->fifos.size(); ++fifo) {
-        if (!filter.shows_fifo(fifo))
-            continue;
-        std::string const& name = core.machine->fifos[fifo].name;
-        save.open_group("fifo " + name, true);
-        add_fifo(save, fmt::format("{}.fifo_{}", path, name), core, fifo);
-        save.close_group("fifo " + name);
-    }
-}
-
-void add_memories(SaveText& save, std::string const& path, Machine const& machine, SignalFilter const& filter) {
-    for (std::size_t i = 0; i < machine.memories.size(); ++i) {
-        if (!filter.shows_memory(i))
-            continue;
-        MachineMemory const& memory = machine.memories[i];
-        save.open_group("bram " + memory.name, true);
-        add_memory(save, fmt::format("{}.bram_{}", path, memory.name), memory);
-        save.close_group("bram " + memory.name);
-    }
-}
-
-void add_core(SaveText& save, RecordedCore const& core, SignalFilter const& filter, Tables const& tables) {
+void add_core(Save& save, RecordedCore const& core, SignalFilter const& filter) {
     Machine const& machine = *core.machine;
     std::string const name = fmt::format("core_{}", core.core);
     std::string const path = "accelerator." + name;
     save.open_group(name, false);
     for (char const* const number : {"started", "ended"})
         save.signal(decimal, fmt::format("{}.sample.{}", path, number), 32);
-    for (std::size_t module = 0; module < machine.processes.size(); ++module)
-        if (filter.shows_process(module))
-            add_module(save, fmt::format("{}.{}", path, machine.processes[module].name), machine, module, tables);
-    add_fifos(save, path, core, filter);
-    add_memories(save, path, machine, filter);
-    save.close_group(name);
+    for (std::size_t i = 0; i < machine.processes.size(); ++i)
+        if (filter.shows_process(i))
+            add_module(save, fmt::format("{}.{}", path, machine.processes[i].name), machine, i);
+    for (std::size_t i = 0; i < machine.fifos.size(); ++i)
+        if (filter.shows_fifo(i))
+            add_fifo(save, fmt::format("{}.fifo_{}", path, machine.fifos[i].name), core, i);
+    for (std::size_t i = 0; i < machine.memories.size(); ++i)
+        if (filter.shows_memory(i))
+            add_block_ram(save, fmt::format("{}.bram_{}", path, machine.memories[i].name), machine.memories[i]);
+    save.close_group();
 }
 
-/// A line of a table: a value as GTKWave shows it in hexadecimal, and what it means.
-std::string translation(std::int64_t value, unsigned bits, std::string const& meaning) {
-    return fmt::format("{:0{}X} {}\n", value, (bits + 3) / 4, meaning);
-}
-
-std::string state_table(Machine const& machine) {
-    unsigned const bits = state_bits(machine);
-    std::string text = translation(between_loops, bits, "-");
-    for (std::size_t const loop : loops_of(machine))
-        text += translation(in_loop(loop), bits, machine.loops[loop].name);
-    return text;
-}
-
-std::string stall_table(Machine const& machine) {
-    unsigned const bits = stall_bits(machine);
-    std::string text = translation(no_stall, bits, "-");
-    for (std::size_t const fifo : fifos_of(machine))
-        for (bool const is_full : {false, true})
-            text +=
-                translation(stall_on(fifo, is_full), bits, machine.fifos[fifo].name + (is_full ? " full" : " empty"));
-    if (machine.external_memory)
-        text += translation(stall_on(machine, machine.fifos.size(), 0), bits, "memory");
-    return text;
-}
-
-/// Where a file is in the end, from the root: GTKWave looks for tables in its own folder.
-std::string final_name(std::filesystem::path const& file) {
-    return io::without_hidden_names(std::filesystem::absolute(file).lexically_normal()).string();
+void add_external_memory(Save& save, std::size_t ports) {
+    std::string const path = "accelerator.memory";
+    save.open_group("memory", false);
+    for (std::size_t port = 0; port < ports; ++port) {
+        save.open_group(fmt::format("port {}", port), false);
+        save.signal(binary, fmt::format("{}.port_{}.busy", path, port), 1);
+        save.signal(decimal, fmt::format("{}.port_{}.waiting", path, port), 32);
+        save.signal(decimal, fmt::format("{}.port_{}.bytes", path, port), 64);
+        save.close_group();
+    }
+    save.signal(binary, path + ".controller.busy", 1);
+    save.signal(decimal, path + ".controller.queue", 32);
+    save.close_group();
 }
 
 }  // namespace
 
-std::vector<std::filesystem::path> files_beside(std::filesystem::path const& vcd) {
+std::vector<std::filesystem::path> files_beside(std::filesystem::path const& waveform, ValueNames names) {
+    std::vector<char const*> endings{".gtkw"};
+    if (names == ValueNames::in_tables)
+        endings.insert(endings.end(), {".states.txt", ".stalls.txt"});
     std::vector<std::filesystem::path> files;
-    for (char const* ending : {".gtkw", ".states.txt", ".stalls.txt"})
-        files.push_back(std::filesystem::path(vcd).replace_extension(ending));
+    for (char const* const ending : endings)
+        files.push_back(std::filesystem::path(waveform).replace_extension(ending));
     return files;
 }
 
-void write_gtkwave_save(std::filesystem::path const& vcd, Machine const& machine,
-                        std::vector<RecordedCore> const& cores, SignalFilter const& filter) {
-    std::vector<std::filesystem::path> const files = files_beside(vcd);
-    Tables const tables{final_name(files[1]), final_name(files[2])};
-    SaveText save;
+void write_gtkwave_save(std::filesystem::path const& waveform, ValueNames names, Machine const& machine,
+                        RecordedWindow const& window, SignalFilter const& filter) {
+    std::string const stem = waveform.stem().string();
+    Save save(stem, names);
     // The zoom is the logarithm of the time between two marks.
     double const ticks = ticks_per_cycle(machine.clock_mhz);
     double const zoom = std::log2(first_cycles / ticks_across * ticks);
-    Cycles first = cores.empty() ? 0 : ~Cycles{0};
-    for (RecordedCore const& core : cores)
-        first = std::min(first, core.from);
-    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n", printable(final_name(vcd)));
-    save.put("[timestart] {}\n", std::llround(static_cast<double>(first) * ticks));
+    save.put("[*] faster-sim\n[dumpfile] \"{}\"\n[savefile] \"{}\"\n", printable(waveform.filename().string()),
+             printable(stem + ".gtkw"));
+    save.put("[timestart] {}\n", std::llround(static_cast<double>(window.from()) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
-    for (RecordedCore const& core : cores)
-        add_core(save, core, filter, tables);
-    io::write_file_atomically(files[1], state_table(machine));
-    io::write_file_atomically(files[2], stall_table(machine));
-    io::write_file_atomically(files[0], save.text());
+    save.signal(binary, "accelerator.clock", 1);
+    for (RecordedCore const& core : window.cores)
+        add_core(save, core, filter);
+    if (window.memory != nullptr && !window.cores.empty() && filter.shows_external_memory())
+        add_external_memory(save, window.memory->shape.ports);
+    save.write_to(std::filesystem::absolute(waveform).parent_path());
 }
 
 }  // namespace faster::recording

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "kernel/recording/vcd_file.hpp"
+#include "kernel/recording/waveform_file.hpp"
 
 namespace faster::recording {
 

@@ -11,6 +11,8 @@ namespace faster::recording {
 
 namespace {
 
+constexpr char const* name_of_external_memory = "memory";
+
 std::vector<std::string> all_names(Machine const& machine) {
     std::vector<std::string> names;
     for (std::size_t const process : modules_of(machine))
@@ -19,6 +21,8 @@ std::vector<std::string> all_names(Machine const& machine) {
         names.push_back(machine.fifos[fifo].name);
     for (std::size_t const memory : brams_of(machine))
         names.push_back(machine.memories[memory].name);
+    if (machine.external_memory)
+        names.emplace_back(name_of_external_memory);
     return names;
 }
 
@@ -53,6 +57,7 @@ SignalFilter::SignalFilter(std::vector<std::string> const& patterns, Machine con
     for (MachineMemory const& memory : machine.memories)
         memories_.push_back(memory.is_present &&
                             (matches(memory.name) || processes_[memory.owner] || processes_[memory.reader]));
+    external_memory_ = machine.external_memory && matches(name_of_external_memory);
 }
 
 }  // namespace faster::recording

@@ -8,7 +8,8 @@
 namespace faster::recording {
 
 /// Which parts of a machine's cores are to be shown: those whose name matches one of some glob patterns, and the FIFOs
-/// at a module's ends and the block RAMs inside it with the module. Without patterns: all.
+/// at a module's ends and the block RAMs inside it with the module. The external memory is named "memory". Without
+/// patterns: all.
 class SignalFilter {
   public:
     /// Errors: InputError if a pattern matches nothing that the machine has.
@@ -18,11 +19,13 @@ class SignalFilter {
     bool shows_process(std::size_t process) const { return processes_[process]; }
     bool shows_fifo(std::size_t fifo) const { return fifos_[fifo]; }
     bool shows_memory(std::size_t memory) const { return memories_[memory]; }
+    bool shows_external_memory() const { return external_memory_; }
 
   private:
     std::vector<bool> processes_;
     std::vector<bool> fifos_;
     std::vector<bool> memories_;
+    bool external_memory_ = false;
 };
 
 }  // namespace faster::recording

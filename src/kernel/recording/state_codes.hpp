@@ -1,9 +1,12 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "kernel/machine/machine.hpp"
-#include "kernel/recording/vcd_file.hpp"
+#include "kernel/machine/token_field.hpp"
+#include "kernel/recording/waveform_file.hpp"
 
 namespace faster::recording {
 
@@ -19,6 +22,12 @@ inline std::int64_t stall_on(Machine const& machine, std::size_t item, std::size
 /// The values of a module's `state`: between its loops, or in a loop.
 constexpr std::int64_t between_loops = 0;
 constexpr std::int64_t in_loop(std::size_t loop) { return static_cast<std::int64_t>(1 + loop); }
+
+/// What they mean, value by value; empty: parts that the machine has not.
+std::vector<std::string> state_names(Machine const& machine);
+std::vector<std::string> stall_names(Machine const& machine);
+/// Likewise of a field of a token; empty if it is a number.
+std::vector<std::string> value_names(TokenField const& field);
 
 /// Bits of these signals: a byte, unless the machine has more loops or FIFOs than that tells apart.
 inline unsigned state_bits(Machine const& machine) { return std::max(8U, bits_for(machine.loops.size())); }

@@ -1,5 +1,10 @@
 #include "kernel/recording/timeline_json.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
 
@@ -7,87 +12,125 @@ namespace faster::recording {
 
 namespace {
 
-constexpr std::size_t samples_track = 0;
-constexpr std::size_t track_of(std::size_t module) { return 1 + module; }
+/// Tracks on which slices that overlap are side by side.
+class Lanes {
+  public:
+    /// The first lane that is free from a cycle on. Slices come in the order of their begins.
+    std::size_t take(Cycles begin, Cycles end) {
+        auto const free =
+            std::find_if(free_from_.begin(), free_from_.end(), [=](Cycles from) { return from <= begin; });
+        auto const lane = static_cast<std::size_t>(free - free_from_.begin());
+        if (free == free_from_.end())
+            free_from_.push_back(end);
+        else
+            *free = end;
+        return lane;
+    }
+    std::size_t count() const { return free_from_.size(); }
+
+  private:
+    std::vector<Cycles> free_from_;
+};
 
 class Writer {
   public:
-    explicit Writer(double clock_mhz) : clock_mhz_(clock_mhz) {}
+    explicit Writer(double clock_mhz) : ns_per_cycle_(1e3 / clock_mhz) {}
 
     void add(CoreTimeline const& core) {
-        name_tracks(core);
-        for (CoreTimeline::Sample const& sample : core.samples)
-            add_slice(core.core, samples_track, "sample " + std::to_string(sample.sample), "sample", sample.begin,
-                      sample.end, {{"sample", sample.sample}, {"complete", sample.complete}});
+        process_ = core.core;
+        name("process_name", 0, "core " + std::to_string(core.core));
+        std::size_t const lanes = add_samples(core);
+        for (std::size_t const module : modules_of(*core.machine))
+            name("thread_name", lanes + module, core.machine->processes[module].name);
         for (TimelineSpan const& span : core.spans)
-            add_span(core, span);
-        for (std::size_t fifo = 0; fifo < core.occupancy.size(); ++fifo)
-            for (OccupancyPoint const& point : core.occupancy[fifo])
-                add_event({{"name", core.machine->fifos[fifo].name},
-                           {"ph", "C"},
-                           {"pid", core.core},
-                           {"ts", microseconds(point.cycle)},
-                           {"args", {{"tokens", point.tokens}}}});
+            add_span(core, lanes + span.module, span);
+        for (std::size_t const fifo : fifos_of(*core.machine))
+            add_counter(core.machine->fifos[fifo].name, "tokens", core.occupancy[fifo]);
+        process_count_ = std::max(process_count_, core.core + 1);
     }
+
+    /// Behind all cores.
+    void add(MemoryTimeline const& memory) {
+        process_ = process_count_;
+        name("process_name", 0, "memory");
+        for (std::size_t port = 0; port < memory.ports.size(); ++port) {
+            name("thread_name", port, fmt::format("port {}", port));
+            for (MemoryTimeline::Span const& span : memory.ports[port].busy)
+                add_slice(port, "busy", "memory", span.begin, span.end, fmt::format(R"("bytes":{})", span.bytes));
+            add_counter(fmt::format("port {} waiting", port), "requests", memory.ports[port].waiting);
+        }
+        add_counter("controller queue", "bursts", memory.queue);
+    }
+
     std::string text() const { return "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n" + events_ + "\n]}\n"; }
 
   private:
-    double microseconds(Cycles cycles) const { return static_cast<double>(cycles) / clock_mhz_; }
-    void add_event(Json const& event) {
+    std::int64_t ns(Cycles cycles) const { return std::llround(static_cast<double>(cycles) * ns_per_cycle_); }
+    /// Perfetto cuts off what is left of a nanosecond: it must not be left of one too few.
+    static double microseconds(std::int64_t ns) {
+        double const time = static_cast<double>(ns) / 1e3;
+        return static_cast<std::int64_t>(time * 1e3) < ns ? std::nextafter(time, HUGE_VAL) : time;
+    }
+    static std::string quoted(std::string const& text) { return io::text_of(Json(text)); }
+
+    template <class... Arguments> void put(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         events_ += events_.empty() ? "" : ",\n";
-        events_ += io::text_of(event);
+        fmt::format_to(std::back_inserter(events_), format, std::forward<Arguments>(arguments)...);
     }
-    void name_tracks(CoreTimeline const& timeline) {
-        std::size_t const core = timeline.core;
-        name("process_name", core, 0, "core " + std::to_string(core));
-        name("thread_name", core, samples_track, "samples");
-        for (std::size_t const module : modules_of(*timeline.machine))
-            name("thread_name", core, track_of(module), timeline.machine->processes[module].name);
+    void name(char const* what, std::size_t track, std::string const& text) {
+        put(R"({{"name":"{}","ph":"M","pid":{},"tid":{},"args":{{"name":{}}}}})", what, process_, track, quoted(text));
     }
-    void name(char const* what, std::size_t core, std::size_t track, std::string const& text) {
-        add_event({{"name", what}, {"ph", "M"}, {"pid", core}, {"tid", track}, {"args", {{"name", text}}}});
+    void add_slice(std::size_t track, std::string const& text, char const* category, Cycles begin, Cycles end,
+                   std::string const& args) {
+        put(R"({{"name":{},"cat":"{}","ph":"X","pid":{},"tid":{},"ts":{},"dur":{},"args":{{{}}}}})", quoted(text),
+            category, process_, track, microseconds(ns(begin)), microseconds(ns(end) - ns(begin)), args);
     }
-    void add_slice(std::size_t core, std::size_t track, std::string const& text, char const* category, Cycles begin,
-                   Cycles end, Json const& args) {
-        add_event({{"name", text},
-                   {"cat", category},
-                   {"ph", "X"},
-                   {"pid", core},
-                   {"tid", track},
-                   {"ts", microseconds(begin)},
-                   {"dur", microseconds(end - begin)},
-                   {"args", args}});
+    void add_counter(std::string const& text, char const* unit, std::vector<OccupancyPoint> const& points) {
+        std::string const quoted_text = quoted(text);
+        for (OccupancyPoint const& point : points)
+            put(R"({{"name":{},"ph":"C","pid":{},"ts":{},"args":{{"{}":{}}}}})", quoted_text, process_,
+                microseconds(ns(point.cycle)), unit, point.tokens);
     }
-    void add_span(CoreTimeline const& timeline, TimelineSpan const& span) {
-        std::size_t const core = timeline.core;
-        std::size_t const track = track_of(span.module);
-        if (span.kind == TimelineSpan::Kind::loop) {
-            add_slice(core, track, timeline.machine->loops[span.item].name, "loop", span.begin, span.end,
-                      {{"begin_cycle", span.begin}, {"end_cycle", span.end}, {"iterations", span.count}});
-            return;
-        }
-        if (span.kind == TimelineSpan::Kind::memory_stall) {
-            add_slice(core, track, "memory", "stall", span.begin, span.end,
-                      {{"begin_cycle", span.begin}, {"end_cycle", span.end}, {"stalled_cycles", span.count}});
-            return;
-        }
+    /// Samples overlap: the next is drawn while one is swept. Returns how many tracks they take.
+    std::size_t add_samples(CoreTimeline const& core) {
+        Lanes lanes;
+        for (CoreTimeline::Sample const& sample : core.samples)
+            add_slice(lanes.take(sample.begin, sample.end), fmt::format("sample {}", sample.sample), "sample",
+                      sample.begin, sample.end,
+                      fmt::format(R"("sample":{},"complete":{})", sample.sample, sample.complete));
+        for (std::size_t lane = 0; lane < lanes.count(); ++lane)
+            name("thread_name", lane, lane == 0 ? "samples" : fmt::format("samples {}", lane + 1));
+        return lanes.count();
+    }
+    void add_span(CoreTimeline const& timeline, std::size_t track, TimelineSpan const& span) {
+        bool const is_loop = span.kind == TimelineSpan::Kind::loop;
+        std::string const cycles = fmt::format(R"("begin_cycle":{},"end_cycle":{},"{}":{})", span.begin, span.end,
+                                               is_loop ? "iterations" : "stalled_cycles", span.count);
+        if (is_loop)
+            return add_slice(track, timeline.machine->loops[span.item].name, "loop", span.begin, span.end, cycles);
+        if (span.kind == TimelineSpan::Kind::memory_stall)
+            return add_slice(track, "memory", "stall", span.begin, span.end, cycles);
         bool const is_full = span.kind == TimelineSpan::Kind::full_stall;
         std::string const& fifo = timeline.machine->fifos[span.item].name;
-        add_slice(
-            core, track, fifo + (is_full ? " full" : " empty"), "stall", span.begin, span.end,
-            {{"fifo", fifo}, {"begin_cycle", span.begin}, {"end_cycle", span.end}, {"stalled_cycles", span.count}});
+        add_slice(track, fifo + (is_full ? " full" : " empty"), "stall", span.begin, span.end,
+                  fmt::format(R"("fifo":{},{})", quoted(fifo), cycles));
     }
 
-    double clock_mhz_;
+    double ns_per_cycle_;
+    std::size_t process_ = 0;
+    std::size_t process_count_ = 0;
     std::string events_;
 };
 
 }  // namespace
 
-std::string timeline_json(std::vector<CoreTimeline> const& timelines, double clock_mhz) {
+std::string timeline_json(std::vector<CoreTimeline> const& timelines, std::optional<MemoryTimeline> const& memory,
+                          double clock_mhz) {
     Writer writer(clock_mhz);
     for (CoreTimeline const& timeline : timelines)
         writer.add(timeline);
+    if (memory)
+        writer.add(*memory);
     return writer.text();
 }
 

@@ -1,13 +1,16 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kernel/recording/core_timeline.hpp"
+#include "kernel/recording/memory_timeline.hpp"
 
 namespace faster::recording {
 
-/// The Trace Event Format of Chrome and Perfetto: a process per core, a track per module with its loops and, inside
-/// them, its stalls, a track of samples, a counter per FIFO. Times are microseconds at the clock.
-std::string timeline_json(std::vector<CoreTimeline> const& timelines, double clock_mhz);
+/// Timelines in the Trace Event Format, which Perfetto and chrome://tracing open. Slices of a track are one inside the
+/// other or apart, which Perfetto insists on.
+std::string timeline_json(std::vector<CoreTimeline> const& timelines, std::optional<MemoryTimeline> const& memory,
+                          double clock_mhz);
 
 }  // namespace faster::recording

@@ -111,6 +111,16 @@ class Operation {
         return rest;
     }
 
+    /// Iterations of a loop that it says.
+    std::uint64_t iterations() const {
+        if (kind() == Kind::mixed)
+            return length() + static_cast<unsigned>(__builtin_popcount(gaps()));
+        if (kind() != Kind::iterate && kind() != Kind::flanked)
+            return 0;
+        std::uint64_t const tail = own_tail_ports() == 0 ? 0 : 1U + tail_gap();
+        return std::uint64_t{count()} * (1U + gap()) + tail + (kind() == Kind::flanked ? 1U : 0U);
+    }
+
     /// How many of the first `count` iterations of a mix are like the first: all with a silent one behind, or none.
     static unsigned alike(std::uint32_t gaps, unsigned count) {
         std::uint32_t const others = (gaps & 1U) != 0 ? ~gaps : gaps;

@@ -80,6 +80,11 @@ template <class Process, class Port> class ProcessRules {
     bool finished() const { return log_.exhausted() && !state_.flushing.is_waiting(); }
     bool flushes() const { return shape_->flushing_stages > 0; }
     bool in_loop() const { return state_.in_loop; }
+    /// In an iteration whose steps are not all over.
+    bool is_in_iteration() const {
+        bool const drains = !log_.exhausted() && log_.begin()->kind() == Operation::Kind::leave;
+        return state_.in_loop && state_.pipeline.open && !drains;
+    }
     LoopPlan const& plan() const { return *plan_; }
     /// No access to come is before this cycle: the local time, less what the process goes back when it leaves a loop
     /// whose last tokens are out before the last initiation interval is over.
@@ -479,7 +484,7 @@ template <class Process, class Port> class ProcessRules {
         PipelinePosition& pipeline = state_.pipeline;
         if (!pipeline.open) {
             if (is_counted)
-                self().iterates(pipeline.iteration, 1);
+                self().iterates(state_.iterations, 1);
             state_.delayed(0) = ports;
             pipeline.open = true;
             pipeline.phase = 0;

@@ -1,6 +1,7 @@
 #include "kernel/timing/process_timing.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "kernel/timing/memory/memory_stream.hpp"
 
@@ -198,6 +199,11 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
     set_observer(observer_);
+}
+
+std::uint64_t ProcessTiming::all_iterations() const {
+    return std::accumulate(figures_.loops.begin(), figures_.loops.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, LoopCounters const& loop) { return sum + loop.iterations; });
 }
 
 LoopCost ProcessTiming::loop_cost(unsigned loop) const {

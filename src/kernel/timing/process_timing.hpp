@@ -68,6 +68,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     using Rules::finished;
     using Rules::flushes;
     using Rules::in_loop;
+    using Rules::is_in_iteration;
     using Rules::long_count;
     using Rules::not_before;
     static constexpr unsigned most_accesses = Rules::most_in_run;  ///< of an iteration of an aligned loop
@@ -167,8 +168,14 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     Trail* trail() const { return trail_; }
     /// Continues from where another process of the same ports and loops stands, what it has logged included.
     void take_state(ProcessTiming const& other);
+    /// That it is in.
     unsigned current_loop() const { return state_.loop; }
+    /// Done in the loop it is in, or was in last. The lookups keep no more of them than decide anything; who knows
+    /// better can say so.
     std::uint64_t iterations() const { return state_.iterations; }
+    void set_iterations(std::uint64_t iterations) { state_.iterations = iterations; }
+    /// Likewise in all its loops, ever.
+    std::uint64_t all_iterations() const;
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }
     bool writes(unsigned port) const { return ports_[port].writes; }

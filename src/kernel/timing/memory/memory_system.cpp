@@ -62,12 +62,15 @@ MemorySystem::Served MemorySystem::serve() {
     note_queue(arrival, begin);
     controller_.history.arrived(ask + shape_.request_cycles, burst.granules, begins_ps_.size());
     Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
+    std::size_t const port = number / shapes_.size() % shape_.ports;
     if (!master.stream().is_write()) {
-        std::size_t const port = number / shapes_.size() % shape_.ports;
         cycle = std::max(cycle, port_free_[port]);
         port_free_[port] = cycle + burst.beats;
         port_figures_[port].beats += burst.beats;
     }
+    if (served_call_)
+        served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps_, cycle, burst.beats, port,
+                      master.stream().is_write()});
     Served const served{number, master.served(cycle)};
     note_request(number);
     return served;

@@ -9,6 +9,7 @@
 
 #include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_master.hpp"
+#include "kernel/timing/memory/served_burst.hpp"
 
 namespace faster::timing {
 
@@ -60,6 +61,9 @@ class MemorySystem {
     /// Serves it.
     Target serve_next();
 
+    /// From now on, tells of every burst when it is served. In the order of asking.
+    void on_served(std::function<void(ServedBurst const&)> call) { served_call_ = std::move(call); }
+
     MasterFigures const& figures(std::size_t core, std::size_t master) const {
         return masters_[core * shapes_.size() + master].figures();
     }
@@ -99,6 +103,7 @@ class MemorySystem {
     std::vector<Cycles> port_free_;
     std::vector<PortFigures> port_figures_;
     ControllerFigures controller_;
+    std::function<void(ServedBurst const&)> served_call_;
     std::deque<std::uint64_t> begins_ps_;  // of bursts that begin later than they arrive
 };
 

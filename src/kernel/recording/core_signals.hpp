@@ -7,53 +7,53 @@
 #include "kernel/recording/memory_trace.hpp"
 #include "kernel/recording/recorded_core.hpp"
 #include "kernel/recording/signal_filter.hpp"
-#include "kernel/recording/vcd_file.hpp"
+#include "kernel/recording/waveform.hpp"
 
 namespace faster::recording {
 
-/// The signals of one core in a value change dump.
-class VcdCore {
+/// The signals of one core in a waveform.
+class CoreSignals {
   public:
     /// `core` must outlive it.
-    VcdCore(VcdFile& vcd, RecordedCore const& core, SignalFilter const& filter, std::size_t domain);
+    CoreSignals(Waveform& waveform, RecordedCore const& core, SignalFilter const& filter, std::size_t domain);
 
-    /// After the file has begun: what signals say before anything happens.
+    /// After the waveform has begun: what signals say before anything happens.
     void begin();
     /// The first cycle at which a token arrives by itself; ~0: none on the way.
     Cycles next_arrival() const { return arrivals_.empty() ? ~Cycles{0} : arrivals_.top().first; }
-    /// The file stands at that cycle.
+    /// The waveform stands at that cycle.
     void arrive();
     void take(CoreEvent const& event);
 
   private:
-    static constexpr VcdFile::Signal hidden = ~VcdFile::Signal{0};
+    static constexpr Waveform::Signal hidden = ~Waveform::Signal{0};
     struct FifoSignals {
-        VcdFile::Signal write = hidden, read = hidden, occupancy = hidden, full = hidden, empty = hidden;
-        std::vector<VcdFile::Signal> written, taken;
+        Waveform::Signal write = hidden, read = hidden, occupancy = hidden, full = hidden, empty = hidden;
+        std::vector<Waveform::Signal> written, taken;
     };
     struct ModuleSignals {
-        VcdFile::Signal state = hidden, iteration = hidden, stall = hidden;
+        Waveform::Signal state = hidden, iteration = hidden, stall = hidden;
     };
     struct MemoryPort {
-        VcdFile::Signal enable = hidden, write_enable = hidden, address = hidden;
+        Waveform::Signal enable = hidden, write_enable = hidden, address = hidden;
     };
 
     void declare_samples(std::size_t domain);
     void declare_module(std::size_t module, std::size_t domain);
     void declare_memory(std::size_t memory, std::size_t domain);
     void declare_fifo(std::size_t fifo, std::size_t domain);
-    void set(VcdFile::Signal signal, std::int64_t value) {
+    void set(Waveform::Signal signal, Waveform::Value value) {
         if (signal != hidden)
-            vcd_.set(signal, value);
+            waveform_.set(signal, value);
     }
     void show_occupancy(std::size_t fifo);
-    void show_token(std::vector<VcdFile::Signal> const& signals, TokenValues const& fields);
+    void show_token(std::vector<Waveform::Signal> const& signals, TokenValues const& fields);
     void show_accesses(std::vector<PortAccess> const& accesses);
     void take_write(CoreEvent const& event);
     void take_read(CoreEvent const& event);
     void take_stamp(CoreEvent const& event);
 
-    VcdFile& vcd_;
+    Waveform& waveform_;
     RecordedCore const& core_;
     Machine const& machine_;
     MemoryTrace memory_trace_;
@@ -63,7 +63,7 @@ class VcdCore {
     std::vector<FifoSignals> fifo_signals_;
     std::vector<ModuleSignals> module_signals_;
     std::vector<std::vector<MemoryPort>> memory_signals_;
-    VcdFile::Signal started_ = hidden, start_ = hidden, ended_ = hidden, end_ = hidden;
+    Waveform::Signal started_ = hidden, start_ = hidden, ended_ = hidden, end_ = hidden;
     using Arrival = std::pair<Cycles, std::size_t>;  ///< cycle, FIFO
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> arrivals_;
 };

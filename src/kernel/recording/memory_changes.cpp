@@ -1,0 +1,61 @@
+#include "kernel/recording/memory_changes.hpp"
+
+#include <algorithm>
+
+namespace faster::recording {
+
+MemoryChanges::MemoryChanges(RecordedMemory const& memory) : memory_(memory), ports_(memory.shape.ports) {
+    for (std::size_t port = 0; port < ports_.size(); ++port)
+        ports_[port].bytes = memory.bytes_before[port];
+}
+
+Cycles MemoryChanges::next_cycle() const {
+    Cycles const asked = next_ < memory_.bursts.size() ? memory_.bursts[next_].asked : ~Cycles{0};
+    return changes_.empty() ? asked : std::min(asked, changes_.top().cycle);
+}
+
+void MemoryChanges::take_up(timing::ServedBurst const& burst) {
+    std::uint64_t const period = memory_.shape.period_ps;
+    changes_.push({burst.asked, Kind::asked, &burst});
+    changes_.push({burst.first_beat, Kind::first_beat, &burst});
+    changes_.push({burst.end(), Kind::done, &burst});
+    changes_.push({burst.arrived, Kind::arrived, &burst});
+    changes_.push({burst.begin_ps / period, Kind::begun, &burst});
+    changes_.push({std::max((burst.end_ps + period - 1) / period, burst.begin_ps / period), Kind::served, &burst});
+}
+
+std::size_t MemoryChanges::go_on() {
+    while (next_ < memory_.bursts.size() && (changes_.empty() || memory_.bursts[next_].asked <= changes_.top().cycle))
+        take_up(memory_.bursts[next_++]);
+    Change const change = changes_.top();
+    changes_.pop();
+    timing::ServedBurst const& burst = *change.burst;
+    Port& port = ports_[burst.port];
+    std::uint64_t const one_read = burst.is_write ? 0 : 1;
+    switch (change.kind) {
+        case Kind::asked:
+            ++port.waiting;
+            return burst.port;
+        case Kind::first_beat:
+            --port.waiting;
+            port.reads += one_read;
+            return burst.port;
+        case Kind::done:
+            port.reads -= one_read;
+            port.bytes += burst.beats * memory_.shape.port_bytes;
+            return burst.port;
+        case Kind::arrived:
+            ++controller_.queue;
+            break;
+        case Kind::begun:
+            --controller_.queue;
+            ++controller_.serving;
+            break;
+        case Kind::served:
+            --controller_.serving;
+            break;
+    }
+    return ports_.size();
+}
+
+}  // namespace faster::recording

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "kernel/timing/memory/external_memory.hpp"
+#include "kernel/timing/memory/served_burst.hpp"
+
+namespace faster::recording {
+
+/// What was recorded of an external memory.
+struct RecordedMemory {
+    timing::ExternalMemory shape;
+    std::deque<timing::ServedBurst> bursts;   ///< in the order of asking
+    std::vector<std::uint64_t> bytes_before;  ///< by port: of bursts before those
+};
+
+/// Takes down the bursts of a memory that somebody still asks for.
+class MemoryRecorder {
+  public:
+    explicit MemoryRecorder(timing::ExternalMemory const& shape)
+        : memory_{shape, {}, std::vector<std::uint64_t>(shape.ports)} {}
+
+    void take(timing::ServedBurst const& burst) { memory_.bursts.push_back(burst); }
+    /// Nobody will ask what happened before this cycle.
+    void forget_before(Cycles cycle) {
+        std::deque<timing::ServedBurst>& bursts = memory_.bursts;
+        for (; !bursts.empty() && bursts.front().end() < cycle && bursts.front().end_ps < ps_of(cycle);
+             bursts.pop_front())
+            memory_.bytes_before[bursts.front().port] += bursts.front().beats * memory_.shape.port_bytes;
+    }
+    RecordedMemory const& recorded() const { return memory_; }
+
+  private:
+    std::uint64_t ps_of(Cycles cycle) const { return cycle * memory_.shape.period_ps; }
+
+    RecordedMemory memory_;
+};
+
+}  // namespace faster::recording

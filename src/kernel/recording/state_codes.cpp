@@ -1,0 +1,34 @@
+#include "kernel/recording/state_codes.hpp"
+
+#include <iterator>
+#include <sstream>
+
+namespace faster::recording {
+
+std::vector<std::string> state_names(Machine const& machine) {
+    std::vector<std::string> names(machine.loops.size() + 1);
+    names[between_loops] = "-";
+    for (std::size_t const loop : loops_of(machine))
+        names[static_cast<std::size_t>(in_loop(loop))] = machine.loops[loop].name;
+    return names;
+}
+
+std::vector<std::string> stall_names(Machine const& machine) {
+    std::size_t const fifos = machine.fifos.size();
+    std::vector<std::string> names(static_cast<std::size_t>(stall_on(fifos, false)) + 1);
+    names[no_stall] = "-";
+    for (std::size_t const fifo : fifos_of(machine))
+        for (bool const is_full : {false, true})
+            names[static_cast<std::size_t>(stall_on(fifo, is_full))] =
+                machine.fifos[fifo].name + (is_full ? " full" : " empty");
+    if (machine.external_memory)
+        names.back() = "memory";
+    return names;
+}
+
+std::vector<std::string> value_names(TokenField const& field) {
+    std::istringstream words(field.values == nullptr ? "" : field.values);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+}  // namespace faster::recording

@@ -1,0 +1,32 @@
+#include "kernel/recording/unfinished_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "kernel/base/files/file_error.hpp"
+#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/output_file.hpp"
+
+namespace faster::recording {
+
+UnfinishedFile::UnfinishedFile(std::filesystem::path file) : file_(std::move(file)) {
+    if (io::is_device(file_))
+        return;
+    try {
+        scratch_.emplace(std::filesystem::weakly_canonical(std::filesystem::absolute(file_)), io::Scratch::Kind::file);
+    } catch (std::filesystem::filesystem_error const& error) {
+        errno = error.code().value();
+        fail();
+    }
+}
+
+void UnfinishedFile::finish() {
+    if (scratch_ && std::rename(scratch_->path().c_str(), scratch_->target().c_str()) != 0)
+        fail();
+    scratch_.reset();
+}
+
+void UnfinishedFile::fail() const { io::fail_to_write(io::without_hidden_names(file_), std::strerror(errno)); }
+
+}  // namespace faster::recording

@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "channels/simulate.hpp"
+#include "tool/recording_options.hpp"
+
+namespace faster {
+
+/// How long the files of a waveform will be.
+struct WaveformSize {
+    double vcd_bytes = 0;  ///< 0: there is none
+    double fst_bytes = 0;
+};
+
+/// A run with these options.
+using SimulateDesign = std::function<RunStatistics(SimulationOptions const& options)>;
+
+/// The size of a whole run's waveform, right within a factor of two, before the run is made: its first samples are
+/// simulated and recorded by a process of their own. `simulate`: the run, in that process. None if that process fails.
+std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Machine const& machine,
+                                             std::size_t samples, SimulateDesign const& simulate);
+
+/// Says how large the waveform will be, if the request asks for one without a window. Throws InputError if that is more
+/// than 2 GB, unless `force`.
+void announce_waveform(RecordingRequest const& request, Machine const& machine, std::size_t samples, bool force,
+                       SimulateDesign const& simulate);
+
+}  // namespace faster

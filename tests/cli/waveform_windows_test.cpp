@@ -1,0 +1,118 @@
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "support/waves.hpp"
+
+namespace waveform_windows_test {
+
+using namespace faster::test;
+
+struct Design {
+    std::string config = "faster_zcu102.yaml";
+    std::string trace = "edge_heavy";
+    Words options;  // also of what is shown
+};
+
+/// How often a pixel's neighbours are read, whose buffer it is and what is cleared where: all that decides addresses.
+Words with(Words const& settings, Words options = {}) {
+    for (std::string const& setting : settings)
+        options.insert(options.end(), {"--set", "accelerator." + setting});
+    return options;
+}
+
+Words deep_fifos() {
+    Words settings{"inlier_unit.sweep_region=touched", "edge_map.buffers=2", "inlier_unit.buffers=2"};
+    for (char const* const fifo :
+         {"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
+          "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
+          "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+          "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"})
+        settings.push_back("fifos." + std::string(fifo) + ".depth=4096");
+    return settings;
+}
+
+std::vector<Design> const designs{
+    {"faster_zcu102.yaml", "edge_heavy", with({"raster_cores=1"})},
+    {"faster_zcu102.yaml", "one_triangle", {}},
+    {"faster_zcu102.yaml", "edge_heavy", with(deep_fifos())},
+    {"faster_zcu102_memory.yaml", "edge_heavy", with({"memory.prefetch=true", "raster_cores=3"})},
+    {"faster_zcu102_memory.yaml", "edge_heavy", with({}, {"--vcd-cores", "1", "--vcd-modules", "inlier*,memory"})},
+    {"architectures/next_zcu102.yaml", "edge_heavy", {}},
+    {"architectures/next_double_buffers.yaml", "edge_heavy", with({}, {"--vcd-modules", "edge*,depth*"})},
+    {"architectures/fpga_grip.yaml", "edge_heavy", {}},
+};
+
+struct Window {
+    std::uint64_t from = 0;
+    std::uint64_t to = 0;
+};
+
+class Windows {
+  public:
+    explicit Windows(Design const& design) : design_(design), waves_(design.config) {}
+
+    Vcd whole() const {
+        run("lockstep", "whole.vcd", {"--out", "out"});
+        return waves_.vcd("whole.vcd");
+    }
+    std::vector<Waves::Row> samples() const { return waves_.table("out/samples.csv"); }
+    /// Of both engines, which are to write the same bytes.
+    Vcd part(Words const& window) const {
+        for (std::string const engine : {"lockstep", "decoupled"})
+            run(engine, engine + ".vcd", window);
+        CHECK(waves_.text("lockstep.vcd") == waves_.text("decoupled.vcd"));
+        return waves_.vcd("decoupled.vcd");
+    }
+
+  private:
+    void run(std::string const& engine, std::string const& file, Words more) const {
+        more.insert(more.end(), {"--vcd", file, "--set", "simulation.engine=" + engine});
+        more.insert(more.end(), design_.options.begin(), design_.options.end());
+        require_done(waves_.run(design_.trace, more));
+    }
+
+    Design design_;
+    Waves waves_;
+};
+
+std::uint64_t end_of(Vcd const& vcd) { return vcd.signals.at("clock").back().cycle; }
+
+void check_window(Vcd const& whole, Vcd const& part, Window window) {
+    CAPTURE(window.from, window.to);
+    for (auto const& [signal, values] : part.signals) {
+        CAPTURE(signal);
+        CHECK(part.within(signal, window.from, window.to) == whole.within(signal, window.from, window.to));
+    }
+}
+
+TEST_CASE("A window shows what the whole waveform shows, from its first cycle on, in both engines", "[vcd]") {
+    auto const number = GENERATE(range(std::size_t{0}, std::size_t{8}));
+    REQUIRE(designs.size() == 8);
+    std::uint64_t const seed = 31 + number;
+    CAPTURE(designs[number].config, designs[number].trace, seed);
+    Windows const windows(designs[number]);
+    Vcd const whole = windows.whole();
+    std::mt19937_64 random(seed);
+    std::uint64_t const end = end_of(whole);
+    for (std::uint64_t const length : {1U, 60U, 300U}) {
+        std::uint64_t const from = random() % (end - length);
+        Window const window{from, from + length - 1};
+        Vcd const part =
+            windows.part({"--vcd-from", std::to_string(window.from), "--vcd-to", std::to_string(window.to)});
+        CHECK(part.signals.size() == whole.signals.size());
+        check_window(whole, part, window);
+    }
+}
+
+TEST_CASE("A sample's window shows what the whole waveform shows while the sample is scored", "[vcd]") {
+    auto const number = GENERATE(std::size_t{0}, std::size_t{2});
+    CAPTURE(designs[number].options);
+    Windows const windows(designs[number]);
+    Vcd const whole = windows.whole();
+    auto const samples = windows.samples();
+    for (auto const& sample : {samples.front(), samples.back()})
+        check_window(whole, windows.part({"--vcd-samples", sample.at("sample"), "--vcd-cores", sample.at("core")}),
+                     {std::stoull(sample.at("start_cycle")), std::stoull(sample.at("end_cycle"))});
+}
+
+}  // namespace waveform_windows_test

@@ -418,7 +418,7 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {}, {"subcommand"});
     check_refused(workspace, {"fly"},
                   {"unknown command fly",
-                   "run, check, record, whatif, sensitivities, size-fifos, compare, compare-architectures, "
+                   "run, check, record, explore, whatif, sensitivities, size-fifos, compare, compare-architectures, "
                    "sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});

@@ -26,6 +26,7 @@ ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string>
     std::vector<std::string> words{tool, "explore"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);

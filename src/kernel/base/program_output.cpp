@@ -34,6 +34,7 @@ std::string read_all(std::FILE* file) {
 /// Whether it ran, and ended well.
 bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);

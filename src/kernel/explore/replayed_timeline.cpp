@@ -83,8 +83,8 @@ SampleTimeline replayed_timeline(replay::RecordedRun const& run, Machine const& 
     recording::RecordedCore recorded;
     recorded.core = sample.core;
     recorded.machine = &machine;
-    recorded.from = sample.start_cycle;
-    recorded.to = sample.end_cycle;
+    recorded.from = recorder.from();
+    recorded.to = recorder.to();
     for (timing::FifoTiming const& fifo : core.timing().fifos())
         recorded.fifos.push_back(fifo.shape());
     for (std::size_t fifo = 0; fifo < recorded.fifos.size(); ++fifo)

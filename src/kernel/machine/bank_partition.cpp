@@ -66,7 +66,7 @@ PixelOffset BankPartition::word_of(std::uint64_t bank, std::uint64_t index) cons
 }
 
 std::vector<BankPartition::Access> BankPartition::fullest_bank(AccessPattern const& pattern) const {
-    Accesses const all = all_accesses(pattern);
+    Accesses all = all_accesses(pattern);
     if (banks() == 1)
         return all;
     return type_ == PartitionType::block ? fullest_block(all) : fullest_of_cycle(all);

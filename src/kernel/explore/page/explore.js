@@ -142,7 +142,8 @@ class Explorer {
     show_loops(figures.schedules);
     show_deadlock(figures.deadlock);
     const lane_cycles = figures.cores * (figures.total_cycles || figures.deadlock.cycle);
-    if (this.graph) this.graph.show({ ...figures, lane_cycles, path, stuck: figures.deadlock ? figures.deadlock.stuck : null });
+    const waits = figures.deadlock ? { stuck: circle_of(figures.deadlock), waiting: figures.deadlock.stuck } : {};
+    if (this.graph) this.graph.show({ ...figures, lane_cycles, path, ...waits });
   }
 
   pathed(path, of) {

@@ -28,7 +28,7 @@ class DotGraph {
             direction);
     }
     void add_node(std::string const& id, std::string const& kind, std::string const& name, double height_inch) {
-        constexpr double letter_inch = 0.1, least_inch = 0.9;
+        constexpr double letter_inch = 0.1, least_inch = 1.1;
         double const width = std::max(least_inch, letter_inch * static_cast<double>(name.size() + 2));
         fmt::format_to(std::back_inserter(text_), "{}[width={:.2f},height={:.2f}];\n", id, width, height_inch);
         nodes_.push_back({id, kind + ":" + name});

@@ -14,7 +14,8 @@ function curve_path({ points, tip }) {
 }
 
 /// What the graph shows besides its parts: `modules` with their cycles, `fifos` summed over cores, `lane_cycles` of each
-/// module, rows of a critical `path` (or null), and who waits in a deadlock, `stuck` (or null).
+/// module, rows of a critical `path` (or null); of a deadlock, who waits in the circle, `stuck`, and who waits at all,
+/// `waiting` (or null).
 class DataflowGraph {
   constructor(box, selected) {
     this.box = box;
@@ -86,6 +87,7 @@ class DataflowGraph {
     const group = this.part(svg, "process", name, name + of_path);
     group.classList.toggle("critical", share >= 0.001);
     group.classList.toggle("stuck", waits);
+    group.classList.toggle("waiting", (this.figures.waiting || []).some((wait) => wait.process === name));
     group.append(svg_element("rect", { x: x - width / 2, y: y - height / 2, width, height, rx: 4 }),
       svg_element("text", { x, y: y - height / 2 + 13 }, name));
     if (share >= 0.001) group.append(svg_element("text", { x, y: y + 7, class: "small" }, `${decimal(100 * share, 1)} % of path`));

@@ -24,7 +24,7 @@ function show_graph() {
   new DataflowGraph(by_id("graph-box")).show({
     modules: data.modules,
     fifos: rows_of(data.fifos, null, (row) => row.fifo, ["writes", "reads", "full_stall_cycles", "empty_stall_cycles"], ["max_occupancy"]),
-    lane_cycles, total_cycles: data.headline.total_cycles, path: data.critical_path, stuck: null,
+    lane_cycles, total_cycles: data.headline.total_cycles, path: data.critical_path,
   });
 }
 

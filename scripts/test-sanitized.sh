@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds with sanitizers and runs the tests under them: unit, engine and cli with address and undefined behaviour; those
-# that start threads with the thread sanitizer. Both builds take far longer than that of CI.
+# that start threads with the thread sanitizer. Both builds take about 70 minutes of processor time.
 #   scripts/test-sanitized.sh [JOBS]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -139,7 +139,7 @@ TEST_CASE("A limit of file sizes is one line, and nothing half-written is left")
 TEST_CASE("Whatever the number of descriptors, a command is done or leaves nothing") {
     SmallWorkspace const workspace;
     std::size_t refused = 0, done = 0;
-    for (int most = 3; most < 14; ++most) {
+    for (int most = 3; done < 2 && most < 64; ++most) {  // some may be the caller's
         std::string const limit = "ulimit -n " + std::to_string(most) + "; ";
         std::string const name = "out" + std::to_string(most);
         if (run_command("/bin/sh", {"-c", limit + FASTER_SIM_BINARY " --version || exit 1"}, "/").exit_code != 0)

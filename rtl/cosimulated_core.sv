@@ -60,7 +60,9 @@ module cosimulated_core (
 );
     localparam int FIFOS = 14;
     localparam int LOOPS = 9;
-    typedef enum logic [3:0] {VERTEX, SCAN, EDGE_CLEAR, TOKEN, OUTPUT, READ, DEPTH_CLEAR, FRAGMENT, SWEEP} loop_number_t;
+    typedef enum logic [3:0] {
+        VERTEX, SCAN, EDGE_CLEAR, TOKEN, OUTPUT, READ, DEPTH_CLEAR, FRAGMENT, SWEEP
+    } loop_number_t;
     typedef enum logic [3:0] {
         F_SAMPLE_VERTEX, F_SAMPLE_RASTER, F_SAMPLE_OBSERVATION, F_VERTEX, F_AREA, F_AREA_RECIPROCAL, F_COMMAND,
         F_FRAGMENT_DEPTH, F_FRAGMENT_INDEX, F_EDGE_TOKEN, F_EDGE_MAP, F_OBSERVED_DEPTH, F_OBSERVED_EDGE, F_RESULT
@@ -118,7 +120,9 @@ module cosimulated_core (
         settings_asked_for.width = width;
         settings_asked_for.height = height;
         settings_asked_for.window = window;
-        settings_asked_for.fraction = {vertex_xy, vertex_z, area_reciprocal_fraction, fragment_depth_fraction, depth_buffer_fraction};
+        settings_asked_for.fraction = {
+            vertex_xy, vertex_z, area_reciprocal_fraction, fragment_depth_fraction, depth_buffer_fraction
+        };
         settings_asked_for.sends_edges = sends_edges;
         settings_asked_for.is_inner_border = is_inner_border;
         settings_asked_for.flushes_last = flushes_last;

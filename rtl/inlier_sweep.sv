@@ -125,7 +125,8 @@ module inlier_sweep #(
         end
     end
 
-    // Words read in earlier steps of an iteration wait for those of its last step of reading. A step later all are there.
+    // Words read in earlier steps of an iteration wait for those of its last step of reading; a step later all are
+    // there.
     access_t first_of_last;  // access of that step
     faster_pkg::stage_t all_read;  // stage in which they are there
     always_comb begin
@@ -174,13 +175,16 @@ module inlier_sweep #(
         .BITS(DEPTH_WIDTH),
         .MAX_WINDOW(MAX_WINDOW)
     ) lines (
-        .clock, .advance(advance && has_words && uses_lines), .window, .in(words_read[0+:DEPTH_WIDTH]), .around(of_lines)
+        .clock, .advance(advance && has_words && uses_lines), .window, .in(words_read[0+:DEPTH_WIDTH]),
+        .around(of_lines)
     );
     wire [5*DEPTH_WIDTH-1:0] words = uses_lines ? of_lines : around;
 
     pixel_comparison comparison (
         .fraction, .is_edge(judged.edge_bit), .has_own_depth(is_inner_border),
-        .own(words[0*DEPTH_WIDTH+:DEPTH_WIDTH]), .below(words[1*DEPTH_WIDTH+:DEPTH_WIDTH]), .above(words[2*DEPTH_WIDTH+:DEPTH_WIDTH]), .right(words[3*DEPTH_WIDTH+:DEPTH_WIDTH]), .left(words[4*DEPTH_WIDTH+:DEPTH_WIDTH]),
+        .own(words[0*DEPTH_WIDTH+:DEPTH_WIDTH]), .below(words[1*DEPTH_WIDTH+:DEPTH_WIDTH]),
+        .above(words[2*DEPTH_WIDTH+:DEPTH_WIDTH]), .right(words[3*DEPTH_WIDTH+:DEPTH_WIDTH]),
+        .left(words[4*DEPTH_WIDTH+:DEPTH_WIDTH]),
         .observed(judged.observed_depth), .is_inlier, .is_valid_depth
     );
     assign counts = has_words && judged.is_pixel;

@@ -12,7 +12,7 @@ module shift_register #(
 );
     logic [BITS-1:0] words[PLACES];
     logic [INDEX_BITS-1:0] newest = '0;
-    initial for (int i = 0; i < PLACES; ++i) words[i] = '0;
+    initial for (int i = 0; i < PLACES; i = i + 1) words[i] = '0;
     wire [INDEX_BITS-1:0] next = newest + INDEX_BITS'(1);
     wire [INDEX_BITS-1:0] at = newest - index;
 

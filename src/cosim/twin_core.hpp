@@ -9,14 +9,14 @@
 
 namespace faster::rtl {
 
-/// Whether this program was built with Verilator; if not, a TwinCore cannot be made.
+/// Whether this program was built with Verilator.
 bool has_twin();
 
 /// A raster core at register-transfer level (rtl/), verilated: goes from cycle to cycle. Its surroundings are here:
 /// headers, vertices and the observation come from the stimulus as soon as it asks.
 class TwinCore {
   public:
-    /// Of `samples` samples from `first` on; the stimulus must outlive it. Throws InputError without Verilator.
+    /// Of `samples` samples from `first` on; the stimulus must outlive it. Errors: std::logic_error without has_twin().
     TwinCore(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples);
     ~TwinCore();
 

@@ -1,5 +1,6 @@
+#include <stdexcept>
+
 #include "cosim/twin_core.hpp"
-#include "kernel/base/input_error.hpp"
 
 namespace faster::rtl {
 
@@ -8,8 +9,7 @@ struct TwinCore::Parts {};
 bool has_twin() { return false; }
 
 TwinCore::TwinCore(TwinSettings const&, Stimulus const&, std::size_t, std::size_t) {
-    throw InputError(
-        "cosim: this program was built without Verilator, expected it when CMake is run (scripts/setup.sh --dev)");
+    throw std::logic_error("there is no twin: built without Verilator");
 }
 TwinCore::~TwinCore() = default;
 

@@ -56,10 +56,14 @@ bool tell(std::size_t core, rtl::Compared const& compared) {
 }  // namespace
 
 int cosim(CosimRequest const& request) {
+    if (!rtl::has_twin())
+        throw InputError("cosim: expected a program built with Verilator (scripts/setup.sh --dev, then CMake again)");
     rtl::TwinSettings const settings = settings_of(request);
     LoadedConfig loaded = config_of(request, {});
     Stimulus const stimulus = load_stimulus(loaded);
     AcceleratorConfig const& config = accelerator_of(loaded.config);
+    if (request.core >= 0 && static_cast<std::uint64_t>(request.core) >= config.cores)
+        throw InputError(fmt::format("--core {}: expected 0 to {}", request.core, config.cores - 1));
     rtl::KeptMaps maps;
     bool is_same = true;
     SimulationOptions options;

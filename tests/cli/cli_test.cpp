@@ -419,7 +419,7 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {"fly"},
                   {"unknown command fly",
                    "run, check, record, explore, whatif, sensitivities, size-fifos, compare, compare-architectures, "
-                   "sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
+                   "cosim, sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});

@@ -225,6 +225,9 @@ TEST_CASE("The command says where model and twin differ first, and with which va
     auto const stale = cosim({"--no-forwarding"});  // the trace has two hazards
     CHECK(stale.exit_code == 1);
     CHECK(stale.out.find("memory edge_map, row 13, column 14: the model has 0, the twin 1\n") != std::string::npos);
+    auto const absent = cosim({"--core", "1"});
+    CHECK(absent.exit_code == 2);
+    CHECK(absent.err.find("--core 1: expected 0 to 0") != std::string::npos);
     auto const other = cosim({"--set", "accelerator.rasterizer.scan=spans"});
     CHECK(other.exit_code == 2);
     CHECK(other.err.find("accelerator.rasterizer.scan = another value, expected zigzag") != std::string::npos);

@@ -150,7 +150,7 @@ class EstimateRun {
         if (request_.recorded_iteration >= scored_.size())
             throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
                                          request_.recorded_iteration, scored_.size()));
-        return IterationRecording{request_.recorded_iteration, request_.events, request_.recording};
+        return IterationRecording{request_.recorded_iteration, request_.events, request_.recording, request_.force};
     }
 
     /// Of the frame of the scene's mesh.
@@ -270,6 +270,7 @@ Subcommand estimate_command() {
                 .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
                 ->type_name("FILE");
             add_recording_options(command, request->recording);
+            command.add_flag("--force", request->force, "Write even a waveform of more than 2 GB");
             return [request] { return estimate_pose(*request); };
         }};
 }

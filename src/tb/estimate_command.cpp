@@ -151,9 +151,10 @@ class EstimateRun {
         if (request_.recorded_iteration >= scored_.size())
             throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
                                          request_.recorded_iteration, scored_.size()));
-        IterationRecording recording{request_.recorded_iteration, request_.events, request_.recording};
+        IterationRecording recording{request_.recorded_iteration, request_.events, request_.recording, request_.force};
         if (folder != nullptr)
-            for (std::string* const file : {&recording.events, &recording.request.vcd, &recording.request.timeline})
+            for (std::string* const file :
+                 {&recording.events, &recording.request.vcd, &recording.request.fst, &recording.request.timeline})
                 if (!file->empty())
                     *file = folder->place_of(*file).string();
         return recording;
@@ -286,6 +287,7 @@ Subcommand estimate_command() {
                 .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
                 ->type_name("FILE");
             add_recording_options(command, request->recording);
+            command.add_flag("--force", request->force, "Write even a waveform of more than 2 GB");
             return [request] { return estimate_pose(*request); };
         }};
 }

@@ -12,6 +12,7 @@
 #include "modules/faster_simulation.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
+#include "tool/waveform_size.hpp"
 #include "workload/build_stimulus.hpp"
 
 namespace faster {
@@ -85,11 +86,24 @@ std::vector<processes::Outcome> simulate_all(IterationSimulation const& simulati
                               [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
 }
 
+/// Before any work is done for it.
+void announce_waveform(IterationRecording const& recording, LoadedConfig const& loaded, Stimulus stimulus,
+                       ScoredPoses const& iteration) {
+    workload::set_poses(iteration.poses, stimulus);
+    announce_waveform(recording.request, machine_of(loaded.config), stimulus.samples.size(), recording.force,
+                      [&](SimulationOptions const& options) {
+                          return simulate(accelerator_of(loaded.config), stimulus, loaded.config.simulation.engine,
+                                          options);
+                      });
+}
+
 }  // namespace
 
 IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
                                     std::vector<ScoredPoses> const& iterations,
                                     std::optional<IterationRecording> const& recording, std::size_t jobs) {
+    if (recording)
+        announce_waveform(*recording, loaded, observed, iterations.at(recording->iteration));
     IterationCycles result;
     IterationSimulation const simulation(loaded, observed, recording);
     std::vector<processes::Outcome> const outcomes = simulate_all(simulation, iterations, jobs);

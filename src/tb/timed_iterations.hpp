@@ -27,6 +27,7 @@ struct IterationRecording {
     std::uint64_t iteration = 0;
     std::string events;  ///< file; empty: none
     RecordingRequest request;
+    bool force = false;  ///< even a waveform of more than 2 GB
 };
 
 /// Simulates every iteration on the configured accelerator, each in a process of its own, as the SystemC kernel

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <unistd.h>
 
+#include "kernel/base/files/hidden_name.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/machine/core_share.hpp"
@@ -153,9 +154,9 @@ void announce_waveform(RecordingRequest const& request, Machine const& machine, 
         require_small("--fst", request.fst, size->fst_bytes);
     }
     if (!request.vcd.empty())
-        say("{}: about {}\n", request.vcd, text_of(size->vcd_bytes));
+        say("{}: about {}\n", io::without_hidden_names(request.vcd).string(), text_of(size->vcd_bytes));
     if (!request.fst.empty())
-        say("{}: about {}\n", request.fst, text_of(size->fst_bytes));
+        say("{}: about {}\n", io::without_hidden_names(request.fst).string(), text_of(size->fst_bytes));
     finish_saying();
 }
 

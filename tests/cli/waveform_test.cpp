@@ -433,7 +433,7 @@ TEST_CASE("A save file names files beside it, and groups end as they begin", "[v
     CHECK(waves.text("a.edge_token_kind.txt") == "0 edge\n1 object\n2 end\n");
     auto const count = [&lines](char const* flags) { return std::count(lines.begin(), lines.end(), flags); };
     CHECK(count("@c00200") > 10);
-    CHECK(count("@c00200") == count("@1400200"));
+    CHECK(count("@c00200") == count("@1401200"));
     CHECK(count("@800200") == count("@1000200"));
 }
 

@@ -19,7 +19,8 @@ namespace {
 // GTKWave's trace flags.
 using Flags = std::uint64_t;
 constexpr Flags decimal = 0x24, binary = 0x28, signed_decimal = 0x424, translated = 0x2022, named = 0x100000028;
-constexpr Flags group_begin = 0x800200, group_end = 0x1000200, closed = 0x400000;
+constexpr Flags group_begin = 0x800200, group_end = 0x1000200;
+constexpr Flags closed_group_begin = 0xc00200, closed_group_end = 0x1401200;
 
 constexpr double first_cycles = 300;  // shown at first
 constexpr double ticks_across = 5;    // marks of the time axis, 200 pixels apart
@@ -40,12 +41,12 @@ class Save {
     Save(std::string stem, ValueNames names) : stem_(std::move(stem)), names_(names) {}
 
     void open_group(std::string const& name, bool is_closed) {
-        flags(group_begin | (is_closed ? closed : 0));
+        flags(is_closed ? closed_group_begin : group_begin);
         put("-{}\n", name);
         groups_.push_back({name, is_closed});
     }
     void close_group() {
-        flags(group_end | (groups_.back().is_closed ? closed : 0));
+        flags(groups_.back().is_closed ? closed_group_end : group_end);
         put("-{}\n", groups_.back().name);
         groups_.pop_back();
     }

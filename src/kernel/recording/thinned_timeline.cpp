@@ -13,11 +13,11 @@ using Spans = std::vector<TimelineSpan>;
 /// Spans shorter than the grain divided by this are left out.
 constexpr Cycles shortest_shown = 4;
 
-std::size_t size_of(CoreTimeline const& timeline) {
-    std::size_t size = timeline.spans.size();
-    for (auto const& points : timeline.occupancy)
-        size += points.size();
-    return size;
+std::size_t points_of(CoreTimeline const& timeline) {
+    std::size_t points = 0;
+    for (auto const& of_fifo : timeline.occupancy)
+        points += of_fifo.size();
+    return points;
 }
 
 /// Joins neighbours on the same level of one module. Stalls stay in their loop.
@@ -91,18 +91,14 @@ std::vector<OccupancyPoint> largest_in_stretches(std::vector<OccupancyPoint> con
     return thinned;
 }
 
-CoreTimeline seen_with(CoreTimeline const& timeline, Cycles grain) {
-    CoreTimeline thinned{timeline.core, timeline.machine, join(timeline.spans, grain), {}, timeline.samples};
-    for (auto const& points : timeline.occupancy)
-        thinned.occupancy.push_back(largest_in_stretches(points, grain));
-    return thinned;
-}
-
 }  // namespace
 
 CoreTimeline thinned(CoreTimeline timeline, std::size_t most) {
-    for (Cycles grain = 128; size_of(timeline) > most; grain *= 2)
-        timeline = seen_with(timeline, grain);
+    for (Cycles grain = 128; timeline.spans.size() > most / 2; grain *= 2)
+        timeline.spans = join(timeline.spans, grain);
+    for (Cycles grain = 128; points_of(timeline) > most / 2; grain *= 2)
+        for (auto& points : timeline.occupancy)
+            points = largest_in_stretches(points, grain);
     return timeline;
 }
 

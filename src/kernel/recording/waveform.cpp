@@ -122,8 +122,7 @@ std::uint64_t Waveform::ticks_of(Cycles cycle) const {
 void Waveform::flush_cycle() {
     if (cycle_ < all_windows_.first || cycle_ > all_windows_.second + 1)
         return;
-    if (cycle_ == all_windows_.first)
-        std::sort(dirty_.begin(), dirty_.end());  // not in the order of what happened before
+    std::sort(dirty_.begin(), dirty_.end());  // engines may tell of one cycle in another order
     go_to(ticks_of(cycle_));
     change(clock_, is_in(all_windows_) ? Bits(1) : std::nullopt);
     for (Signal const signal : dirty_) {

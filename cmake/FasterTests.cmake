@@ -12,7 +12,8 @@ file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp "")
 add_library(faster_test_header OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp)
 target_precompile_headers(faster_test_header PRIVATE <catch2/catch.hpp>)
 target_link_libraries(faster_test_header PRIVATE faster_options Catch2::Catch2)
-target_compile_options(faster_test_header PRIVATE $<$<CONFIG:Release>:-O0>)
+set_target_properties(faster_test_header PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+target_compile_options(faster_test_header PRIVATE -fPIE $<$<CONFIG:Release>:-O0>)  # as executables are compiled
 
 # faster_add_test_library(NAME <STATIC|OBJECT> SOURCES... [LIBRARIES...])
 function(faster_add_test_library name type)

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cosim/comparison.hpp"
+#include "tb/cosim/comparison.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/design.hpp"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "cosim/comparison.hpp"
+#include "tb/cosim/comparison.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/config/layered_config.hpp"
 #include "kernel/figures/table_rows.hpp"

@@ -1,4 +1,4 @@
-#include "cosim/twin_settings.hpp"
+#include "tb/cosim/twin_settings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/twin_core.hpp"
+#include "tb/cosim/twin_core.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/recording/recorded_core.hpp"
 #include "modules/core_context.hpp"

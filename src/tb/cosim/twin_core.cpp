@@ -1,4 +1,4 @@
-#include "cosim/twin_core.hpp"
+#include "tb/cosim/twin_core.hpp"
 
 #include <Vcosimulated_core.h>
 #include <Vcosimulated_core___024root.h>

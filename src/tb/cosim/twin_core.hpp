@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/stimulus.hpp"
-#include "cosim/twin_settings.hpp"
+#include "tb/cosim/twin_settings.hpp"
 
 namespace faster::rtl {
 

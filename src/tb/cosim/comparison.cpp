@@ -1,4 +1,4 @@
-#include "cosim/comparison.hpp"
+#include "tb/cosim/comparison.hpp"
 
 #include <algorithm>
 #include <chrono>

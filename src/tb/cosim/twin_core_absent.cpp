@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "cosim/twin_core.hpp"
+#include "tb/cosim/twin_core.hpp"
 
 namespace faster::rtl {
 

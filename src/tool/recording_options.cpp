@@ -79,7 +79,7 @@ void require_writable(std::string const& file) {
 }
 
 /// What a timeline may hold: about 100 MB of JSON.
-constexpr std::size_t most_spans = 600'000;
+constexpr std::size_t most_spans = 800'000;
 
 /// What is known of a timeline when the run is over.
 struct Timeline {

@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "tb/cosim/comparison.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/layered_config.hpp"
 #include "modules/faster_simulation.hpp"
+#include "tb/cosim/comparison.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"

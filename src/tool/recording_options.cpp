@@ -153,6 +153,18 @@ std::vector<std::pair<std::filesystem::path, ValueNames>> waveforms_of(Recording
     return files;
 }
 
+/// What values mean, as write_gtkwave_save() writes it beside a VCD.
+std::vector<std::string> tables_beside(std::filesystem::path const& waveform) {
+    std::string const begin = waveform.stem().string() + ".";
+    std::vector<std::string> tables;
+    for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::absolute(waveform).parent_path())) {
+        std::string const name = entry.path().filename().string();
+        if (name.rfind(begin, 0) == 0 && entry.path().extension() == ".txt")
+            tables.push_back((waveform.parent_path() / name).string());
+    }
+    return tables;
+}
+
 RecordingRequest placed(RecordingRequest request, PlaceOf const& place_of) {
     for (std::string* const file : {&request.vcd, &request.fst})
         if (!file->empty())
@@ -254,13 +266,18 @@ void add_paths(RecordingRequest const& request, CommandPaths& paths) {
 }
 
 std::string written_files(RecordingRequest const& request) {
-    std::set<std::string> files;
+    std::vector<std::string> files;
     for (std::string const& file : {request.timeline, request.vcd, request.fst})
         if (!file.empty())
-            files.insert(file);
-    for (auto const& [file, names] : waveforms_of(request))
-        for (std::filesystem::path const& beside : recording::files_beside(file, names))
-            files.insert(beside.string());
+            files.push_back(file);
+    std::set<std::string> beside;
+    for (auto const& [file, names] : waveforms_of(request)) {
+        beside.insert(std::filesystem::path(file).replace_extension(".gtkw").string());
+        if (names == ValueNames::in_tables)
+            for (std::string const& table : tables_beside(file))
+                beside.insert(table);
+    }
+    files.insert(files.end(), beside.begin(), beside.end());
     return fmt::format("{}", fmt::join(files, ", "));
 }
 

@@ -108,7 +108,7 @@ WaveformSize scaled(Trial const& trial, Scale const& scale, Machine const& machi
 
 std::string text_of(double bytes) {
     if (bytes < 1e6)
-        return fmt::format("{:.2g} kB", std::max(1.0, bytes / 1e3));
+        return fmt::format("{:.0f} kB", std::max(1.0, bytes / 1e3));
     return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 

@@ -144,10 +144,10 @@ TEST_CASE("Whatever the number of descriptors, a command is done or leaves nothi
         std::string const name = "out" + std::to_string(most);
         if (run_command("/bin/sh", {"-c", limit + FASTER_SIM_BINARY " --version || exit 1"}, "/").exit_code != 0)
             continue;  // no room for its libraries
-        CommandResult const result = run_command(
-            "/bin/sh",
-            {"-c", limit + "exec " FASTER_SIM_BINARY " run config.yaml --out " + name + " --vcd " + name + "/w.vcd"},
-            workspace.folder().path());
+        CommandResult const result = run_command("/bin/sh",
+                                                 {"-c", limit + "exec " FASTER_SIM_BINARY " run config.yaml --out " +
+                                                            name + " --vcd " + name + "/w.vcd --vcd-to 99"},
+                                                 workspace.folder().path());
         CAPTURE(most, result.err);
         bool const is_done = result.exit_code == 0;
         CHECK(is_done == fs::exists(workspace.folder() / name));

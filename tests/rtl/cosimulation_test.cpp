@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "tb/cosim/comparison.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/config/layered_config.hpp"
 #include "kernel/figures/table_rows.hpp"
@@ -11,6 +10,7 @@
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
+#include "tb/cosim/comparison.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster::testing::cosimulation_test {

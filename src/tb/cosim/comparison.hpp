@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "tb/cosim/twin_core.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/recording/recorded_core.hpp"
 #include "modules/core_context.hpp"
+#include "tb/cosim/twin_core.hpp"
 
 namespace faster::rtl {
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
+#include <string_view>
+#include <vector>
 
 #include "kernel/base/held_signals.hpp"
 #include "kernel/base/input_error.hpp"
@@ -30,7 +32,9 @@ class Tool {
 
     int run(int argc, char** argv) const {
         try {
-            int const code = parse(argc, argv)();
+            std::vector<char*> words(argv, argv + argc);
+            ask_for_help(words);
+            int const code = parse(static_cast<int>(words.size()), words.data())();
             finish_saying();
             return code;
         } catch (InputError const& error) {
@@ -48,6 +52,15 @@ class Tool {
     }
 
   private:
+    /// "help" and "help COMMAND" are as "--help" and "COMMAND --help".
+    static void ask_for_help(std::vector<char*>& words) {
+        static char option[] = "--help";
+        if (words.size() < 2 || std::string_view(words[1]) != "help")
+            return;
+        words.erase(words.begin() + 1);
+        words.push_back(option);
+    }
+
     std::function<int()> parse(int argc, char** argv) const {
         if (argc > 1)
             require_known(argv[1]);

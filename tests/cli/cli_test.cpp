@@ -413,6 +413,13 @@ TEST_CASE("A folder that cannot be written is refused in one line") {
     CHECK(workspace.text("file") == "kept");
 }
 
+TEST_CASE("help and help of a command are as --help") {
+    auto const said = [](Words const& words) { return run_command(FASTER_SIM_BINARY, words, "/").out; };
+    CHECK(said({"help"}) == said({"--help"}));
+    CHECK(said({"help", "run"}) == said({"run", "--help"}));
+    CHECK(said({"help"}).find("Subcommands:") != std::string::npos);
+}
+
 TEST_CASE("Wrong usage is refused in one line") {
     Workspace const workspace;
     check_refused(workspace, {}, {"subcommand"});

@@ -171,10 +171,7 @@ class BudgetReader {
 }  // namespace
 
 Budget read_budget(std::filesystem::path const& file, BaselineNeed need) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        throw InputError(file.string() + ": no such file, expected a budget file");
-    return BudgetReader(file, need).read(load_document(file));
+    return BudgetReader(file, need).read(load_document(file, "a budget file"));
 }
 
 }  // namespace faster::budgets

@@ -33,7 +33,7 @@ Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
 }  // namespace
 
 std::vector<Settings> read_settings_list(std::filesystem::path const& path) {
-    YAML::Node const root = load_document(path);
+    YAML::Node const root = load_document(path, "a list of settings");
     if (!root.IsSequence())
         fail(path, 1,
              fmt::format("expected a list of maps, one per configuration, such as - {{{}: 4}}", example_key()));

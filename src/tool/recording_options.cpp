@@ -159,7 +159,8 @@ std::vector<std::string> tables_beside(std::filesystem::path const& waveform) {
     std::vector<std::string> tables;
     for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::absolute(waveform).parent_path())) {
         std::string const name = entry.path().filename().string();
-        if (name.rfind(begin, 0) == 0 && entry.path().extension() == ".txt")
+        bool const is_named = name.rfind(begin, 0) == 0 && name.find('.', begin.size()) != std::string::npos;
+        if (is_named && entry.path().extension() == ".txt")
             tables.push_back((waveform.parent_path() / name).string());
     }
     return tables;

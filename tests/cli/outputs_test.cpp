@@ -94,10 +94,13 @@ TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {
     std::string const waves = workspace.small().text("new/o/w.vcd");
     workspace.folder().write("new/o/notes.txt", "mine");
     workspace.folder().write("new/o/w.vcd", "older");
-    require_done(workspace.tool(words));
+    workspace.folder().write("new/o/w.txt", "not of the waveform");
+    CommandResult const again = workspace.tool(words);
+    require_done(again);
+    CHECK(again.out.find("w.txt") == std::string::npos);
     CHECK(workspace.small().text("new/o/notes.txt") == "mine");
     CHECK(workspace.small().text("new/o/w.vcd") == waves);
-    CHECK(workspace.small().files_in("new/o") == 14);
+    CHECK(workspace.small().files_in("new/o") == 15);
     CHECK(workspace.small().files_in("new") == 1);
 }
 

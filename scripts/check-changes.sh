@@ -67,7 +67,8 @@ quietly cmake --install "build/$preset" --prefix "$root/kernel"
 (
     cd "$copy"
     quietly cmake --preset "$preset" -DFASTER_KERNEL="$root/kernel" -DFASTER_BUILD_TESTS=OFF -DFASTER_BUILD_EXAMPLES=OFF \
-        -DFASTER_BUILD_BENCHMARKS=OFF -DCMAKE_BUILD_TYPE=None
+        -DFASTER_BUILD_BENCHMARKS=OFF -DFASTER_BUILD_PYTHON=OFF -DCMAKE_DISABLE_FIND_PACKAGE_verilator=ON \
+        -DCMAKE_BUILD_TYPE=None
     quietly cmake --build --preset "$preset" --target faster-sim
 )
 before="$PWD/build/$preset/bin/faster-sim"

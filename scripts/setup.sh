@@ -3,7 +3,7 @@
 #   scripts/setup.sh             what building, testing and running need
 #   scripts/setup.sh --package   also what makes a .deb with man pages
 #   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
-#                                Verilator and Yosys for the register-transfer twin
+#                                and Yosys for what the register-transfer twin takes
 set -euo pipefail
 
 packages=(

@@ -33,15 +33,9 @@ if [[ "$tidy" == true ]]; then
 fi
 
 bash scripts/setup.sh "${setup_options[@]}"
-cmake --preset "$preset"
-cmake --build --preset "$preset"
-ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
 
+# What takes seconds comes first.
 bash scripts/check-layers.sh
-if [[ "${CI:-}" == true ]]; then
-    bash scripts/check-changes.sh "$preset"
-fi
-
 if command -v clang-format >/dev/null; then
     bash scripts/check-format.sh
 elif [[ "${CI:-}" == true ]]; then
@@ -49,6 +43,14 @@ elif [[ "${CI:-}" == true ]]; then
     exit 1
 else
     echo "test: no clang-format, format not checked (scripts/setup.sh --dev installs it)"
+fi
+
+cmake --preset "$preset"
+cmake --build --preset "$preset"
+ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
+
+if [[ "${CI:-}" == true ]]; then
+    bash scripts/check-changes.sh "$preset"
 fi
 
 if [[ "$tidy" == true ]]; then

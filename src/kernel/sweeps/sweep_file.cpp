@@ -132,6 +132,8 @@ class SweepReader {
 
 }  // namespace
 
-Sweep read_sweep_file(std::filesystem::path const& path) { return SweepReader(path).sweep(load_document(path, "a sweep file")); }
+Sweep read_sweep_file(std::filesystem::path const& path) {
+    return SweepReader(path).sweep(load_document(path, "a sweep file"));
+}
 
 }  // namespace faster::sweeps

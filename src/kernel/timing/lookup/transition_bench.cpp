@@ -241,9 +241,10 @@ bool TransitionBench::goes_on_waiting(unsigned member) {
     return true;
 }
 
-void TransitionBench::describe_stands(std::uint32_t actives, Transition& transition) {
+void TransitionBench::describe_stands(std::uint32_t told, Transition& transition) {
     for (unsigned m = 1; m < members_.size(); ++m) {
-        bool const active = ((actives >> m) & 1U) != 0;
+        // One that is told nothing may go on with what it was told before.
+        bool const active = ((told >> m) & 1U) != 0 || members_[m].has_accessed;
         if (!active && (members_[m].process.is_frozen() || goes_on_waiting(m)))
             continue;
         bool const arrived = active && !members_[m].still_waits();

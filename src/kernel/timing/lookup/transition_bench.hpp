@@ -69,7 +69,7 @@ class TransitionBench {
     Waiting park_follower(unsigned member);
     bool goes_on_waiting(unsigned member);
     void save();
-    void describe_stands(std::uint32_t actives, Transition& transition);
+    void describe_stands(std::uint32_t told, Transition& transition);
     void describe_rooms(Transition& transition);
     void take_figures(FigureBlocks& figures);
 

@@ -1,4 +1,4 @@
-// What re-times recorded runs in the process of Python. Simulations are processes of their own (program.py): SystemC can
+// What re-times recorded runs in the process of Python. Simulations are processes of their own (_program.py): SystemC can
 // elaborate one design per process.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -22,6 +22,7 @@
 #include "kernel/events/retimed_config.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/retime_many.hpp"
+#include "kernel/replay/scripted_run.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/csv.hpp"
 #include "kernel/report/sensitivity_report.hpp"
@@ -50,9 +51,12 @@ struct Cancelled {};
 class Work {
   public:
     /// Called by the work, from any of its threads.
-    void at(std::size_t done, std::size_t all) {
+    void check() const {
         if (is_cancelled_)
             throw Cancelled();
+    }
+    void tell(std::size_t done, std::size_t all) {
+        check();
         done_ = done;
         all_ = all;
     }
@@ -114,7 +118,10 @@ struct Retimed {
 
 class Events {
   public:
-    explicit Events(std::string const& path) : path_(path), file_(events::read_event_file(path)) {}
+    explicit Events(std::string const& path)
+        : path_(path),
+          file_(events::read_event_file(path)),
+          scripted_(file_.run, file_.run.lead(machine_of(file_.loaded.config))) {}
 
     std::string const& path() const { return path_; }
     std::string const& recorded_summary() const { return file_.summary; }
@@ -130,7 +137,7 @@ class Events {
     Retimed retime(Overrides const& overrides) const {
         py::gil_scoped_release const others_may_run;
         LoadedConfig loaded = events::retimed_config(file_.loaded, overrides);
-        RunStatistics run = replay::retime(file_.run, machine_of(loaded.config));
+        RunStatistics run = replay::retime(scripted_, machine_of(loaded.config));
         return {std::move(loaded), std::move(run)};
     }
 
@@ -145,9 +152,9 @@ class Events {
         return work.result_of(
             [&] {
                 LoadedConfig const loaded = events::retimed_config(file_.loaded, overrides);
-                RunStatistics run = replay::retime(file_.run, machine_of(loaded.config));
+                RunStatistics run = replay::retime(scripted_, machine_of(loaded.config));
                 run.sensitivities = replay::sensitivities(
-                    file_.run, loaded, [&work](std::size_t done, std::size_t all) { work.at(done, all); });
+                    file_.run, loaded, [&work](std::size_t done, std::size_t all) { work.tell(done, all); });
                 run.alternatives = replay::alternatives(file_.run, loaded);
                 return report::sensitivities_csv(run);
             },
@@ -163,10 +170,11 @@ class Events {
                 options.within_percent = within_percent;
                 options.front_points = front_points;
                 options.jobs = static_cast<unsigned>(jobs_or_host_cores(jobs));
+                options.before_retiming = [&work] { work.check(); };
                 LoadedConfig const loaded = events::retimed_config(file_.loaded, overrides);
                 return sizing::sizing_json(
                     sizing::size_fifos(file_.run, loaded.config, options,
-                                       [&work](std::size_t done, std::size_t all) { work.at(done, all); }));
+                                       [&work](std::size_t done, std::size_t all) { work.tell(done, all); }));
             },
             progress);
     }
@@ -176,21 +184,22 @@ class Events {
         std::vector<Machine> machines;
         std::vector<Row> rows;
         for (Overrides const& overrides : list) {
-            work.at(0, list.size());
+            work.tell(0, list.size());
             machines.push_back(machine_of(events::retimed_config(file_.loaded, overrides).config));
             rows.emplace_back(std::nullopt, machines.back().clock_mhz);
         }
         std::size_t done = 0;
-        replay::retime_many(file_.run, machines, [&](std::size_t i, RunStatistics const& run) {
+        replay::retime_many(scripted_, machines, [&](std::size_t i, RunStatistics const& run) {
             if (!run.deadlocked())
                 rows[i].first = run.total_cycles;
-            work.at(++done, machines.size());
+            work.tell(++done, machines.size());
         });
         return rows;
     }
 
     std::string path_;
     events::EventFile file_;
+    replay::ScriptedRun scripted_;  ///< made ready once, for many retimings
 };
 
 }  // namespace

@@ -76,8 +76,5 @@ def load_events(path: Path_) -> Events:
 
 def record(config: Path_, path: Path_, *, progress: Optional[Progress] = None, **values: object) -> Events:
     """Runs a configuration and keeps its events in a file."""
-    arguments = ["run", os.fspath(config), "--events", os.fspath(path)]
-    for override in _program.overrides(values):
-        arguments += ["--set", override]
-    _program.call(arguments, progress)
+    _program.call(["run", os.fspath(config), "--events", os.fspath(path), *_program.settings(values)], progress)
     return Events(path)

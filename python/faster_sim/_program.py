@@ -26,6 +26,11 @@ def overrides(values: Mapping[str, object]) -> list[str]:
     return [f"{key.replace('__', '.')}={_as_yaml(value)}" for key, value in values.items()]
 
 
+def settings(values: Mapping[str, object]) -> list[str]:
+    """The same as options of the program."""
+    return [word for override in overrides(values) for word in ("--set", override)]
+
+
 def call(arguments: Sequence[str], progress: Optional[Progress] = None) -> tuple[int, str]:
     """The exit code and what was said on stderr. Raises InputError with the program's line, where the input is bad."""
     with tempfile.TemporaryFile() as errors:

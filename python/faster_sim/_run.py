@@ -23,9 +23,7 @@ def run(config: Path_, *, out: Optional[Path_] = None, progress: Optional[Progre
     """
     with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
         folder = Path(out if out is not None else Path(temporary) / "run")
-        arguments = ["run", os.fspath(config), "--out", str(folder)]
-        for override in _program.overrides(values):
-            arguments += ["--set", override]
+        arguments = ["run", os.fspath(config), "--out", str(folder), *_program.settings(values)]
         code, said = _program.call(arguments, progress)
         return _result_in(folder, said if code == _program.EXIT_DEADLOCK else "")
 

@@ -57,19 +57,10 @@ void Recordings::forget_bursts() {
     memory_->forget_before(from);
 }
 
-recording::RecordedCore Recordings::recorded(Recorder& recorder, Cycles end) const {
-    DataflowCore const& core = *accelerator_.cores()[recorder.core];
-    recording::RecordedCore recorded;
+recording::RecordedCore Recordings::recorded(Recorder& recorder, Cycles end) {
+    recording::RecordedCore recorded = recorder.recorder->recorded();
     recorded.core = recorder.core;
-    recorded.machine = &core.machine();
-    recorded.from = recorder.recorder->from();
-    recorded.to = std::min(recorder.recorder->to(), end == 0 ? 0 : end - 1);
-    for (timing::FifoTiming const& fifo : core.timing().fifos())
-        recorded.fifos.push_back(fifo.shape());
-    for (std::size_t fifo = 0; fifo < recorded.fifos.size(); ++fifo)
-        recorded.token_layouts.push_back(core.token_fields(fifo));
-    recorded.memory_activity = [&core] { return core.memory_activity(); };
-    recorded.spools = &recorder.recorder->spools();
+    recorded.to = std::min(recorded.to, end == 0 ? 0 : end - 1);
     return recorded;
 }
 

@@ -27,7 +27,7 @@ class Recordings {
     void attach(std::size_t core, std::vector<recording::CoreRecorder*> const& recorders);
     void listen_to_memory();
     void forget_bursts();
-    recording::RecordedCore recorded(Recorder& recorder, Cycles end) const;
+    recording::RecordedCore recorded(Recorder& recorder, Cycles end);
 
     DataflowAccelerator& accelerator_;
     std::vector<Recording> const& requests_;

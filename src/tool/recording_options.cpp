@@ -273,7 +273,8 @@ std::string written_files(RecordingRequest const& request) {
             files.push_back(file);
     std::set<std::string> beside;
     for (auto const& [file, names] : waveforms_of(request)) {
-        beside.insert(std::filesystem::path(file).replace_extension(".gtkw").string());
+        for (std::filesystem::path const& one : recording::files_beside(file, names))
+            beside.insert(one.string());
         if (names == ValueNames::in_tables)
             for (std::string const& table : tables_beside(file))
                 beside.insert(table);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
-#include <unistd.h>
 
 #include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/scratch.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/machine/core_share.hpp"
@@ -28,23 +29,6 @@ struct Trial {
     bool is_stuck = false;  ///< all cores end there
 };
 
-/// A file that is removed again.
-class ScratchFile {
-  public:
-    ScratchFile()
-        : path_(std::filesystem::temp_directory_path() / ("faster-sim-" + std::to_string(getpid()) + ".fst")) {}
-    ~ScratchFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    ScratchFile(ScratchFile const&) = delete;
-    ScratchFile& operator=(ScratchFile const&) = delete;
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
-
 /// Of the first core.
 std::size_t samples_to_try(Machine const& machine, std::size_t samples) {
     return std::min(samples_tried, share_of(0, machine.cores, samples).count);
@@ -52,14 +36,17 @@ std::size_t samples_to_try(Machine const& machine, std::size_t samples) {
 
 Trial try_samples(RecordingRequest request, Machine const& machine, std::size_t samples,
                   SimulateDesign const& simulate) {
-    ScratchFile const scratch;
     Trial trial;
     request.vcd = request.vcd.empty() ? "" : "/dev/null";
-    request.fst = request.fst.empty() ? "" : scratch.path();
     Recording recording;
     recording.window.cores = {0};
     recording.window.samples = recording::RecordingWindow::Samples{0, samples - 1};
     recording.done = [&](recording::RecordedWindow const& window) {
+        std::optional<io::Scratch> scratch;
+        if (!request.fst.empty())
+            request.fst =
+                scratch.emplace(std::filesystem::temp_directory_path() / "faster-sim.fst", io::Scratch::Kind::file)
+                    .path();
         std::vector<double> const bytes = write_waveform_files(request, machine, window);
         trial.cycles = window.to() + 1 - window.from();
         trial.size.vcd_bytes = request.vcd.empty() ? 0 : bytes.front();

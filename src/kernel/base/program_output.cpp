@@ -1,21 +1,15 @@
 #include "kernel/base/program_output.hpp"
 
-#include <cstdio>
 #include <fcntl.h>
-#include <memory>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "kernel/base/files/c_file.hpp"
+
 namespace faster {
 
 namespace {
-
-struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-/// Instead of a pipe: nobody has to read while somebody writes, and nobody is told by a signal that the other is gone.
-using TemporaryFile = std::unique_ptr<std::FILE, Closer>;
 
 bool write_all(std::string const& text, std::FILE* file) {
     return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
@@ -53,8 +47,10 @@ bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
 }  // namespace
 
 std::optional<std::string> program_output(std::vector<std::string> words, std::string const& input) {
-    TemporaryFile const in(std::tmpfile());
-    TemporaryFile const out(std::tmpfile());
+    // Instead of pipes: nobody has to read while somebody writes, and nobody is told by a signal that the other is
+    // gone.
+    io::CFile const in(std::tmpfile());
+    io::CFile const out(std::tmpfile());
     if (!in || !out || !write_all(input, in.get()) || !run(words, in.get(), out.get()))
         return std::nullopt;
     return read_all(out.get());

@@ -80,16 +80,8 @@ SampleTimeline replayed_timeline(replay::RecordedRun const& run, Machine const& 
     core.catch_up();
     recorder.finish();
 
-    recording::RecordedCore recorded;
+    recording::RecordedCore recorded = recorder.recorded();
     recorded.core = sample.core;
-    recorded.machine = &machine;
-    recorded.from = recorder.from();
-    recorded.to = recorder.to();
-    for (timing::FifoTiming const& fifo : core.timing().fifos())
-        recorded.fifos.push_back(fifo.shape());
-    for (std::size_t fifo = 0; fifo < recorded.fifos.size(); ++fifo)
-        recorded.token_layouts.push_back(core.token_fields(fifo));
-    recorded.spools = &recorder.spools();
     return recording::sample_timeline(recorded, sample.sample);
 }
 

@@ -208,4 +208,18 @@ void CoreRecorder::stop() {
     taps_.clear();
 }
 
+RecordedCore CoreRecorder::recorded() {
+    RecordedCore recorded;
+    recorded.machine = &core_.machine();
+    recorded.from = from();
+    recorded.to = to();
+    for (timing::FifoTiming const& fifo : core_.timing().fifos())
+        recorded.fifos.push_back(fifo.shape());
+    for (std::size_t fifo = 0; fifo < recorded.fifos.size(); ++fifo)
+        recorded.token_layouts.push_back(core_.token_fields(fifo));
+    recorded.memory_activity = [&core = core_] { return core.memory_activity(); };
+    recorded.spools = &spools_;
+    return recorded;
+}
+
 }  // namespace faster::recording

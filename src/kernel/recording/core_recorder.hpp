@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/recording/core_capture.hpp"
+#include "kernel/recording/recorded_core.hpp"
 #include "kernel/recording/recording_window.hpp"
 #include "kernel/recording/running_core.hpp"
 #include "kernel/recording/told_loops.hpp"
@@ -28,7 +29,8 @@ class CoreRecorder {
     /// The run is over.
     void finish();
 
-    Spools& spools() { return spools_; }
+    /// What it has recorded, as core 0, once the run is over. Core and recorder must outlive that.
+    RecordedCore recorded();
     /// First and last cycle wanted; known after finish().
     Cycles from() const { return from_.value_or(~Cycles{0}); }
     Cycles to() const { return to_.value_or(~Cycles{0}); }

@@ -1,9 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <vector>
 
+#include "kernel/base/files/c_file.hpp"
 #include "kernel/recording/event.hpp"
 
 namespace faster::recording {
@@ -39,10 +38,7 @@ class EventSpool {
     void spill();
     void refill();
 
-    struct Closer {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    std::unique_ptr<std::FILE, Closer> file_;
+    io::CFile file_;
     std::vector<std::uint8_t> buffer_;
     std::uint8_t* at_ = nullptr;
     std::uint8_t* end_ = nullptr;     ///< of what is to be read, or of the room

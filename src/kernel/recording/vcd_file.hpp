@@ -1,11 +1,10 @@
 #pragma once
 #include <array>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "kernel/base/files/c_file.hpp"
 #include "kernel/recording/unfinished_file.hpp"
 #include "kernel/recording/waveform_file.hpp"
 
@@ -35,11 +34,8 @@ class VcdFile : public WaveformFile {
     void make_room();
     void write_out();
 
-    struct Closer {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     UnfinishedFile target_;
-    std::unique_ptr<std::FILE, Closer> file_;
+    io::CFile file_;
     std::vector<char> buffer_;
     std::size_t fill_ = 0;
     std::uint64_t bytes_ = 0;  ///< written out

@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "kernel/base/files/c_file.hpp"
 #include "kernel/base/files/zstd_frame.hpp"
 #include "kernel/base/uninitialized.hpp"
 #include "kernel/replay/scripted_sample.hpp"
@@ -42,12 +42,9 @@ class OperationTape {
     std::string const& name() const { return name_; }
 
   private:
-    struct Closer {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     [[noreturn]] void fail(char const* what) const;
 
-    std::unique_ptr<std::FILE, Closer> file_;
+    io::CFile file_;
     std::string name_ = "temporary file of operations";
     std::uint64_t written_ = 0;
     std::unique_ptr<io::ZstdPress> press_;  ///< once something is put

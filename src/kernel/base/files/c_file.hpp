@@ -1,0 +1,13 @@
+#pragma once
+#include <cstdio>
+#include <memory>
+
+namespace faster::io {
+
+struct CFileCloser {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+/// A file of the C library, closed by who has it last.
+using CFile = std::unique_ptr<std::FILE, CFileCloser>;
+
+}  // namespace faster::io

@@ -19,7 +19,7 @@ double quantile(std::vector<double> const& numbers, double share) {
 }  // namespace
 
 std::vector<ImageWeights> drawn_images(std::size_t images, std::size_t count, std::uint64_t seed) {
-    workload::Random random(seed);
+    Random random(seed);
     std::vector<ImageWeights> draws(count, ImageWeights(images, 0));
     for (ImageWeights& weights : draws) {
         for (std::size_t i = 0; i < images; ++i) {

@@ -15,7 +15,7 @@ struct Interval {
 };
 
 /// `count` times as many images as there are, drawn with replacement: how often each was drawn. The generator is
-/// workload::Random (std::mt19937_64); a draw is floor(uniform * images). The same on every machine.
+/// Random (std::mt19937_64); a draw is floor(uniform * images). The same on every machine.
 std::vector<ImageWeights> drawn_images(std::size_t images, std::size_t count, std::uint64_t seed);
 
 /// The middle 95 % of `replicates` around `value`: their quantiles 0.025 and 0.975, linear between order statistics

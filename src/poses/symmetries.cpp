@@ -7,7 +7,7 @@
 namespace faster::poses {
 namespace {
 
-constexpr double pi = workload::Random::pi;
+constexpr double pi = Random::pi;
 constexpr int steps_per_turn = 315;  // ceil(pi / 0.01)
 
 /// The i-th turn about an axis.

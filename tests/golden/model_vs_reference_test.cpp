@@ -20,8 +20,6 @@
 
 namespace faster::testing::model_vs_reference_test {
 
-using workload::Random;
-
 /// Those that are not the default, which all other tests here use.
 constexpr EdgeMapAlgorithm other_algorithms[] = {EdgeMapAlgorithm::threshold, EdgeMapAlgorithm::transition,
                                                  EdgeMapAlgorithm::bounded, EdgeMapAlgorithm::dual_map_4_1_2,

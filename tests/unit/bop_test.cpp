@@ -256,7 +256,7 @@ TEST_CASE("A file of results that is cut off anywhere is read or refused in one 
 TEST_CASE("Any value of a dataset may be of the wrong kind without more than a complaint", "[bop]") {
     auto const seed = static_cast<std::uint64_t>(GENERATE(1, 2));
     CAPTURE(seed);
-    workload::Random random(seed);
+    Random random(seed);
     auto const below = [&](std::size_t count) {
         return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
     };

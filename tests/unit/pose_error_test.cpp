@@ -14,8 +14,8 @@ namespace pose_error_test {
 using namespace faster;
 using namespace faster::poses;
 using Eigen::Vector3d;
+using faster::Random;
 using faster::test::BopFolder;
-using faster::workload::Random;
 
 Pose at(Vector3d const& translation) { return {Eigen::Matrix3d::Identity(), translation}; }
 

@@ -13,7 +13,7 @@
 namespace pose_scores_test {
 
 using namespace faster::poses;
-using faster::workload::Random;
+using faster::Random;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -17,7 +17,7 @@ double between_logarithms(double low, double high, double share) {
 
 }  // namespace
 
-KeyValue drawn_value(Draw const& draw, workload::Random& random) {
+KeyValue drawn_value(Draw const& draw, Random& random) {
     double const share = random.uniform();
     switch (draw.kind) {
         case Draw::Kind::integer:
@@ -31,7 +31,7 @@ KeyValue drawn_value(Draw const& draw, workload::Random& random) {
     }
 }
 
-Cell const& drawn_choice(Draw const& draw, workload::Random& random) {
+Cell const& drawn_choice(Draw const& draw, Random& random) {
     auto const count = static_cast<double>(draw.choices.size());
     return draw.choices[static_cast<std::size_t>(random.uniform() * count)];
 }

@@ -19,9 +19,9 @@ struct Draw {
 
 /// One value, as an integer or number. Takes one output of `random`. Of the logarithmic kinds every octave is equally
 /// likely. Not for a choice.
-KeyValue drawn_value(Draw const& draw, workload::Random& random);
+KeyValue drawn_value(Draw const& draw, Random& random);
 
 /// One of the choices.
-Cell const& drawn_choice(Draw const& draw, workload::Random& random);
+Cell const& drawn_choice(Draw const& draw, Random& random);
 
 }  // namespace faster::sweeps

@@ -55,7 +55,7 @@ std::optional<Draw> read_draw(Key const& key, MapEntry const& entry, ValueLists 
     return draw.choices.empty() ? std::nullopt : std::optional(draw);
 }
 
-std::vector<Cell> drawn_row(std::vector<KeyDraw> const& draws, workload::Random& random) {
+std::vector<Cell> drawn_row(std::vector<KeyDraw> const& draws, Random& random) {
     std::vector<Cell> row;
     for (auto const& [key, draw] : draws)
         row.push_back(draw.kind == Draw::Kind::choice ? drawn_choice(draw, random)
@@ -74,7 +74,7 @@ Dimension random_dimension(MapEntry const& random, std::int64_t count, std::uint
                 draws.emplace_back(key, *draw);
                 dimension.columns.push_back(key->name());
             }
-    workload::Random generator(seed);
+    Random generator(seed);
     for (std::int64_t i = 0; i < count && !draws.empty(); ++i)
         dimension.rows.push_back(drawn_row(draws, generator));
     return dimension;

@@ -23,7 +23,7 @@ double radius_of(Mesh const& mesh) {
     return radius;
 }
 
-Eigen::Matrix3d random_rotation(workload::Random& random) {
+Eigen::Matrix3d random_rotation(Random& random) {
     double const w = random.normal();
     double const x = random.normal();
     double const y = random.normal();
@@ -66,7 +66,7 @@ void look_at(std::size_t pose, Image<std::uint8_t> const& edge_map, Image<std::u
 }  // namespace
 
 std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_t seed) {
-    workload::Random random(seed);
+    Random random(seed);
     Camera const camera;
     double const distance = std::max(nearest_m, camera.fx * radius_of(mesh) / largest_radius_px);
     std::vector<Pose> poses(count);

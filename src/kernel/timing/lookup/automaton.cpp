@@ -193,12 +193,7 @@ bool Automaton::perform(StateView from) {
 }
 
 /// Of the state at which the bench is. None if it hardly comes again, or there are too many.
-Automaton::Number Automaton::number_of_state() {
-    Number const number = is_recurring() ? states_.number_of(bench_->state()) : none;
-    if (number != none)
-        bench_->is_at(states_[number]);
-    return number;
-}
+Automaton::Number Automaton::number_of_state() { return is_recurring() ? states_.number_of(bench_->state()) : none; }
 
 /// From where the session is.
 bool Automaton::work_out(Slot& slot) {

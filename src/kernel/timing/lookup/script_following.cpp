@@ -7,7 +7,6 @@ namespace faster::timing {
 namespace {
 constexpr std::size_t most_left_over = 8;  // operations that a follower may be behind
 constexpr std::size_t most_loose = 4096;   // transitions in one walk
-constexpr std::size_t soon = 128;          // phrases: long enough to fetch one from far away
 
 bool can_be_left_over(Operation const& operation, Group::Member const& member) {
     bool const foreign = (operation.all_ports() & ~member.inner_ports) != 0;
@@ -121,7 +120,6 @@ void Automaton::find_numbered_part(Walk& walk) {
 
 /// By the transition so many phrases ahead; the place's pointers stay. False if it is not known.
 inline bool Automaton::step(NumberedTransitions::Reader const& transitions, Place& place, std::size_t ahead) {
-    __builtin_prefetch(place.phrases + ahead + soon);
     Number const number = transitions.move(place.row, place.phrases[ahead]);
     if (number == NumberedTransitions::Known::none)
         return false;

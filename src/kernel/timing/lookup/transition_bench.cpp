@@ -48,9 +48,6 @@ void TransitionBench::connect(Group const& group) {
 }
 
 void TransitionBench::go_to(StateView state) {
-    if (state.words == at_ && base_ < furthest_apart)
-        return;
-    at_ = state.words;
     base_ = 0;
     StateWord const* words = state.words;
     for (Member& member : members_)
@@ -162,7 +159,6 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
 
 std::vector<TransitionBench::Waiting> TransitionBench::park(FigureBlocks& figures) {
     start();
-    at_ = nullptr;
     std::vector<Waiting> waitings;
     for (unsigned m = 1; m < members_.size(); ++m)
         waitings.push_back(park_follower(m));
@@ -193,7 +189,6 @@ void TransitionBench::tell(Task const& task, Transition& transition) {
 
 bool TransitionBench::work_out(Task const& task, Transition& transition) {
     start();
-    at_ = nullptr;
     tell(task, transition);
     settle();
     std::int64_t const begin = base_;

@@ -32,10 +32,7 @@ class TransitionBench {
     TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails);
     ~TransitionBench();
 
-    /// Goes to a state, which stays where it is until it is left.
     void go_to(StateView state);
-    /// After work_out(): where it got to is the same as this.
-    void is_at(StateView state) { at_ = state.words; }
 
     /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
     /// those of Transition.
@@ -101,7 +98,6 @@ class TransitionBench {
     std::size_t words_of_fifos_ = 0;    ///< of a state, at most
     std::uint32_t of_loops_ = 0;        ///< blocks of figures; behind them, those of FIFOs
     std::vector<FigureBlock> figures_;  ///< by number: zero between transitions
-    StateWord const* at_ = nullptr;     ///< the state where it is, if that is known
     std::int64_t base_ = 0;             ///< the driver's time there
     std::uint32_t accessed_ = 0;        ///< FIFOs in the last transition, a bit each
     StatePage page_;

@@ -53,7 +53,6 @@ Json Exploration::design() const {
             {"remark", machine.remark},
             {"cycle_classes", report::cycle_class_data(machine)},
             {"path_causes", report::path_cause_data(machine)},
-            {"has_ideal_memory", !run_.memory.has_value()},
             {"graph", report::graph_data(machine)},
             {"keys", keys_json(recorded_.config)}};
 }
@@ -100,14 +99,12 @@ std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Over
     if (run.deadlocked())
         throw InputError("the run deadlocks, expected one that ends");
     auto const made = std::make_shared<KeptTimeline const>(
-        KeptTimeline{overrides, machine, replayed_timeline(run_, machine, run.samples[sample])});
+        KeptTimeline{overrides, machine, replayed_timeline(scripted_, machine, run.samples[sample])});
     std::lock_guard<std::mutex> const lock(mutex_);
     return kept_ = made;
 }
 
 Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to) {
-    if (run_.memory)
-        throw InputError("accelerator.memory.model = \"axi\", expected a run with \"ideal\"");
     if (sample >= run_.tape.samples())
         throw InputError(fmt::format("sample = {}, expected one below {}", sample, run_.tape.samples()));
     std::shared_ptr<KeptTimeline const> const kept = kept_timeline(overrides, sample);

@@ -34,7 +34,7 @@ class Exploration {
     /// Along which operations its cycles come about. Null of a deadlock.
     Json critical_path(Overrides const& overrides) const;
     /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
-    /// such sample, and where cores share a memory.
+    /// such sample.
     Json timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to);
     /// Work to be done in the background.
     Job::Work sensitivities(Overrides const& overrides) const;

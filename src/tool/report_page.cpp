@@ -69,8 +69,8 @@ std::vector<std::size_t> parse_report_samples(std::string const& text, std::size
     std::string const list = text == "all" && samples > 0 ? fmt::format("0-{}", samples - 1) : text;
     std::vector<std::size_t> numbers = parse_numbers("--report-samples", list, samples);
     if (numbers.size() > most_samples)
-        throw InputError(fmt::format("--report-samples {}: {} samples, expected at most {}", text, numbers.size(),
-                                     most_samples));
+        throw InputError(
+            fmt::format("--report-samples {}: {} samples, expected at most {}", text, numbers.size(), most_samples));
     return numbers;
 }
 

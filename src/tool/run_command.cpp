@@ -178,7 +178,10 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                 .add_option("--out", request->out,
                             "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
                 ->type_name("DIR");
-            command.add_option("--report", request->report, "Write the run as one HTML page")->type_name("FILE.html");
+            command
+                .add_option("--report", request->report,
+                            "Write the run as one HTML page; of a deadlock, who waits for whom")
+                ->type_name("FILE.html");
             command
                 .add_option("--report-samples", request->report_samples,
                             "Samples whose timelines the page shows besides the median, the slowest and the fastest, "

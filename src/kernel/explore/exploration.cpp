@@ -57,9 +57,21 @@ Json Exploration::design() const {
             {"keys", keys_json(recorded_.config)}};
 }
 
-Json Exploration::retimed(Overrides const& overrides) const {
+std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& overrides) {
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (kept_run_.run && kept_run_.overrides == overrides)
+            return kept_run_.run;
+    }
+    auto const run = std::make_shared<RunStatistics const>(replay::retime(scripted_, machine_of(changed(overrides))));
+    std::lock_guard<std::mutex> const lock(mutex_);
+    kept_run_ = {overrides, run};
+    return run;
+}
+
+Json Exploration::retimed(Overrides const& overrides) {
     RunConfig const config = changed(overrides);
-    Json figures = figures_json(replay::retime(scripted_, machine_of(config)));
+    Json figures = figures_json(*retimed_run(overrides));
     figures["schedules"] = loop_schedules(config);
     figures["yaml"] = exported_yaml(config);
     return figures;
@@ -95,11 +107,11 @@ std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Over
             return kept_;
     }
     Machine const machine = machine_of(changed(overrides));
-    RunStatistics const run = replay::retime(scripted_, machine);
-    if (run.deadlocked())
+    std::shared_ptr<RunStatistics const> const run = retimed_run(overrides);
+    if (run->deadlocked())
         throw InputError("the run deadlocks, expected one that ends");
     auto const made = std::make_shared<KeptTimeline const>(
-        KeptTimeline{overrides, machine, replayed_timeline(scripted_, machine, run.samples[sample])});
+        KeptTimeline{overrides, machine, replayed_timeline(scripted_, machine, run->samples[sample])});
     std::lock_guard<std::mutex> const lock(mutex_);
     return kept_ = made;
 }

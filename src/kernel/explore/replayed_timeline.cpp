@@ -110,6 +110,7 @@ void replay_core(replay::RecordedRun const& run, Machine const& machine, std::si
                  std::vector<Wanted> const& wanted, TakeTimeline const& take) {
     CoreShare const share = share_of(number, machine.cores, run.tape.samples());
     std::unique_ptr<timing::CoreTiming> const core = replay::core_variant(*run.blueprint, machine);
+    core->let_follow(run.lead(machine), std::make_shared<timing::Automaton>());
     replay::PlainReader reader(run, run.lead(machine));
     CoreRecording recording(machine, share, *core, ReplayedCore::Driver::itself, wanted);
     for (std::size_t i = 0; i < share.count && recording.sample_begins(i); ++i) {

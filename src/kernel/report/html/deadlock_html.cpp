@@ -23,9 +23,9 @@ std::uint64_t samples_of(RunStatistics const& run) {
 }
 
 Json headline(RunStatistics const& run) {
-    return {{"samples", samples_of(run)},           {"samples_done", run.samples.size()},
-            {"cores", run.cores.size()},            {"cores_are", run.machine.cores_are},
-            {"remark", run.machine.remark},         {"clock_mhz", run.machine.clock_mhz}};
+    return {{"samples", samples_of(run)},   {"samples_done", run.samples.size()},
+            {"cores", run.cores.size()},    {"cores_are", run.machine.cores_are},
+            {"remark", run.machine.remark}, {"clock_mhz", run.machine.clock_mhz}};
 }
 
 Json fifo_row(Machine const& machine, std::size_t number, FifoStatistics const& fifo) {

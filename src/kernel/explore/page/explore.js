@@ -139,7 +139,7 @@ class Explorer {
     const { figures } = this;
     show_moved(figures, this.pinned);
     show_loops(figures.schedules);
-    show_deadlock(by_id("deadlock"), figures.deadlock);
+    show_deadlock(by_id("deadlock"), figures.deadlock, " The search for FIFO sizes, below, finds depths that are enough.");
     const lane_cycles = figures.cores * (figures.total_cycles || figures.deadlock.cycle);
     const waits = figures.deadlock ? { stuck: circle_of(figures.deadlock), waiting: figures.deadlock.stuck } : {};
     if (this.graph) this.graph.show({ ...figures, lane_cycles, path, ...waits });

@@ -4,7 +4,7 @@ const { deadlock, headline } = data;
 
 function show_headline() {
   const stuck_cores = new Set(deadlock.stuck.map((row) => row.core)).size;
-  by_id("machine").textContent = [`${headline.cores} ${headline.cores_are}`, headline.remark, `${headline.clock_mhz} MHz`].filter((part) => part).join(", ");
+  by_id("machine").textContent = machine_text(headline);
   fill_figures(by_id("headline"), [
     ["deadlock in cycle", whole(deadlock.cycle)],
     [`samples done, of ${whole(headline.samples)}`, whole(headline.samples_done)],

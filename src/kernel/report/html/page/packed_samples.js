@@ -57,7 +57,7 @@ class PackedSamples {
     const { resolution } = this.levels[this.levels.length - 1];
     const merged = resolution > 1 ? ` Bars with less than ${whole(resolution)} cycles between them are drawn as one, however close one looks.` : "";
     const held = data.timelines.length, all = data.headline.samples;
-    return (held === all ? `The page holds all ${count_of(all, "sample")}.`
+    return (held === all ? (all === 1 ? "" : `The page holds all ${count_of(all, "sample")}.`)
       : `The page holds ${held} of ${count_of(all, "sample")}; run --report-samples adds others, explore shows any.`) + merged;
   }
 

@@ -5,7 +5,7 @@ const lane_cycles = (data.headline.total_cycles - data.headline.load_cycles) * d
 function show_headline() {
   const h = data.headline;
   const load = h.load_cycles > 0 && `the first ${count_of(h.load_cycles, "cycle")} of the total load memories, before cycle 0 of all that follows`;
-  by_id("machine").textContent = [`${h.cores} ${h.cores_are}`, h.remark, `${h.clock_mhz} MHz`, load].filter((part) => part).join(", ");
+  by_id("machine").textContent = machine_text(h, load);
   fill_figures(by_id("headline"), [
     ["cycles", whole(h.total_cycles)],
     ["ms", decimal(h.milliseconds, 3)],

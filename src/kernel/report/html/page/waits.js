@@ -87,14 +87,14 @@ function ways_out(deadlock) {
   if (deadlock.wait_cycle.length === 0)
     return "Nobody waits in a circle: some process ends before it has written what others wait for.";
   if (deeper.length === 0)
-    return "No FIFO of the circle is full, so no depth frees it: each process reads before it writes what the next one needs.";
+    return "No FIFO of the circle is full, so no depth frees it: each process waits to read before, or in the stage in which, it writes what the next one needs.";
   const keys = deeper.map(({ key, depth }) => `${key} (now ${depth})`);
   return (keys.length === 1 ? `It takes a larger ${keys[0]}` : `At least one of these has to be larger: ${keys.join(", ")}`) +
     ": the other waits of the circle end once this FIFO takes more.";
 }
 
-/// Nothing for none.
-function show_deadlock(place, deadlock) {
+/// Nothing for none. `how_deep`: where to find out, if a depth can free it.
+function show_deadlock(place, deadlock, how_deep = "") {
   place.hidden = !deadlock;
   place.replaceChildren();
   if (!deadlock) return;
@@ -103,5 +103,5 @@ function show_deadlock(place, deadlock) {
   place.append(element("p", {}, `Deadlock in cycle ${whole(deadlock.cycle)}` + (in_circle ? ": each waits for the next, the last for the first." : ".")));
   if (deadlock.wait_cycle.length > 1) place.append(new WaitCircle(deadlock.wait_cycle).drawing());
   place.append(element("ul", {}, ...circle_of(deadlock).map((wait) => element("li", {}, wait_sentence(wait)))),
-    element("p", { class: "way-out" }, ways_out(deadlock)));
+    element("p", { class: "way-out" }, ways_out(deadlock) + (deadlock.deeper.length > 0 ? how_deep : "")));
 }

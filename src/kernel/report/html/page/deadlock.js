@@ -17,7 +17,7 @@ function show_commands() {
   if (deeper.length === 0) return by_id("how-deep").remove();
   const others = data.settings.filter((setting) => !deeper.includes(setting.split("=")[0]));
   const settings = [...others, ...deeper.map((key) => `${key}=4096`)].map((setting) => ` --set ${setting}`).join("");
-  by_id("commands").textContent = `${data.command}${settings} --events deep.events\n${data.program} size-fifos deep.events --within 0`;
+  by_id("commands").textContent = `${data.command}${settings} --events deep.events\n${data.program} size-fifos deep.events --within 5 --points 0`;
 }
 
 function show_graph() {

@@ -9,7 +9,6 @@
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
-#include "kernel/machine/core_share.hpp"
 #include "kernel/recording/fst_file.hpp"
 #include "kernel/recording/gtkwave_save.hpp"
 #include "kernel/recording/thinned_timeline.hpp"
@@ -42,18 +41,6 @@ RecordingWindow::Samples parse_range(char const* option, std::string const& text
                                   : fmt::format("{} {}: expected a number or a range such as 5-7, within 0-{}", option,
                                                 text, end - 1));
     return range;
-}
-
-std::vector<std::size_t> parse_cores(std::string const& text, std::size_t count) {
-    std::vector<std::size_t> cores;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        std::size_t const end = std::min(text.find(',', begin), text.size());
-        auto const range = parse_range("--vcd-cores", text.substr(begin, end - begin), count);
-        for (std::size_t core = range.first; core <= range.last; ++core)
-            cores.push_back(core);
-        begin = end + 1;
-    }
-    return cores;
 }
 
 RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
@@ -192,9 +179,21 @@ Recording waveform_recording(RecordingRequest const& request, Machine const& mac
 
 }  // namespace
 
+std::vector<std::size_t> parse_numbers(char const* option, std::string const& text, std::size_t end) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        std::size_t const comma = std::min(text.find(',', begin), text.size());
+        auto const range = parse_range(option, text.substr(begin, comma - begin), end);
+        for (std::size_t number = range.first; number <= range.last; ++number)
+            numbers.push_back(number);
+        begin = comma + 1;
+    }
+    return numbers;
+}
+
 std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine) {
-    return parse_cores(request.vcd_cores.empty() ? fmt::format("0-{}", machine.cores - 1) : request.vcd_cores,
-                       machine.cores);
+    std::string const cores = request.vcd_cores.empty() ? fmt::format("0-{}", machine.cores - 1) : request.vcd_cores;
+    return parse_numbers("--vcd-cores", cores, machine.cores);
 }
 
 std::vector<double> write_waveform_files(RecordingRequest const& request, Machine const& machine,
@@ -239,20 +238,6 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
         ->check(CLI::Range(1, 1000000))
         ->group(waveforms)
         ->needs("--timeline");
-}
-
-Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
-                                    std::vector<SampleTimeline>& timelines) {
-    CoreShare const share = share_of(0, machine.cores, samples);
-    std::size_t const sample = share.count > 1 ? 1 : 0;
-    Recording recording;
-    recording.window.cores = {0};
-    recording.window.samples = RecordingWindow::Samples{sample, sample};
-    recording.done = [&timelines, sample](recording::RecordedWindow const& window) {
-        for (recording::RecordedCore const& core : window.cores)
-            timelines.push_back(recording::sample_timeline(core, sample));
-    };
-    return recording;
 }
 
 void add_paths(RecordingRequest const& request, CommandPaths& paths) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "channels/simulate.hpp"
-#include "kernel/figures/sample_timeline.hpp"
 #include "kernel/machine/machine.hpp"
 #include "tool/command_paths.hpp"
 
@@ -35,10 +34,8 @@ struct RecordingRequest {
 
 void add_recording_options(CLI::App& command, RecordingRequest& request);
 
-/// Adds the timeline of one sample to `timelines`, for the report: the second of core 0, by when FIFOs hold what they
-/// usually do, or its only one.
-Recording sample_timeline_recording(Machine const& machine, std::size_t samples,
-                                    std::vector<SampleTimeline>& timelines);
+/// The numbers of a list such as 0,2-4, for an option. Errors: InputError for what is none, or not below `end`.
+std::vector<std::size_t> parse_numbers(char const* option, std::string const& text, std::size_t end);
 
 /// The cores of which a waveform is wanted. Errors: InputError for cores that there are not.
 std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine);

@@ -10,16 +10,15 @@
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
-#include "kernel/config/resolved_config.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/sensitivities.hpp"
-#include "kernel/report/html/html_report.hpp"
 #include "kernel/report/summary.hpp"
 #include "kernel/report/text_report.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
+#include "tool/report_page.hpp"
 #include "tool/results_folder.hpp"
 #include "tool/run_size.hpp"
 #include "tool/say.hpp"
@@ -41,13 +40,6 @@ std::vector<Sensitivity> work_out_sensitivities(replay::RecordedRun const& recor
     ProgressLine progress("retimings");
     return replay::sensitivities(recorded, loaded,
                                  [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
-}
-
-void write_report(io::OutputFile const& file, RunRequest const& request, LoadedConfig const& loaded,
-                  RunStatistics const& run, std::vector<SampleTimeline> const& timelines, RunExtras const& extras) {
-    std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
-    std::string const title = std::filesystem::path(request.config).filename().string();
-    file.commit(report::html_report({title, run, keys, timelines, extras.pictures()}));
 }
 
 /// Before the work whose results would be lost.
@@ -96,10 +88,15 @@ void announce(RunSize const& size, bool force) {
     finish_saying();
 }
 
-int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {
+int give_up(RunRequest const& request, std::vector<std::string> const& overrides, LoadedConfig const& loaded,
+            RunStatistics const& run, Outputs const& outputs) {
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
+    if (!outputs.report)
+        return exit_deadlock;
+    write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
+    warn("\nwritten: {}\n", request.report);
     return exit_deadlock;
 }
 
@@ -120,6 +117,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.build_seconds = seconds_since(start);
     Machine const machine = machine_of(loaded.config);
     std::size_t const samples = workload->samples();
+    std::vector<std::size_t> const report_samples = parse_report_samples(request.report_samples, samples);
     announce(size_of_run(loaded.config, machine, *workload), request.force);
 
     std::vector<Recording> recordings = make_recordings(
@@ -132,25 +130,21 @@ int run(RunRequest const& request, RunExtras& extras) {
     start = HostClock::now();
     RunStatistics statistics;
     replay::RecordedRun recorded;
-    std::vector<SampleTimeline> timelines;
     {
         ProgressLine progress("samples");
         SimulationOptions options;
         options.at_any_size = request.force;
         options.critical_path = request.critical_path || outputs.report;
         options.hazards = request.hazards;
-        bool const shows_roofline = machine.external_memory && outputs.report;
-        options.recorded = request.sensitivities || outputs.events || shows_roofline ? &recorded : nullptr;
+        options.recorded = request.sensitivities || outputs.events || outputs.report ? &recorded : nullptr;
         options.recordings = std::move(recordings);
-        if (outputs.report)
-            options.recordings.push_back(sample_timeline_recording(machine, samples, timelines));
         options.progress = [&](std::uint64_t done) { progress.show(done, samples); };
         statistics = simulate(loaded.config, *workload, options);
     }
     host.simulate_seconds = seconds_since(start);
 
     if (statistics.deadlocked())
-        return give_up(loaded, statistics, outputs);
+        return give_up(request, overrides, loaded, statistics, outputs);
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
     add_compute_alone(recorded, loaded, statistics);
@@ -166,7 +160,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     if (outputs.events)  // these may lie in the folder
         write_events(*outputs.events, loaded, recorded, statistics);
     if (outputs.report)
-        write_report(*outputs.report, request, loaded, statistics, timelines, extras);
+        write_report(*outputs.report, request.config, loaded, statistics, recorded, report_samples, extras);
     say("{}", report::text_report(statistics, host));
     for (std::string const& written : {request.out, request.report, request.events, written_files(request.recording)})
         if (!written.empty())
@@ -184,7 +178,16 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                 .add_option("--out", request->out,
                             "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
                 ->type_name("DIR");
-            command.add_option("--report", request->report, "Write the run as one HTML page")->type_name("FILE.html");
+            command
+                .add_option("--report", request->report,
+                            "Write the run as one HTML page; of a deadlock, who waits for whom")
+                ->type_name("FILE.html");
+            command
+                .add_option("--report-samples", request->report_samples,
+                            "Samples whose timelines the page shows besides the median, the slowest and the fastest, "
+                            "e.g. 0-9,617, or all")
+                ->type_name("LIST")
+                ->needs("--report");
             command.add_option("--events", request->events, "Write what the run did, for whatif and sensitivities")
                 ->type_name("FILE");
             command.add_flag("--critical-path", request->critical_path,

@@ -14,6 +14,7 @@ struct RunRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE
     std::string out;                     ///< folder; empty: print only
     std::string report;                  ///< HTML file; empty: none
+    std::string report_samples;          ///< whose timelines it shows besides, e.g. 5-7 or all; empty: none
     std::string events;                  ///< event file; empty: none
     bool critical_path = false;          ///< trace it
     bool sensitivities = false;          ///< work them out

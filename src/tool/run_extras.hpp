@@ -9,7 +9,7 @@
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/report/html/html_report.hpp"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
 }
 

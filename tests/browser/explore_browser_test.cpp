@@ -16,9 +16,9 @@ using Words = std::vector<std::string>;
 /// The page of a small run.
 class Page {
   public:
-    explicit Page(int width = 1280)
-        : process_((require_done(workspace_.run({"--events", "events"})), FASTER_SIM_BINARY), {"events"},
-                   workspace_.folder().path()),
+    explicit Page(int width = 1280, std::string const& setting = "accelerator.raster_cores=2")
+        : process_((require_done(workspace_.run({"--events", "events", "--set", setting})), FASTER_SIM_BINARY),
+                   {"events"}, workspace_.folder().path()),
           browser_(width, 900) {
         open("");
     }
@@ -165,6 +165,26 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
         "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))"));
     page.browser().click("#graph-box .fifo");  // shows its keys alone
     CHECK(page.browser().becomes_true("document.querySelectorAll('#key-list .key').length <= 4"));
+    page.check_soundness();
+}
+
+TEST_CASE("Behind an external memory the page shows a sample's timeline, and says what it thinks of FIFO sizes",
+          "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page(1280, "accelerator.memory.model=axi");
+    page.browser().click("#show-sample");
+    REQUIRE(page.browser().becomes_true("document.querySelectorAll('#timeline-chart canvas').length == 1"));
+    std::string const chart = "Chart.getChart(document.querySelector('#timeline-chart canvas'))";
+    CHECK(page.browser().value(chart + ".data.datasets.find((set) => set.label == 'memory stall').data.length > 0") ==
+          true);
+    std::string const whole = page.browser().value("String(" + chart + ".scales.x.max)");
+    page.browser().wheel("#timeline-chart", -480);
+    CHECK(page.browser().becomes_true(chart + ".scales.x.max < " + whole));
+    page.browser().value(button("size FIFOs") + ".click()");
+    CHECK(page.browser().becomes_true(
+        "document.getElementById('sizing-note').textContent.includes('so depths are not searched') || "
+        "Boolean(document.getElementById('take-sizing'))"));
     page.check_soundness();
 }
 

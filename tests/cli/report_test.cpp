@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "support/command.hpp"
 #include "support/report_page.hpp"
@@ -98,12 +99,54 @@ TEST_CASE("A page that cannot be written is refused in one line before the run")
     check_refused(workspace, {"--images", "2"}, "expected --out DIR or --report FILE");
 }
 
-TEST_CASE("A deadlock writes no HTML report") {
+TEST_CASE("A deadlock's page says who waits for whom, what the FIFOs hold, and what frees it") {
     Workspace const workspace;
-    CommandResult const result =
-        workspace.run({"--set", "accelerator.fifos.fragment_depth.depth=1", "--report", "report.html"});
+    std::string const key = "accelerator.fifos.fragment_depth.depth";
+    CommandResult const result = workspace.run({"--set", key + "=1", "--report", "report.html", "--out", "out"});
     CHECK(result.exit_code == 3);
-    CHECK(entries_in(workspace.folder().path()) == 1);
+    CHECK_THAT(result.err, Contains("written: report.html"));
+    Json const data = json_element(workspace.text("report.html"), "data");
+    Json const& deadlock = data["deadlock"];
+    Json const expected = Json::parse(workspace.text("out/summary.json"))["deadlock"];
+    for (auto const& [name, value] : expected.items())
+        CHECK(deadlock[name] == value);
+    CHECK(deadlock["deeper"] == Json::array({{{"fifo", "fragment_depth"}, {"key", key}, {"depth", 1}}}));
+    CHECK(data["headline"]["samples"] == 3);
+    CHECK(data["headline"]["samples_done"] == 0);
+    for (Json const& wait : deadlock["stuck"])
+        for (Json const& fifo : data["fifos"])
+            if (fifo["core"] == wait["core"] && fifo["fifo"] == wait["fifo"]) {
+                CHECK(fifo["occupancy"] == wait["occupancy"]);
+                CHECK(fifo["capacity"] == wait["capacity"]);
+                CHECK(fifo[wait["to"] == "write" ? "writer" : "reader"] == wait["process"]);
+            }
+    CHECK(data["command"] == "faster-sim run config.yaml");
+    CHECK(data["settings"] == Json::array({key + "=1"}));
+    require_done(workspace.run({"--set", key + "=4096"}));  // as the page tells to
+}
+
+TEST_CASE("The page shows the samples that are asked for besides those that stand for others") {
+    Workspace const workspace;
+    auto const samples_with = [&](Words const& options) {
+        Words words{"--report", "report.html"};
+        words.insert(words.end(), options.begin(), options.end());
+        require_done(workspace.run(words));
+        Json const data = json_element(workspace.text("report.html"), "data");
+        std::set<std::size_t> samples;
+        for (Json const& timeline : data["timelines"])
+            samples.insert(timeline["sample"].get<std::size_t>());
+        return samples;
+    };
+    CHECK(samples_with({"--set", "workload.samples.count=7"}).size() == 3);
+    CHECK(samples_with({"--set", "workload.samples.count=7", "--report-samples", "all"}).size() == 7);
+    auto const some = samples_with({"--set", "workload.samples.count=7", "--report-samples", "1-2,6"});
+    CHECK((some.count(1) == 1 && some.count(2) == 1 && some.count(6) == 1));
+    fs::remove(workspace.folder() / "report.html");
+    check_refused(workspace, {"--report", "r.html", "--report-samples", "3"}, "--report-samples 3: expected a number");
+    check_refused(workspace, {"--report", "r.html", "--report-samples", "0-x"}, "--report-samples 0-x: expected");
+    check_refused(workspace, {"--report", "r.html", "--report-samples", "all", "--set", "workload.samples.count=1001"},
+                  "--report-samples all: 1001 samples, expected at most 1000");
+    check_refused(workspace, {"--report-samples", "0"}, "--report-samples requires --report");
 }
 
 TEST_CASE("A hostile name in the configuration stays in the data of the HTML report") {

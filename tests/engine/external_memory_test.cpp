@@ -1,10 +1,85 @@
 #include <catch2/catch.hpp>
+#include <sstream>
 
+#include "kernel/events/event_file.hpp"
+#include "kernel/explore/replayed_timeline.hpp"
+#include "kernel/recording/core_timeline.hpp"
+#include "kernel/replay/retime.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/memory_trials.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/raster_machine.hpp"
+#include "support/temp_folder.hpp"
 
 namespace faster::testing::external_memory_test {
+
+std::string text_of(SampleTimeline const& timeline) {
+    std::ostringstream text;
+    text << "sample " << timeline.sample << " core " << timeline.core << ' ' << timeline.begin << '-' << timeline.end;
+    for (TimelineSpan const& span : timeline.spans)
+        text << "\n"
+             << span.module << ' ' << static_cast<int>(span.kind) << ' ' << span.item << ' ' << span.begin << '-'
+             << span.end << ' ' << span.count;
+    for (std::vector<OccupancyPoint> const& points : timeline.occupancy)
+        for (OccupancyPoint const& point : points)
+            text << ' ' << point.cycle << ':' << point.tokens;
+    return text.str();
+}
+
+/// Of every sample of a run, as it goes on.
+std::vector<std::string> timelines_of_run(AcceleratorConfig const& config, Stimulus const& stimulus) {
+    test::TempFolder const folder;
+    ForkOptions fork;
+    for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample) {
+        Recording recording;
+        recording.window.samples = recording::RecordingWindow::Samples{sample, sample};
+        recording.done = [&folder, sample](recording::RecordedWindow const& window) {
+            for (recording::RecordedCore const& core : window.cores)
+                folder.write(std::to_string(sample), text_of(recording::sample_timeline(core, sample)));
+        };
+        fork.recordings.push_back(recording);
+    }
+    REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, fork).statistics.deadlocked());
+    std::vector<std::string> texts;
+    for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample)
+        texts.push_back(test::content_of(folder / std::to_string(sample)));
+    return texts;
+}
+
+std::vector<std::string> replayed_timelines(replay::RecordedRun const& recorded, AcceleratorConfig const& config) {
+    Machine const machine = raster_machine(config);
+    RunStatistics const run = replay::retime(recorded, machine);
+    std::vector<std::string> texts(run.samples.size());
+    explore::replay_timelines(recorded, machine, run.samples,
+                              [&](std::size_t i, SampleTimeline const& timeline) { texts[i] = text_of(timeline); });
+    return texts;
+}
+
+/// Returns how many samples were compared.
+std::size_t check_replayed_timelines(std::uint64_t seed, MemoryModel model) {
+    CAPTURE(seed);
+    MemoryTrial trial = memory_trial(seed);
+    trial.config.external_memory.model = model;
+    test::TempFolder const folder;
+    ForkOptions fork;
+    fork.events = folder / "events";
+    if (run_forked(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
+        return 0;
+    events::EventFile const file = events::read_event_file(fork.events);
+    for (AcceleratorConfig const& config : {trial.config, other_timing(seed, trial.config)})
+        CHECK(replayed_timelines(file.run, config) == timelines_of_run(config, trial.stimulus));
+    return trial.stimulus.samples.size();
+}
+
+TEST_CASE("Replayed timelines of samples are those that the run would have recorded, seeds 20001 to 20010",
+          "[memory][timeline]") {
+    for (MemoryModel const model : {MemoryModel::axi, MemoryModel::ideal}) {
+        std::size_t samples = 0;
+        for (std::uint64_t seed = 20001; seed <= 20010; ++seed)
+            samples += check_replayed_timelines(seed, model);
+        CHECK(samples > 20);
+    }
+}
 
 TEST_CASE("Engines and twin agree behind external memory, seeds 20000 to 20039", "[engine_vs_twin][memory]") {
     int const deadlocks = check_memory_seeds(20000, 40);

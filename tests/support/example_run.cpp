@@ -205,6 +205,10 @@ SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles
     return timeline;
 }
 
+report::PackedTimeline packed_example_timeline(std::uint64_t core, std::uint64_t sample, Cycles begin) {
+    return report::packed_timeline(example_machine(), example_timeline(core, sample, begin), 100'000);
+}
+
 std::vector<ResolvedKey> example_keys() {
     RunConfig config;
     workload_of(config).trace = hostile_text;

@@ -5,6 +5,7 @@
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/figures/sample_timeline.hpp"
+#include "kernel/report/html/packed_timeline.hpp"
 
 namespace faster::test {
 
@@ -16,6 +17,8 @@ RunStatistics example_run();
 
 /// What the modules do during a sample: clear, triangles, sweep, with stalls inside and tokens in the FIFOs.
 SampleTimeline example_timeline(std::uint64_t core, std::uint64_t sample, Cycles begin);
+/// As a page holds it, with all its bars.
+report::PackedTimeline packed_example_timeline(std::uint64_t core, std::uint64_t sample, Cycles begin);
 
 /// Every key, with a hostile file name among those that are not default.
 std::vector<ResolvedKey> example_keys();

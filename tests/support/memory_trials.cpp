@@ -49,16 +49,6 @@ RandomConfigOptions machines(std::uint64_t seed) {
     return options;
 }
 
-/// What a retiming may change.
-AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config) {
-    std::mt19937_64 random(seed);
-    draw_memory_timing(~seed, config);
-    config.cores = std::max<std::uint64_t>(config.memory_placement.observation_copies, 1 + random() % 12);
-    for (FifoId const fifo : {FifoId::vertex, FifoId::command, FifoId::observed_depth, FifoId::edge_token})
-        config.fifo(fifo).depth = fifo_of(config, fifo).depth + random() % 8;
-    return config;
-}
-
 void check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const& config, Stimulus const& stimulus) {
     RunStatistics const retimed = replay::retime(recorded, raster_machine(config));
     RunStatistics const run = run_forked(config, stimulus, Engine::lockstep).statistics;
@@ -68,6 +58,15 @@ void check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const
 }
 
 }  // namespace
+
+AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config) {
+    std::mt19937_64 random(seed);
+    draw_memory_timing(~seed, config);
+    config.cores = std::max<std::uint64_t>(config.memory_placement.observation_copies, 1 + random() % 12);
+    for (FifoId const fifo : {FifoId::vertex, FifoId::command, FifoId::observed_depth, FifoId::edge_token})
+        config.fifo(fifo).depth = fifo_of(config, fifo).depth + random() % 8;
+    return config;
+}
 
 int check_memory_retimings(std::uint64_t first, std::uint64_t count) {
     int recorded = 0;

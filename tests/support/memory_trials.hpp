@@ -14,6 +14,9 @@ struct MemoryTrial {
 };
 MemoryTrial memory_trial(std::uint64_t seed);
 
+/// What a retiming of it may change, changed at random.
+AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config);
+
 /// Checks that both engines agree with the twin, seeds first .. first + count - 1. Returns how many deadlocked.
 int check_memory_seeds(std::uint64_t first, std::uint64_t count);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <zlib.h>
 
+#include "kernel/report/standout_samples.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"
 #include "support/raster_machine.hpp"
@@ -13,15 +15,15 @@ namespace faster::report::html_report_test {
 using Json = nlohmann::ordered_json;
 using test::example_keys;
 using test::example_run;
-using test::example_timeline;
 using test::hostile_text;
 using test::json_element;
+using test::packed_example_timeline;
 
 std::string example_page() {
     return html_report({"example.yaml",
                         example_run(),
                         example_keys(),
-                        {example_timeline(1, 3, 450001)},
+                        {packed_example_timeline(1, 3, 450001)},
                         {{"Sample 0", "not really a PNG"}}});
 }
 
@@ -82,16 +84,95 @@ TEST_CASE("The stalls in the page name FIFO, reason and partner, and add up to t
     CHECK((*row)["waits_for"] == "edge_map_builder");
 }
 
-TEST_CASE("A timeline in the page has named spans and occupancies", "[html]") {
+/// What is in a page's string.
+Json unpacked(std::string const& text) {
+    std::string const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<Bytef> bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (char const letter : text.substr(0, text.find('='))) {
+        bits = (bits << 6) | static_cast<std::uint32_t>(letters.find(letter));
+        for (count += 6; count >= 8; count -= 8)
+            bytes.push_back(static_cast<Bytef>(bits >> (count - 8)));
+    }
+    std::vector<Bytef> json(10'000'000);
+    uLongf length = json.size();
+    REQUIRE(uncompress(json.data(), &length, bytes.data(), bytes.size()) == Z_OK);
+    return Json::parse(json.begin(), json.begin() + static_cast<std::ptrdiff_t>(length));
+}
+
+TEST_CASE("A timeline in the page has named bars and occupancies", "[html]") {
     Json const timelines = json_element(example_page(), "data")["timelines"];
     REQUIRE(timelines.size() == 1);
     CHECK(timelines[0]["core"] == 1);
     CHECK(timelines[0]["sample"] == 3);
     CHECK(timelines[0]["begin"] == 450001);
-    CHECK(timelines[0]["spans"][0] ==
-          Json::array({"vertex_transform", "loop", "vertex", 450001, 670001, 220000, 110000, 1}));
-    CHECK(timelines[0]["occupancy"]["vertex"]["mean"].size() == 120);
-    CHECK_FALSE(timelines[0]["occupancy"].contains("result"));
+    CHECK(timelines[0]["is"] == Json::array());
+    Json const timeline = unpacked(timelines[0]["packed"]);
+    CHECK(timeline["items"][0] == Json::array({"vertex_transform", "loop", "vertex"}));
+    Json const& coarse = timeline["levels"][0];
+    auto const first = [&coarse](char const* column) { return coarse[column][0].get<Cycles>(); };
+    CHECK(first("item") == 0);
+    CHECK(first("begin") == 0);
+    CHECK(first("length") == 220000);
+    CHECK(first("gaps") == 0);
+    CHECK(first("iterations") == 110000);
+    CHECK(first("spans") == 1);
+    CHECK(timeline["occupancy"]["vertex"]["mean"].size() == 120);
+    CHECK_FALSE(timeline["occupancy"].contains("result"));
+}
+
+TEST_CASE("The finest bars of a timeline in the page are all its spans, or as many as are allowed", "[html]") {
+    SampleTimeline const timeline = test::example_timeline(1, 3, 450001);
+    Machine const machine = example_run().machine;
+    Json const all = unpacked(packed_timeline(machine, timeline, 100'000).packed)["levels"];
+    CHECK(all.front()["resolution"] == 345000 / 2000);
+    CHECK(all.back()["resolution"] == 0);
+    Cycles begin = timeline.begin, cycles = 0, iterations = 0, spans = 0;
+    for (std::size_t i = 0; i < all.back()["item"].size(); ++i) {
+        begin += all.back()["begin"][i].get<Cycles>();
+        cycles += all.back()["length"][i].get<Cycles>() - all.back()["gaps"][i].get<Cycles>();
+        iterations += all.back()["iterations"][i].get<Cycles>();
+        spans += all.back()["spans"][i].get<Cycles>();
+    }
+    CHECK(begin == timeline.spans.back().begin);
+    CHECK(spans == timeline.spans.size());
+    for (TimelineSpan const& span : timeline.spans) {
+        bool const is_loop = span.kind == TimelineSpan::Kind::loop;
+        cycles -= is_loop ? span.end - span.begin : span.count;
+        iterations -= is_loop ? span.count : 0;
+    }
+    CHECK(cycles == 0);
+    CHECK(iterations == 0);
+    Json const few = unpacked(packed_timeline(machine, timeline, 10).packed)["levels"];
+    REQUIRE(few.size() == 1);  // never coarser than a screen
+    CHECK(few[0] == all[0]);
+}
+
+TEST_CASE("The page names the samples that stand for others", "[html]") {
+    RunStatistics run = example_run();
+    for (SampleStatistics& sample : run.samples)
+        sample.end_cycle = sample.start_cycle + 100 + (sample.sample == 3 ? 1 : 0);
+    auto const standouts = standout_samples(run);
+    REQUIRE(standouts.size() == 3);
+    CHECK((standouts[0].is == std::string("median") && standouts[0].sample->sample == 2));
+    CHECK((standouts[1].is == std::string("slowest") && standouts[1].sample->sample == 3));
+    CHECK((standouts[2].is == std::string("fastest") && standouts[2].sample->sample == 0));
+    Json const data = json_element(html_report({"name", run, {}, {packed_example_timeline(1, 3, 450001)}, {}}), "data");
+    CHECK(data["timelines"][0]["is"] == Json::array({"slowest"}));
+    run.samples.resize(1);
+    CHECK(standout_samples(run)[1].sample->sample == 0);
+    run.samples.clear();
+    CHECK(standout_samples(run).empty());
+}
+
+TEST_CASE("The page has the memories of a core and what its FIFOs take", "[html]") {
+    RunStatistics const run = example_run();
+    std::vector<FifoCost> const costs{{"vertex", 64, 32, 0}, {"command", 9, 0, 0.5}};
+    Json const area = json_element(html_report({"name", run, {}, {}, {}, costs}), "data")["area"];
+    CHECK(area["memories"].size() == brams_of(run.machine).size());
+    CHECK(area["memories"][0]["ramb36"] == ramb36_count(run.machine.memories[brams_of(run.machine)[0]].shape));
+    CHECK(area["fifo_costs"][1] == Json{{"fifo", "command"}, {"bits", 9}, {"luts", 0}, {"ramb36", 0.5}});
 }
 
 TEST_CASE("The configuration in the page says what differs from the defaults", "[html]") {

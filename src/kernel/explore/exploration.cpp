@@ -53,14 +53,25 @@ Json Exploration::design() const {
             {"remark", machine.remark},
             {"cycle_classes", report::cycle_class_data(machine)},
             {"path_causes", report::path_cause_data(machine)},
-            {"has_ideal_memory", !run_.memory.has_value()},
             {"graph", report::graph_data(machine)},
             {"keys", keys_json(recorded_.config)}};
 }
 
-Json Exploration::retimed(Overrides const& overrides) const {
+std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& overrides) {
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (kept_run_.run && kept_run_.overrides == overrides)
+            return kept_run_.run;
+    }
+    auto run = std::make_shared<RunStatistics const>(replay::retime(scripted_, machine_of(changed(overrides))));
+    std::lock_guard<std::mutex> const lock(mutex_);
+    kept_run_ = {overrides, run};
+    return run;
+}
+
+Json Exploration::retimed(Overrides const& overrides) {
     RunConfig const config = changed(overrides);
-    Json figures = figures_json(replay::retime(scripted_, machine_of(config)));
+    Json figures = figures_json(*retimed_run(overrides));
     figures["schedules"] = loop_schedules(config);
     figures["yaml"] = exported_yaml(config);
     return figures;
@@ -96,18 +107,16 @@ std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Over
             return kept_;
     }
     Machine const machine = machine_of(changed(overrides));
-    RunStatistics const run = replay::retime(scripted_, machine);
-    if (run.deadlocked())
+    std::shared_ptr<RunStatistics const> const run = retimed_run(overrides);
+    if (run->deadlocked())
         throw InputError("the run deadlocks, expected one that ends");
     auto const made = std::make_shared<KeptTimeline const>(
-        KeptTimeline{overrides, machine, replayed_timeline(run_, machine, run.samples[sample])});
+        KeptTimeline{overrides, machine, replayed_timeline(scripted_, machine, run->samples[sample])});
     std::lock_guard<std::mutex> const lock(mutex_);
     return kept_ = made;
 }
 
 Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to) {
-    if (run_.memory)
-        throw InputError("accelerator.memory.model = \"axi\", expected a run with \"ideal\"");
     if (sample >= run_.tape.samples())
         throw InputError(fmt::format("sample = {}, expected one below {}", sample, run_.tape.samples()));
     std::shared_ptr<KeptTimeline const> const kept = kept_timeline(overrides, sample);

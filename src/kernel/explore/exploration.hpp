@@ -30,11 +30,11 @@ class Exploration {
     Json design() const;
     /// The figures of the run with overrides: cycles, what FIFOs take, modules, FIFOs, loops. A deadlock is one of
     /// them. `yaml` is a configuration that does the same.
-    Json retimed(Overrides const& overrides) const;
+    Json retimed(Overrides const& overrides);
     /// Along which operations its cycles come about. Null of a deadlock.
     Json critical_path(Overrides const& overrides) const;
     /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
-    /// such sample, and where cores share a memory.
+    /// such sample.
     Json timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to);
     /// Work to be done in the background.
     Job::Work sensitivities(Overrides const& overrides) const;
@@ -43,12 +43,17 @@ class Exploration {
   private:
     RunConfig changed(Overrides const& overrides) const;
     RunStatistics retimed_with_path(Machine const& machine) const;
+    std::shared_ptr<RunStatistics const> retimed_run(Overrides const& overrides);
 
     std::string title_;
     LoadedConfig recorded_;
     replay::RecordedRun run_;
     replay::ScriptedRun scripted_;  ///< of the run
 
+    struct KeptRun {
+        Overrides overrides;
+        std::shared_ptr<RunStatistics const> run;
+    };
     struct KeptTimeline {
         Overrides overrides;
         Machine machine;
@@ -56,6 +61,7 @@ class Exploration {
     };
     std::shared_ptr<KeptTimeline const> kept_timeline(Overrides const& overrides, std::size_t sample);
     std::mutex mutex_;
+    KeptRun kept_run_;  ///< the last one: who has seen its figures asks for a sample of it
     std::shared_ptr<KeptTimeline const> kept_;
 };
 

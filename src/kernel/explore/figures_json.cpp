@@ -1,7 +1,9 @@
 #include "kernel/explore/figures_json.hpp"
 
+#include "kernel/explore/fifo_costs.hpp"
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/html/deadlock_html.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/run_data.hpp"
 #include "kernel/report/json_rows.hpp"
@@ -19,13 +21,10 @@ Json primitives_json(sizing::Primitives const& primitives) {
 }
 
 Json fifos_json(RunStatistics const& run) {
-    sizing::Choice const choice = sizing::choice_of(run.machine);
     Json rows = Json::array();
     for (FifoRow const& row : over_cores(fifo_columns, fifo_rows(run))) {
-        std::size_t const i = run.machine.fifo(row.fifo);
         rows.push_back(report::json_row(fifo_columns, row));
-        rows.back().update(
-            primitives_json(sizing::primitives_of(choice[i], sizing::freedom_of(run.machine.fifos[i]), {})));
+        rows.back().update(primitives_json(primitives_of_fifo(run.machine, run.machine.fifo(row.fifo))));
     }
     return rows;
 }
@@ -55,7 +54,7 @@ Json figures_json(RunStatistics const& run) {
     figures["brams"] = report::memory_data(run.machine);
     figures["loops"] = report::json_table(loop_columns, over_cores(loop_columns, loop_rows(run)));
     if (run.deadlocked()) {
-        figures["deadlock"] = report::deadlock_json(run);
+        figures["deadlock"] = report::deadlock_data(run);
         return figures;
     }
     figures["total_cycles"] = run.total_cycles;

@@ -1,88 +1,196 @@
 #include "kernel/explore/replayed_timeline.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 
+#include "kernel/base/on_threads.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/recording/core_recorder.hpp"
 #include "kernel/recording/core_timeline.hpp"
 #include "kernel/replay/core_variant.hpp"
+#include "kernel/replay/core_watch.hpp"
 #include "kernel/replay/plain_reader.hpp"
+#include "kernel/replay/retime_together.hpp"
 
 namespace faster::explore {
 
 namespace {
 
-/// A core that does again what was recorded. Its tokens are nothing but that there are any.
+/// A core that does again what was recorded. Of its tokens nothing is known but that there are any.
 class ReplayedCore : public recording::RunningCore {
   public:
-    ReplayedCore(replay::RecordedRun const& run, Machine const& machine, CoreShare share)
-        : machine_(machine),
-          share_(share),
-          timing_(replay::core_variant(*run.blueprint, machine)),
-          reader_(run, run.lead(machine)),
-          taps_(machine.fifos.size(), nullptr),
-          shown_(machine.fifos.size(), 0) {}
+    enum class Driver { itself, shared_memory };
+
+    ReplayedCore(Machine const& machine, CoreShare share, timing::CoreTiming& timing, Driver driver)
+        : machine_(machine), share_(share), timing_(timing), driver_(driver) {}
 
     Machine const& machine() const override { return machine_; }
     CoreShare share() const override { return share_; }
-    timing::CoreTiming& timing() override { return *timing_; }
+    timing::CoreTiming& timing() override { return timing_; }
     void catch_up() override {
-        timing_->resolve();
-        for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
-            show_tokens(fifo);
+        if (driver_ == Driver::itself)
+            timing_.resolve();
     }
-    std::vector<TokenField> token_fields(std::size_t) const override { return {{"token", 1}}; }
-    void add_tap(std::size_t fifo, recording::TokenTap& tap) override { taps_[fifo] = &tap; }
-    void remove_tap(std::size_t fifo, recording::TokenTap&) override { taps_[fifo] = nullptr; }
+    std::vector<TokenField> token_fields(std::size_t) const override { return {}; }
+    void add_tap(std::size_t, recording::TokenTap&) override {}
+    void remove_tap(std::size_t, recording::TokenTap&) override {}
 
-    /// All that its processes do for a sample.
-    void feed(std::size_t sample) {
-        replay::SampleOperations const operations = reader_.read(sample);
-        for (std::size_t i = 0; i < operations.size(); ++i) {
-            timing::ProcessTiming& process = timing_->process(i);
-            replay::append_sample(operations[i], process.log());
-            for (timing::OperationLog* const tape : process.tapes())
-                replay::append_sample(operations[i], *tape);
+  private:
+    Machine const& machine_;
+    CoreShare share_;
+    timing::CoreTiming& timing_;
+    Driver driver_;
+};
+
+/// A sample that is wanted, and its place among them.
+struct Wanted {
+    std::size_t i = 0;
+    SampleStatistics const* sample = nullptr;
+};
+
+/// Records samples of one core while it is replayed.
+class CoreRecording {
+  public:
+    CoreRecording(Machine const& machine, CoreShare share, timing::CoreTiming& timing, ReplayedCore::Driver driver,
+                  std::vector<Wanted> const& wanted)
+        : core_(machine, share, timing, driver), wanted_(wanted) {
+        for (Wanted const& one : wanted) {
+            recording::RecordingWindow window;
+            window.from = one.sample->start_cycle;
+            window.to = one.sample->end_cycle;
+            recorders_.push_back(std::make_unique<recording::CoreRecorder>(core_, window));
+            recorders_.back()->before_start();
+        }
+    }
+
+    /// False: all is recorded.
+    bool sample_begins(std::size_t i) {
+        bool records = false;
+        for (auto const& recorder : recorders_) {
+            recorder->sample_begins(i);
+            records = records || recorder->records();
+        }
+        return records;
+    }
+
+    void finish(TakeTimeline const& take) {
+        core_.catch_up();
+        for (std::size_t k = 0; k < wanted_.size(); ++k) {
+            recorders_[k]->finish();
+            recording::RecordedCore recorded = recorders_[k]->recorded();
+            recorded.core = wanted_[k].sample->core;
+            take(wanted_[k].i, recording::sample_timeline(recorded, wanted_[k].sample->sample));
         }
     }
 
   private:
-    void show_tokens(std::size_t fifo) {
-        std::uint64_t const written = timing_->fifos()[fifo].writes();
-        if (taps_[fifo] != nullptr && written > shown_[fifo])
-            taps_[fifo]->room(written - shown_[fifo]);
-        shown_[fifo] = written;
+    ReplayedCore core_;
+    std::vector<Wanted> const& wanted_;
+    std::vector<std::unique_ptr<recording::CoreRecorder>> recorders_;
+};
+
+using WantedOfCore = std::map<std::size_t, std::vector<Wanted>>;
+
+/// Samples that are recorded at once. Every operation is kept for each, until its sample has begun.
+std::vector<WantedOfCore> passes_of(std::vector<SampleStatistics> const& samples) {
+    constexpr std::size_t at_once = 16;
+    std::vector<WantedOfCore> passes;
+    std::map<std::size_t, std::size_t> number;  // of samples, by core
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        std::size_t const pass = number[samples[i].core]++ / at_once;
+        passes.resize(std::max(passes.size(), pass + 1));
+        passes[pass][samples[i].core].push_back({i, &samples[i]});
+    }
+    return passes;
+}
+
+/// A core whose memory is ideal needs no other.
+void replay_core(replay::RecordedRun const& run, Machine const& machine, std::size_t number,
+                 std::vector<Wanted> const& wanted, TakeTimeline const& take) {
+    CoreShare const share = share_of(number, machine.cores, run.tape.samples());
+    std::unique_ptr<timing::CoreTiming> const core = replay::core_variant(*run.blueprint, machine);
+    core->let_follow(run.lead(machine), std::make_shared<timing::Automaton>());
+    replay::PlainReader reader(run, run.lead(machine));
+    CoreRecording recording(machine, share, *core, ReplayedCore::Driver::itself, wanted);
+    for (std::size_t i = 0; i < share.count && recording.sample_begins(i); ++i) {
+        replay::SampleOperations const operations = reader.read(share.first + i);
+        for (std::size_t process = 0; process < operations.size(); ++process)
+            replay::tell_sample(operations[process], core->process(process));
+    }
+    recording.finish(take);
+}
+
+/// Records some of the cores that share a memory.
+class SharedRecording : public replay::CoreWatch {
+  public:
+    SharedRecording(Machine const& machine, std::size_t samples, WantedOfCore const& wanted, TakeTimeline const& take)
+        : machine_(machine), samples_(samples), wanted_(wanted), take_(take) {}
+
+    void start(std::size_t core, timing::CoreTiming& timing) override {
+        if (auto const wanted = wanted_.find(core); wanted != wanted_.end())
+            recordings_.emplace(std::piecewise_construct, std::forward_as_tuple(core),
+                                std::forward_as_tuple(machine_, share_of(core, machine_.cores, samples_), timing,
+                                                      ReplayedCore::Driver::shared_memory, wanted->second));
+    }
+    bool sample_begins(std::size_t core, std::size_t i) override {
+        auto const recording = recordings_.find(core);
+        if (recording == recordings_.end() || recording->second.sample_begins(i))
+            return true;
+        recording->second.finish(take_);
+        recordings_.erase(recording);
+        return !recordings_.empty();
+    }
+    void end() override {
+        for (auto& [core, recording] : recordings_)
+            recording.finish(take_);
     }
 
+  private:
     Machine const& machine_;
-    CoreShare share_;
-    std::unique_ptr<timing::CoreTiming> timing_;
-    replay::PlainReader reader_;
-    std::vector<recording::TokenTap*> taps_;  // by FIFO
-    std::vector<std::uint64_t> shown_;
+    std::size_t samples_;
+    WantedOfCore const& wanted_;
+    std::map<std::size_t, CoreRecording> recordings_;
+    TakeTimeline const& take_;
 };
+
+void replay_alone(replay::RecordedRun const& run, Machine const& machine, WantedOfCore const& wanted,
+                  TakeTimeline const& take) {
+    std::vector<WantedOfCore::value_type const*> cores;
+    for (auto const& one : wanted)
+        cores.push_back(&one);
+    on_threads(cores.size(), jobs_or_host_cores(0),
+               [&](std::size_t k) { replay_core(run, machine, cores[k]->first, cores[k]->second, take); });
+}
+
+void replay_together(replay::ScriptedRun const& run, Machine const& machine, WantedOfCore const& wanted,
+                     TakeTimeline const& take) {
+    SharedRecording recording(machine, run.run().tape.samples(), wanted, take);
+    replay::retime_together(run, machine, false, &recording);
+}
 
 }  // namespace
 
-SampleTimeline replayed_timeline(replay::RecordedRun const& run, Machine const& machine,
-                                 SampleStatistics const& sample) {
-    CoreShare const share = share_of(sample.core, machine.cores, run.tape.samples());
-    ReplayedCore core(run, machine, share);
-    recording::RecordingWindow window;
-    window.from = sample.start_cycle;
-    window.to = sample.end_cycle;
-    recording::CoreRecorder recorder(core, window);
-    recorder.before_start();
-    for (std::size_t i = 0; i < share.count; ++i) {
-        recorder.sample_begins(i);
-        core.feed(share.first + i);
-    }
-    core.catch_up();
-    recorder.finish();
+void replay_timelines(replay::ScriptedRun const& run, Machine const& machine,
+                      std::vector<SampleStatistics> const& samples, TakeTimeline const& take) {
+    for (WantedOfCore const& wanted : passes_of(samples))
+        run.run().memory ? replay_together(run, machine, wanted, take) : replay_alone(run.run(), machine, wanted, take);
+}
 
-    recording::RecordedCore recorded = recorder.recorded();
-    recorded.core = sample.core;
-    return recording::sample_timeline(recorded, sample.sample);
+void replay_timelines(replay::RecordedRun const& run, Machine const& machine,
+                      std::vector<SampleStatistics> const& samples, TakeTimeline const& take) {
+    if (run.memory)
+        return replay_timelines(replay::ScriptedRun(run, run.lead(machine)), machine, samples, take);
+    for (WantedOfCore const& wanted : passes_of(samples))
+        replay_alone(run, machine, wanted, take);
+}
+
+SampleTimeline replayed_timeline(replay::ScriptedRun const& run, Machine const& machine,
+                                 SampleStatistics const& sample) {
+    SampleTimeline timeline;
+    replay_timelines(run, machine, {sample},
+                     [&timeline](std::size_t, SampleTimeline made) { timeline = std::move(made); });
+    return timeline;
 }
 
 SampleTimeline cut(SampleTimeline timeline, Cycles from, Cycles to) {

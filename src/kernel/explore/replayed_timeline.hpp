@@ -1,13 +1,27 @@
 #pragma once
+#include <functional>
+#include <vector>
+
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/figures/sample_timeline.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "kernel/replay/scripted_run.hpp"
 
 namespace faster::explore {
 
-/// What the modules did during one sample of a recorded run on `machine`, whose memory is ideal: the core that scores
-/// it is replayed step by step. `sample`: as the retimed run has it.
-SampleTimeline replayed_timeline(replay::RecordedRun const& run, Machine const& machine,
+/// The timeline of the i-th of the samples asked for. Called by several threads, once for each i.
+using TakeTimeline = std::function<void(std::size_t i, SampleTimeline timeline)>;
+
+/// What the modules did during samples of a recorded run on `machine`: the cores that score them are replayed step by
+/// step; where they share a memory, all cores. `samples`: as the run has them on that machine.
+void replay_timelines(replay::ScriptedRun const& run, Machine const& machine,
+                      std::vector<SampleStatistics> const& samples, TakeTimeline const& take);
+
+/// The same, for once.
+void replay_timelines(replay::RecordedRun const& run, Machine const& machine,
+                      std::vector<SampleStatistics> const& samples, TakeTimeline const& take);
+
+/// Of one sample.
+SampleTimeline replayed_timeline(replay::ScriptedRun const& run, Machine const& machine,
                                  SampleStatistics const& sample);
 
 /// The part from one cycle to another.

@@ -194,10 +194,12 @@ void CoreCapture::put_write(ProcessTiming const& process, std::uint32_t fifo, st
         put(process, event);
 }
 
-/// A token with its fields.
+/// A token with its fields; of a FIFO without any, 0.
 std::vector<Event> CoreCapture::write_of(std::uint32_t fifo, std::uint64_t number, Cycles cycle) const {
-    std::int64_t const* const values = taps_[fifo].token(number);
-    std::vector<Event> events(taps_[fifo].layout().size());
+    std::size_t const fields = taps_[fifo].layout().size();
+    std::int64_t const none = 0;
+    std::int64_t const* const values = fields > 0 ? taps_[fifo].token(number) : &none;
+    std::vector<Event> events(std::max<std::size_t>(fields, 1));
     for (std::size_t i = 0; i < events.size(); ++i) {
         events[i].cycle = cycle;
         events[i].item = fifo;

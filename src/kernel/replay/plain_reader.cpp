@@ -19,4 +19,10 @@ void append_sample(std::vector<timing::Operation> const& operations, timing::Ope
         log.append(*operation);
 }
 
+void tell_sample(std::vector<timing::Operation> const& operations, timing::ProcessTiming& process) {
+    append_sample(operations, process.log());
+    for (timing::OperationLog* const tape : process.tapes())
+        append_sample(operations, *tape);
+}
+
 }  // namespace faster::replay

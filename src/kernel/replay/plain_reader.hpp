@@ -21,4 +21,7 @@ class PlainReader {
 /// then, as the process itself would have said it.
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log);
 
+/// Tells a process, and whoever tapes it.
+void tell_sample(std::vector<timing::Operation> const& operations, timing::ProcessTiming& process);
+
 }  // namespace faster::replay

@@ -45,8 +45,8 @@ std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
 
 class Together {
   public:
-    Together(ScriptedRun const& run, Machine const& machine, bool leave_trails)
-        : run_(run), machine_(machine), leave_trails_(leave_trails), samples_(run) {
+    Together(ScriptedRun const& run, Machine const& machine, bool leave_trails, CoreWatch* watch)
+        : run_(run), machine_(machine), leave_trails_(leave_trails), watch_(watch), samples_(run) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();
@@ -59,6 +59,8 @@ class Together {
             if (memory_)
                 memory_->add_core(*cores_.back(), shares_.back().count > 0);
         }
+        for (std::size_t core = 0; watch != nullptr && core < cores_.size(); ++core)
+            watch->start(core, *cores_[core]);
         for (std::size_t core = 0; memory_ && core < cores_.size(); ++core)
             tell_entries(core);
     }
@@ -66,8 +68,8 @@ class Together {
     RunStatistics go_on() {
         for (std::size_t i = 0; i < shares_.front().count; ++i)  // the first has the most
             for (std::size_t core = 0; core < cores_.size(); ++core)
-                if (i < shares_[core].count)
-                    feed(core, i);
+                if (i < shares_[core].count && !feed(core, i))
+                    return {};
         if (memory_)
             memory_->go_on(true);
         std::vector<FinishedCore> finished;
@@ -75,6 +77,8 @@ class Together {
             cores_[core]->resolve();
             finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
         }
+        if (watch_ != nullptr)
+            watch_->end();
         RunStatistics statistics = collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
         if (leave_trails_ && !statistics.deadlocked())
             statistics.critical_path = path();
@@ -103,17 +107,21 @@ class Together {
         }
     }
 
-    void feed(std::size_t core, std::size_t i) {
+    /// False: nobody wants to know more.
+    bool feed(std::size_t core, std::size_t i) {
+        if (watch_ != nullptr && !watch_->sample_begins(core, i))
+            return false;
         std::size_t const sample = shares_[core].first + i;
         if (!memory_)
             deliver_all(core, sample);
         SampleOperations const operations = samples_.read(sample);
         for (std::size_t process = 0; process < operations.size(); ++process)
-            append_sample(operations[process], cores_[core]->process(process).log());
+            tell_sample(operations[process], cores_[core]->process(process));
         if (memory_)
             memory_->note_sample();
         else
             cores_[core]->resolve(false);
+        return true;
     }
 
     void deliver_all(std::size_t core, std::size_t sample) {
@@ -129,6 +137,7 @@ class Together {
     ScriptedRun const& run_;
     Machine const& machine_;
     bool leave_trails_;
+    CoreWatch* watch_;
     PlainSamples samples_;
     std::vector<CoreShare> shares_;
     Cores cores_;
@@ -137,8 +146,8 @@ class Together {
 
 }  // namespace
 
-RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails) {
-    return Together(run, machine, leave_trails).go_on();
+RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails, CoreWatch* watch) {
+    return Together(run, machine, leave_trails, watch).go_on();
 }
 
 }  // namespace faster::replay

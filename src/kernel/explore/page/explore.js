@@ -43,8 +43,7 @@ class Explorer {
   /// With the figures of the recorded run, which are pinned until something else is.
   begin(recorded) {
     this.pinned = recorded;
-    if (data.has_ideal_memory) new AnySample();
-    else leave_out("timeline");
+    new AnySample();
     this.retimed(recorded, { changes: this.changes, is_settled: false, asked_at: performance.now() }, false);
     this.go_to(changes_of_hash(location.hash));
     this.work_out_sensitivities();
@@ -140,7 +139,7 @@ class Explorer {
     const { figures } = this;
     show_moved(figures, this.pinned);
     show_loops(figures.schedules);
-    show_deadlock(figures.deadlock);
+    show_deadlock(by_id("deadlock"), figures.deadlock, " The search for FIFO sizes, below, finds depths that are enough.");
     const lane_cycles = figures.cores * (figures.total_cycles || figures.deadlock.cycle);
     const waits = figures.deadlock ? { stuck: circle_of(figures.deadlock), waiting: figures.deadlock.stuck } : {};
     if (this.graph) this.graph.show({ ...figures, lane_cycles, path, ...waits });

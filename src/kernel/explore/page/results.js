@@ -98,20 +98,3 @@ function show_path(path, figures) {
     ], [], { box: "high" });
   path_table.show(path.rows.map((row) => ({ ...row, share: share(row) })));
 }
-
-/// Those that wait for each other in a circle; others may only wait for these.
-function circle_of(deadlock) {
-  return deadlock.wait_cycle.length > 0 ? deadlock.wait_cycle : deadlock.stuck;
-}
-
-/// Who waits for whom.
-function show_deadlock(deadlock) {
-  const place = by_id("deadlock");
-  place.hidden = !deadlock;
-  place.replaceChildren();
-  if (!deadlock) return;
-  const sentence = (wait) => `${wait.process} waits for ${wait.waits_for} since cycle ${whole(wait.since_cycle)}: ${wait.fifo} is ` +
-    `${wait.to === "write" ? "full" : "empty"}, ${wait.occupancy} of ${count_of(wait.capacity, "token")}.`;
-  place.append(element("p", {}, `Deadlock in cycle ${whole(deadlock.cycle)}: each waits for the next, the last for the first.`),
-    element("ul", {}, ...circle_of(deadlock).map((wait) => element("li", {}, sentence(wait)))));
-}

@@ -2,7 +2,7 @@
 
 class AnySample {
   constructor() {
-    Object.assign(data, { timelines: [], loops: explorer.pinned.loops, modules: explorer.pinned.modules, external_memory: null });
+    Object.assign(data, { loops: explorer.pinned.loops, modules: explorer.pinned.modules });
     this.sample = element("input", { type: "number", min: 0, max: data.samples - 1, value: Math.min(1, data.samples - 1), "aria-label": "sample" });
     const show = element("button", { type: "button", id: "show-sample" }, "show");
     by_id("timeline-controls").append(element("label", {}, `Sample 0 to ${data.samples - 1}`, this.sample), show);
@@ -33,9 +33,6 @@ class AnySample {
 
   show(answer, request) {
     if (request !== this.request) return;
-    const most_cycles_shown_alone = 50;
-    this.timeline.zoom.setAttribute("max", Math.max(0, Math.log2((answer.end - answer.begin) / most_cycles_shown_alone)));
-    this.whole = answer;
     this.timeline.show(answer);
     if (request.set.length > 0) this.say(by_id("timeline-note").textContent + " With " + request.set.join(" "));
   }
@@ -43,8 +40,7 @@ class AnySample {
   look_closer({ min, max }) {
     clearTimeout(this.pause);
     this.pause = setTimeout(() => {
-      const [from, to] = [Math.max(0, Math.floor(min)), Math.ceil(max)].map((cycle) => cycle + this.whole.begin);
-      this.finer.want({ ...this.request, from, to }, this.request);
+      this.finer.want({ ...this.request, from: Math.floor(min), to: Math.ceil(max) }, this.request);
     }, 120);
   }
 

@@ -12,8 +12,6 @@ class Sizing {
     this.job = new BackgroundJob("sizing", (state) => this.show_progress(state));
     this.start.addEventListener("click", () => this.run());
     this.stop.addEventListener("click", () => this.job.cancel());
-    if (!data.has_ideal_memory) this.start.disabled = true;
-    if (!data.has_ideal_memory) this.say("The cores of this run share a memory: a FIFO may help one and hinder another, so depths are not searched.");
   }
 
   say(text) {

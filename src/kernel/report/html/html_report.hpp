@@ -4,7 +4,7 @@
 
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
-#include "kernel/figures/sample_timeline.hpp"
+#include "kernel/report/html/packed_timeline.hpp"
 
 namespace faster::report {
 
@@ -14,13 +14,22 @@ struct ReportPicture {
     std::string png;  ///< the bytes of the file
 };
 
+/// What the tokens of one core's FIFO are kept in.
+struct FifoCost {
+    std::string fifo;
+    unsigned bits = 0;  ///< of a token
+    std::uint64_t luts = 0;
+    double ramb36 = 0;
+};
+
 /// What the HTML report of a finished run is made from. Referred to, not kept.
 struct HtmlReportInput {
     std::string title;  ///< of the page, e.g. the name of the configuration
     RunStatistics const& run;
     std::vector<ResolvedKey> const& keys;
-    std::vector<SampleTimeline> const& timelines;  ///< none: no timeline, no occupancies
+    std::vector<PackedTimeline> const& timelines;  ///< none: no timeline, no occupancies
     std::vector<ReportPicture> const& pictures;
+    std::vector<FifoCost> const& fifo_costs = {};
 };
 
 /// One HTML page that needs nothing else: no network, no other file. Simulated figures only, so equal runs give equal

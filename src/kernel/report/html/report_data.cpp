@@ -1,20 +1,21 @@
 #include "kernel/report/html/report_data.hpp"
 
 #include "kernel/base/files/json_file.hpp"
-#include "kernel/config/plain_value.hpp"
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/hazard_report.hpp"
+#include "kernel/report/html/area_data.hpp"
+#include "kernel/report/html/configuration_data.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/html_text.hpp"
 #include "kernel/report/html/latency_histogram.hpp"
 #include "kernel/report/html/run_data.hpp"
-#include "kernel/report/html/timeline_data.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/memory_traffic_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/standout_samples.hpp"
 #include "kernel/report/summary.hpp"
 
 namespace faster::report {
@@ -42,11 +43,21 @@ Json pictures(std::vector<ReportPicture> const& files) {
     return rows;
 }
 
-/// Values as text: JavaScript's numbers would round the larger integers.
-Json configuration(std::vector<ResolvedKey> const& keys) {
+/// Which samples stand for others is said with them.
+Json timelines(HtmlReportInput const& input) {
     Json rows = Json::array();
-    for (ResolvedKey const& key : keys)
-        rows.push_back({{"key", key.key}, {"value", plain_text(key.value)}, {"default", key.is_default}});
+    for (PackedTimeline const& timeline : input.timelines) {
+        Json is = Json::array();
+        for (StandoutSample const& standout : standout_samples(input.run))
+            if (standout.sample->sample == timeline.sample)
+                is.push_back(standout.is);
+        rows.push_back({{"sample", timeline.sample},
+                        {"core", timeline.core},
+                        {"begin", timeline.begin},
+                        {"end", timeline.end},
+                        {"is", is},
+                        {"packed", timeline.packed}});
+    }
     return rows;
 }
 
@@ -71,11 +82,10 @@ std::string report_data(HtmlReportInput const& input) {
     data["hazards"] = hazard_sums_json(input.run);
     data["latency"] = latency(input.run);
     data["external_memory"] = memory_traffic_json(input.run);
-    data["timelines"] = Json::array();
-    for (SampleTimeline const& timeline : input.timelines)
-        data["timelines"].push_back(timeline_data(input.run.machine, timeline));
+    data["area"] = area_data(input.run, input.fifo_costs);
+    data["timelines"] = timelines(input);
     data["pictures"] = pictures(input.pictures);
-    data["configuration"] = configuration(input.keys);
+    data["configuration"] = configuration_data(input.keys);
     // File names may hold any bytes.
     return io::text_of(data);
 }

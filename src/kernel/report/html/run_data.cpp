@@ -30,7 +30,7 @@ Json headline_data(RunStatistics const& run) {
     return {{"total_cycles", run.total_cycles},   {"milliseconds", run.machine.milliseconds(run.total_cycles)},
             {"samples", run.samples.size()},      {"cores", run.cores.size()},
             {"cores_are", run.machine.cores_are}, {"remark", run.machine.remark},
-            {"clock_mhz", run.machine.clock_mhz}};
+            {"load_cycles", run.load_cycles},     {"clock_mhz", run.machine.clock_mhz}};
 }
 
 /// In the order of cycle_class_data().

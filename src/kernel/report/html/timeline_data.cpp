@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "kernel/figures/cycle_class.hpp"
-#include "kernel/report/html/timeline_view.hpp"
 
 namespace faster::report {
 
@@ -29,18 +28,34 @@ std::string item_name(Machine const& machine, TimelineSpan const& span) {
     return span.kind == TimelineSpan::Kind::loop ? machine.loops[span.item].name : machine.fifos[span.item].name;
 }
 
-/// Short rows, because there are thousands: module, kind, item, begin, end, cycles, iterations of a loop, spans.
-Json spans(Machine const& machine, SampleTimeline const& timeline) {
+}  // namespace
+
+Cycles coarse_resolution(SampleTimeline const& timeline) {
     constexpr Cycles distinguishable = 2000;  // positions along a wide screen
+    return (timeline.end - timeline.begin) / distinguishable;
+}
+
+Json span_item(Machine const& machine, TimelineSpan const& span) {
+    return {machine.processes[span.module].name, kind_name(span.kind), item_name(machine, span)};
+}
+
+std::uint64_t iterations_of(MergedSpan const& span) {
+    return span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0;
+}
+
+/// Short rows, because there are thousands: module, kind, item, begin, end, cycles, iterations of a loop, spans.
+static Json span_rows(Machine const& machine, std::vector<MergedSpan> const& spans) {
     Json rows = Json::array();
-    for (MergedSpan const& span : merged_spans(timeline.spans, (timeline.end - timeline.begin) / distinguishable))
-        rows.push_back({machine.processes[span.extent.module].name, kind_name(span.extent.kind),
-                        item_name(machine, span.extent), span.extent.begin, span.extent.end, span.cycles,
-                        span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0, span.spans});
+    for (MergedSpan const& span : spans) {
+        rows.push_back(span_item(machine, span.extent));
+        for (std::uint64_t const number :
+             {span.extent.begin, span.extent.end, span.cycles, iterations_of(span), span.spans})
+            rows.back().push_back(number);
+    }
     return rows;
 }
 
-Json occupancy(Machine const& machine, SampleTimeline const& timeline) {
+Json occupancy_data(Machine const& machine, SampleTimeline const& timeline) {
     constexpr std::size_t parts = 120;
     Json fifo_profiles = Json::object();
     for (std::size_t f = 0; f < timeline.occupancy.size(); ++f) {
@@ -56,11 +71,13 @@ Json occupancy(Machine const& machine, SampleTimeline const& timeline) {
     return fifo_profiles;
 }
 
-}  // namespace
-
 Json timeline_data(Machine const& machine, SampleTimeline const& timeline) {
-    return {{"core", timeline.core}, {"sample", timeline.sample},         {"begin", timeline.begin},
-            {"end", timeline.end},   {"spans", spans(machine, timeline)}, {"occupancy", occupancy(machine, timeline)}};
+    return {{"core", timeline.core},
+            {"sample", timeline.sample},
+            {"begin", timeline.begin},
+            {"end", timeline.end},
+            {"spans", span_rows(machine, merged_spans(timeline.spans, coarse_resolution(timeline)))},
+            {"occupancy", occupancy_data(machine, timeline)}};
 }
 
 }  // namespace faster::report

@@ -50,6 +50,12 @@ function milliseconds(cycles) {
   return cycles / (data.headline.clock_mhz * 1000);
 }
 
+/// "10 raster cores, a remark, 200 MHz"
+function machine_text({ cores, cores_are, remark, clock_mhz }, ...more) {
+  const parts = [`${cores} ${cores === 1 ? cores_are.replace(/s$/, "") : cores_are}`, remark, `${clock_mhz} MHz`, ...more];
+  return parts.filter((part) => part).join(", ");
+}
+
 /// Large figures with what they are below them.
 function fill_figures(list, figures) {
   for (const [name, value] of figures)

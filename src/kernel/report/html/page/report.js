@@ -1,10 +1,11 @@
 // Fills the sections of the page, from top to bottom.
 
-const lane_cycles = data.headline.total_cycles * data.headline.cores;
+const lane_cycles = (data.headline.total_cycles - data.headline.load_cycles) * data.headline.cores;
 
 function show_headline() {
   const h = data.headline;
-  by_id("machine").textContent = [`${h.cores} ${h.cores_are}`, h.remark, `${h.clock_mhz} MHz`].filter((part) => part).join(", ");
+  const load = h.load_cycles > 0 && `the first ${count_of(h.load_cycles, "cycle")} of the total load memories, before cycle 0 of all that follows`;
+  by_id("machine").textContent = machine_text(h, load);
   fill_figures(by_id("headline"), [
     ["cycles", whole(h.total_cycles)],
     ["ms", decimal(h.milliseconds, 3)],
@@ -214,7 +215,7 @@ class FifoTable {
       figure("full stall", (row) => row.full_stall_cycles),
       figure("empty stall", (row) => row.empty_stall_cycles),
     ];
-    if (data.timelines.some((timeline) => Object.keys(timeline.occupancy).length > 0))
+    if (data.timelines.length > 0)
       columns.splice(1, 0, { title: "occupancy", value: (row) => this.mean_of(row.fifo), fill: (cell, row) => cell.append(this.spark_box(row.fifo)) });
     return columns;
   }
@@ -369,10 +370,8 @@ function show_latency() {
 }
 
 function show_timelines(fifo_table) {
-  if (!data.timelines.some((sample) => sample.spans.length > 0)) return leave_out("timeline");
-  const timeline = new Timeline();
-  timeline.shown = (shown) => fifo_table.show_occupancy(shown);
-  timeline.show(data.timelines[0]);
+  if (data.timelines.length === 0) return leave_out("timeline");
+  new PackedSamples((shown) => fifo_table.show_occupancy(shown));
 }
 
 function show_pictures() {
@@ -381,21 +380,6 @@ function show_pictures() {
     by_id("picture-list").append(element("figure", {},
       element("img", { src: "data:image/png;base64," + picture.png, alt: picture.title, loading: "lazy" }),
       element("figcaption", {}, picture.title)));
-}
-
-function show_configuration() {
-  const changed = data.configuration.filter((row) => !row.default);
-  by_id("configuration-note").textContent =
-    `${count_of(data.configuration.length, "key")} as resolved; ${changed.length} differ from their defaults.`;
-  const table = new SortableTable(by_id("configuration-table"), "Configuration", [
-    { title: "key", value: (row) => row.key },
-    { title: "value", value: (row) => row.value, wrap: true },
-    { title: "default", value: (row) => (row.default ? "default" : "changed"),
-      fill: (cell, row) => cell.append(row.default ? "default" : element("span", { class: "tag" }, "changed")) },
-  ], data.configuration, { box: "high", row_class: (row) => (row.default ? "" : "changed") });
-  const filter = element("input", { type: "checkbox", id: "only-non-defaults" });
-  filter.addEventListener("change", () => table.show(filter.checked ? changed : data.configuration));
-  by_id("configuration-controls").append(element("label", {}, filter, "only non-defaults"));
 }
 
 set_chart_defaults();
@@ -407,6 +391,7 @@ show_critical_path();
 show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
+show_memories();
 show_hazards();
 show_external_memory();
 show_latency();

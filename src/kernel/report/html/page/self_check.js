@@ -29,18 +29,24 @@ function rows_with_filter(checked) {
   return column_of(document.querySelector("#configuration-table table"), 0);
 }
 
+/// Until the timeline that was chosen is drawn.
+async function timeline_is_drawn() {
+  while (data.timelines.length > 0 && !by_id("timeline-chart").dataset.shown) await new Promise((resolve) => setTimeout(resolve, 5));
+}
+
 /// What `observe` finds after each choice of a select, by the text of the choice; the first is chosen again at the end.
-function with_each_choice(place, observe) {
+async function with_each_choice(place, observe) {
   const select = document.querySelector(place + " select");
   if (!select) return {};
   const found = {};
-  const choose = (i) => {
+  const choose = async (i) => {
     select.selectedIndex = i;
     select.dispatchEvent(new Event("change"));
+    await timeline_is_drawn();
     found[select.options[i].textContent] = observe();
   };
-  for (let i = 0; i < select.options.length; ++i) choose(i);
-  choose(0);
+  for (let i = 0; i < select.options.length; ++i) await choose(i);
+  await choose(0);
   return found;
 }
 
@@ -56,11 +62,12 @@ function zoomed() {
   });
 }
 
-function self_check() {
+async function self_check() {
+  await timeline_is_drawn();
   const first_fifo = () => document.querySelector("#fifo-table tbody tr").textContent;
-  const cores = with_each_choice("#fifo-controls", first_fifo);
-  const loops_of_cores = with_each_choice("#loop-controls", () => column_of(document.querySelector("#loop-table table"), 6));
-  const samples = with_each_choice("#timeline-controls", () => by_id("timeline-note").textContent);
+  const cores = await with_each_choice("#fifo-controls", first_fifo);
+  const loops_of_cores = await with_each_choice("#loop-controls", () => column_of(document.querySelector("#loop-table table"), 6));
+  const samples = await with_each_choice("#timeline-controls", () => by_id("timeline-note").textContent);
   const tables = {};
   for (const table of document.querySelectorAll("table")) tables[table.caption.textContent] = sort_all(table);
   return {
@@ -85,8 +92,8 @@ function self_check() {
 }
 
 /// The text must survive being written out as HTML.
-function leave_self_check() {
-  const json = JSON.stringify(self_check()).replaceAll("<", "\\u003c");
+async function leave_self_check() {
+  const json = JSON.stringify(await self_check()).replaceAll("<", "\\u003c");
   document.body.append(element("script", { type: "application/json", id: "self-check" }, json));
 }
 

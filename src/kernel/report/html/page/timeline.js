@@ -27,7 +27,7 @@ function timeline_legend() {
   const names = [new Set(), new Set(), new Set()];
   for (const row of data.modules) loops_of(row.module).forEach((loop, i) => names[i].add(loop));
   const loops = names.map((set, i) => ["loop-" + i, "loop " + [...set].join(", ")]);
-  const memory = data.external_memory ? [["memory_stall", "memory stall"]] : [];
+  const memory = data.cycle_classes.includes("memory_stall") ? [["memory_stall", "memory stall"]] : [];
   return legend([...loops, ["empty_stall", "empty stall"], ["full_stall", "full stall"], ...memory]);
 }
 
@@ -38,7 +38,7 @@ function span_text(span) {
   return [`${what}: ${count_of(span.cycles, "cycle")}${iterations}${several}`, `cycle ${whole(span.begin)} to ${whole(span.end - 1)}`];
 }
 
-function span_dataset(kind, spans, origin) {
+function span_dataset(kind, spans) {
   const palette = new Map();
   const shade = (span) => {
     const key = span.module + span.item;
@@ -47,7 +47,7 @@ function span_dataset(kind, spans, origin) {
   };
   return {
     label: in_words(kind),
-    data: spans.map((span) => ({ x: [span.begin - origin, span.end - origin], y: span.module, span })),
+    data: spans.map((span) => ({ x: [span.begin, span.end], y: span.module, span })),
     backgroundColor: spans.map(shade),
     grouped: false,
     categoryPercentage: 1,
@@ -58,15 +58,16 @@ function span_dataset(kind, spans, origin) {
   };
 }
 
-/// Zoom is how often the part that is shown has been halved.
+const fewest_cycles_shown = 50;
+
+/// All cycles are those of the run. Zoom is how often the part that is shown has been halved. `looked` is told of the
+/// part, and may have finer bars for it.
 class Timeline {
   constructor() {
     this.zoom = element("input", { type: "range", min: 0, max: 8, step: 0.25, value: 0 });
     this.halvings = 0;
     this.place = 0.5;
     this.position = element("input", { type: "range", min: 0, max: 1, step: 0.001, value: 0.5 });
-    const names = data.timelines.map((t) => `${whole(t.sample)} (core ${t.core})`);
-    if (names.length > 1) by_id("timeline-controls").append(labelled("Sample", choice(names, (i) => this.show(data.timelines[i]))));
     by_id("timeline-controls").append(labelled("Zoom", this.zoom), labelled("Position", this.position));
     this.zoom.addEventListener("input", () => this.look(Number(this.zoom.value), this.place));
     this.position.addEventListener("input", () => this.look(this.halvings, Number(this.position.value)));
@@ -94,15 +95,14 @@ class Timeline {
 
   show(timeline) {
     this.spans = timeline.spans.map(named_span);
-    this.origin = timeline.begin;
-    this.begin = this.spans.reduce((cycle, span) => Math.min(cycle, span.begin), timeline.begin) - this.origin;
-    this.end = this.spans.reduce((cycle, span) => Math.max(cycle, span.end), timeline.end) - this.origin;
+    [this.begin, this.end] = [timeline.begin, timeline.end];
+    this.zoom.max = Math.max(0, Math.floor(4 * Math.log2((this.end - this.begin) / fewest_cycles_shown)) / 4);
     if (this.entry) remove_chart(this.entry);
     this.look_back();
     const cycles = count_of(timeline.end - timeline.begin, "cycle");
     this.entry = add_chart(by_id("timeline-chart"), `Timeline of sample ${timeline.sample}, ${cycles}`, () => this.options());
     by_id("timeline-note").textContent =
-      `Sample ${timeline.sample} on core ${timeline.core}: ${cycles} from cycle ${whole(timeline.begin)} on.`;
+      `Sample ${timeline.sample} on core ${timeline.core}: ${cycles}, ${whole(this.begin)} to ${whole(this.end - 1)}.`;
     this.shown(timeline);
   }
 
@@ -129,9 +129,9 @@ class Timeline {
     if (!this.entry) return;
     [this.halvings, this.place] = [halvings, place];
     [this.zoom.value, this.position.value] = [halvings, place];
-    this.looked(this.part());
     Object.assign(this.entry.chart.options.scales.x, this.part());
     this.entry.chart.update("none");
+    this.looked(this.part());
   }
 
   options() {
@@ -139,13 +139,13 @@ class Timeline {
       type: "bar",
       data: {
         labels: data.modules.map((row) => row.module),
-        datasets: span_kinds.map((kind) => span_dataset(kind, this.spans.filter((s) => s.kind === kind), this.origin)),
+        datasets: span_kinds.map((kind) => span_dataset(kind, this.spans.filter((s) => s.kind === kind))),
       },
       options: {
         indexAxis: "y",
         interaction: { mode: "nearest", intersect: true },
         scales: {
-          x: { ...this.part(), title: axis_title("cycles of the sample"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
+          x: { ...this.part(), title: axis_title("cycle"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
           y: { grid: { display: true }, ticks: { autoSkip: false } },
         },
         plugins: {

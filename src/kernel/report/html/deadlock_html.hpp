@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kernel/base/json.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
+namespace faster::report {
+
+/// Who waits for whom, as in summary.json, and what could be `deeper`: the FIFOs of the circle that are full, with the
+/// keys of their depths.
+Json deadlock_data(RunStatistics const& run);
+
+/// What ran it.
+struct RunCommand {
+    std::string words;                  ///< without settings
+    std::vector<std::string> settings;  ///< KEY=VALUE
+};
+
+/// One HTML page of a run that got stuck, which needs nothing else.
+std::string deadlock_html(std::string const& title, RunCommand const& command, RunStatistics const& run,
+                          std::vector<ResolvedKey> const& keys);
+
+}  // namespace faster::report

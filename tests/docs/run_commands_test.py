@@ -74,7 +74,7 @@ LONG = {
     "faster_zcu102_memory.yaml": "half a minute, as it is run five times",
     "out/memory.events": "for the line before it",
     "--fst out/banana.fst": "seconds of writing",
-    "sensitivities out/main.events": "half a minute",
+    "sensitivities out/": "seconds, in three pages; python.the_package_does_what_the_program_does has them as well",
     "compare-architectures": "minutes",
     "edge-quality --poses 50": "minutes",
     "estimate configs/": "minutes",

@@ -9,8 +9,8 @@ namespace faster {
 namespace {
 
 constexpr std::array<char const*, 16> without_effect{
-    "out",  "report", "events", "json",  "csv",         "html",         "junit",      "vcd",
-    "fst",  "timeline", "jobs", "force", "keep-events", "retry-failed", "time-limit", "shard"};
+    "out", "report",   "events", "json",  "csv",         "html",         "junit",      "vcd",
+    "fst", "timeline", "jobs",   "force", "keep-events", "retry-failed", "time-limit", "shard"};
 
 bool has_effect(CLI::Option const& option) {
     return std::none_of(without_effect.begin(), without_effect.end(),
@@ -18,8 +18,7 @@ bool has_effect(CLI::Option const& option) {
 }
 
 std::string quoted(std::string const& word) {
-    constexpr char const* plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+    constexpr char const* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
         return word;
     std::string text = "'";

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "kernel/base/files/output_file.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/program_name.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
@@ -96,11 +94,6 @@ void announce(RunSize const& size, bool force) {
         return;
     say("{}\n", text_of(size));
     finish_saying();
-}
-
-void say_warnings(std::vector<std::string> const& warnings) {
-    for (std::string const& warning : warnings)
-        warn("{}: warning: {}\n", program_name(), message_line(warning));
 }
 
 int give_up(LoadedConfig const& loaded, RunStatistics const& run, Outputs const& outputs) {

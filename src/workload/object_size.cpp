@@ -19,9 +19,10 @@ std::string size_warning(Mesh const& mesh, std::string const& file) {
     double const side_m = longest_side_m(mesh);
     if (side_m < suspicious_m)
         return {};
-    return fmt::format("{}: is {:.4g} m long, which looks like millimetres; expected less than {} m "
-                       "(workload.mesh_files.scale: 0.001 reads millimetres)",
-                       file, side_m, suspicious_m);
+    return fmt::format(
+        "{}: is {:.4g} m long, which looks like millimetres; expected less than {} m "
+        "(workload.mesh_files.scale: 0.001 reads millimetres)",
+        file, side_m, suspicious_m);
 }
 
 }  // namespace faster::workload

@@ -33,8 +33,8 @@ std::string pose_list_csv(std::vector<Pose> const& poses) {
     std::string text = "sample,R,t_m\n";
     for (std::size_t sample = 0; sample < poses.size(); ++sample) {
         Eigen::Vector3d const& t = poses[sample].translation;
-        text += fmt::format("{},{},{} {} {}\n", sample, io::row_major_text(poses[sample].rotation), t.x(), t.y(),
-                            t.z());
+        text +=
+            fmt::format("{},{},{} {} {}\n", sample, io::row_major_text(poses[sample].rotation), t.x(), t.y(), t.z());
     }
     return text;
 }

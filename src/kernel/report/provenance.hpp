@@ -8,8 +8,8 @@
 
 namespace faster::report {
 
-/// Where a result comes from: program, version, commit, command and hash of the configuration. No date of the run, so that
-/// equal runs write equal bytes.
+/// Where a result comes from: program, version, commit, command and hash of the configuration. No date of the run, so
+/// that equal runs write equal bytes.
 Json made_by_json(std::string const& configuration_hash);
 
 /// The same of the keys themselves.

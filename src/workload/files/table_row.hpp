@@ -9,8 +9,8 @@
 
 namespace faster::io {
 
-/// One row of a table with poses in it, as read_csv_cells() gives it, and how to complain about it. Columns are numbers of
-/// those that were asked for. Everything throws InputError (file:line: column ... = ..., expected ...).
+/// One row of a table with poses in it, as read_csv_cells() gives it, and how to complain about it. Columns are numbers
+/// of those that were asked for. Everything throws InputError (file:line: column ... = ..., expected ...).
 class TableRow {
   public:
     TableRow(std::filesystem::path const& path, std::vector<std::string> const& columns, std::size_t line,

@@ -36,7 +36,7 @@ Json made_by_json(std::vector<ResolvedKey> const& keys) { return made_by_json(co
 std::string made_by_html(std::string const& configuration_hash, MadeBy const& maker) {
     std::string line = shown("Made by " + program_name() + " " + maker.version);
     if (maker.commit.empty())
-        line += ", which was built outside of git";
+        line += ", commit not known";
     else
         line += shown(fmt::format(", commit {} of {}", maker.commit, maker.commit_date));
     if (!maker.command.empty())

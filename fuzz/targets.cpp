@@ -23,6 +23,7 @@
 #include "workload/files/mesh_file.hpp"
 #include "workload/files/png_image.hpp"
 #include "workload/files/trace.hpp"
+#include "workload/pose_list.hpp"
 
 namespace faster::fuzz {
 
@@ -139,6 +140,7 @@ std::vector<Target> const& targets() {
         {"edges_png", "an image of 8 bits", [](auto bytes) { io::read_png8(file_of("edges.png", bytes)); }},
         {"run_folder", "files of a run, with lines of %% between them", read_run_folder},
         {"poses", "results in the format of BOP", [](auto bytes) { bop::read_pose_results(file_of("p.csv", bytes)); }},
+        {"pose_list", "a table of poses", [](auto bytes) { workload::read_pose_list(file_of("l.csv", bytes)); }},
         {"detections", "detections in the format of BOP",
          [](auto bytes) { bop::read_detections(file_of("d.json", bytes)); }},
         {"bop_folder", "files of a dataset, with lines of %% between them", read_bop_folder},

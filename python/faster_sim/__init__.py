@@ -7,7 +7,7 @@
 Keys are those of the configuration (`faster-sim keys`). docs/python.md teaches the rest.
 """
 
-from faster_sim._core import InputError
+from faster_sim._core import InputError, commit as __commit__, version as __version__
 from faster_sim._events import Events, load_events, record
 from faster_sim._program import ProgramError
 from faster_sim._results import Result, to_pandas

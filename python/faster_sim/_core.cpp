@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "common/program_commit.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/made_by.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/resolved_config.hpp"
@@ -25,6 +27,7 @@
 #include "kernel/replay/scripted_run.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/csv.hpp"
+#include "kernel/report/provenance.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/report/summary.hpp"
 #include "kernel/report/text_report.hpp"
@@ -112,7 +115,9 @@ struct Retimed {
     std::string deadlock_report() const { return run.deadlocked() ? report::deadlock_report(run) : ""; }
     std::string summary() const {
         std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
-        return run.deadlocked() ? report::deadlock_summary_json(keys, run) : report::summary_json(keys, run, {});
+        Json const made_by = report::made_by_json(keys);
+        return run.deadlocked() ? report::deadlock_summary_json(keys, run, made_by)
+                                : report::summary_json(keys, run, {}, made_by);
     }
 };
 
@@ -206,6 +211,9 @@ class Events {
 
 PYBIND11_MODULE(_core, module) {
     module.doc() = "Re-times recorded runs; faster_sim has what is meant to be used.";
+    made_by() = {FASTER_VERSION, program_commit, program_commit_date, {}};
+    module.attr("version") = made_by().version;
+    module.attr("commit") = made_by().commit;
     py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
     py::class_<Retimed>(module, "Retimed")
         .def_property_readonly("total_cycles", &Retimed::total_cycles)

@@ -1,5 +1,8 @@
 from typing import Callable, Optional
 
+version: str
+commit: str
+
 class InputError(ValueError): ...
 
 class Retimed:

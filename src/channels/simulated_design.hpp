@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "channels/dataflow_accelerator.hpp"
 #include "kernel/config/load_config.hpp"
@@ -21,8 +23,12 @@ class Workload {
   public:
     virtual ~Workload() = default;
     virtual std::size_t samples() const = 0;
+    /// What in it looks like a mistake, a line each.
+    virtual std::vector<std::string> warnings() const { return {}; }
     /// To say beforehand how long a run is; none: no idea.
     virtual LoopIterations iterations() const { return {}; }
+    /// What it is made of as a table, for Design::workload_table(). Empty: not known.
+    virtual std::string table() const { return {}; }
 };
 
 /// What simulating a design takes, besides what Design says of it. A program has one: whoever builds the program

@@ -11,14 +11,35 @@ namespace faster {
 namespace {
 
 /// The keys a trace speaks about; others keep their values.
-constexpr char const* trace_keys[] = {"accelerator.window",
-                                      "accelerator.fraction_bits.vertex_xy",
-                                      "accelerator.fraction_bits.vertex_z",
-                                      "accelerator.fraction_bits.area_reciprocal",
-                                      "accelerator.fraction_bits.fragment_depth",
-                                      "accelerator.fraction_bits.depth_buffer",
-                                      "workload.camera.width",
-                                      "workload.camera.height"};
+std::vector<std::string> const trace_keys{"accelerator.window",
+                                          "accelerator.fraction_bits.vertex_xy",
+                                          "accelerator.fraction_bits.vertex_z",
+                                          "accelerator.fraction_bits.area_reciprocal",
+                                          "accelerator.fraction_bits.fragment_depth",
+                                          "accelerator.fraction_bits.depth_buffer",
+                                          "workload.camera.width",
+                                          "workload.camera.height"};
+
+/// `source`: for messages
+void adopt(std::vector<std::string> const& names, RunConfig const& of_source, std::string const& source,
+           LoadedConfig& loaded) {
+    std::vector<std::string> contradictions;
+    for (std::string const& name : names) {
+        Key const& key = *find_key(name);
+        KeyValue const value = key.read(of_source);
+        bool const is_demanded = loaded.origins.of(name).source == KeySource::command_line;
+        if (is_demanded && json_text(key.read(loaded.config)) != json_text(value))
+            contradictions.push_back(
+                complaint(loaded, name, fmt::format("{}, as in the {}", json_text(value), source)));
+    }
+    throw_first(contradictions);
+    for (std::string const& name : names) {
+        Key const& key = *find_key(name);
+        key.write(loaded.config, key.read(of_source));
+        loaded.origins.record(name, {KeySource::trace, source});
+    }
+    throw_first(cross_check(loaded));
+}
 
 }  // namespace
 
@@ -28,23 +49,13 @@ void adopt_trace(LoadedConfig& loaded, int width, int height, int window, Fracti
     accelerator_of(of_trace).fraction_bits = fraction;
     workload_of(of_trace).camera.width = width;
     workload_of(of_trace).camera.height = height;
+    adopt(trace_keys, of_trace, "trace", loaded);
+}
 
-    std::vector<std::string> contradictions;
-    for (char const* const name : trace_keys) {
-        Key const& key = *find_key(name);
-        KeyValue const value = key.read(of_trace);
-        bool const is_demanded = loaded.origins.of(name).source == KeySource::command_line;
-        if (is_demanded && json_text(key.read(loaded.config)) != json_text(value)) {
-            contradictions.push_back(complaint(loaded, name, fmt::format("{}, as in the trace", json_text(value))));
-        }
-    }
-    throw_first(contradictions);
-    for (char const* const name : trace_keys) {
-        Key const& key = *find_key(name);
-        key.write(loaded.config, key.read(of_trace));
-        loaded.origins.record(name, {KeySource::trace, "trace"});
-    }
-    throw_first(cross_check(loaded));
+void adopt_poses(LoadedConfig& loaded, std::size_t count) {
+    RunConfig of_poses;
+    workload_of(of_poses).samples.count = count;
+    adopt({"workload.samples.count"}, of_poses, "table of poses", loaded);
 }
 
 }  // namespace faster

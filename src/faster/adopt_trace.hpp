@@ -8,4 +8,7 @@ namespace faster {
 /// those of the configuration. Throws InputError if an override explicitly asks for something else.
 void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction);
 
+/// The same of a table of poses, which determines how many samples there are.
+void adopt_poses(LoadedConfig& loaded, std::size_t count);
+
 }  // namespace faster

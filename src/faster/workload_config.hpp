@@ -52,14 +52,16 @@ struct SamplesConfig {
     double translation_sigma_m = 0.01;  ///< normal spread around the ground truth, per axis
     double rotation_sigma_deg = 5;      ///< normal spread of the rotation angle about a random axis
     std::uint64_t seed = 2;
+    std::string poses;  ///< table of poses, which replaces all the above; empty: draw them
 };
 
-/// What reading a mesh file may take; `workload.mesh_files.*`. A damaged one may keep the library that reads it busy
-/// without end.
+/// How mesh files are read, and what that may take; `workload.mesh_files.*`. A damaged one may keep the library that
+/// reads it busy without end.
 struct MeshFilesConfig {
     double time_limit_s = 10;
     std::uint64_t memory_limit_mib = 1024;
     std::uint64_t file_limit_mib = 256;
+    double scale = 1;  ///< metres per unit
 };
 
 /// What the machine works on; keys `workload.*`.

@@ -97,6 +97,10 @@ void add_target_keys(Keys& keys) {
 }
 
 void add_mesh_file_keys(Keys& keys) {
+    keys.push_back(Make::number_key(
+        {"workload.mesh_files.scale", "m",
+         "Metres per unit of mesh files: 0.001 for millimetres. Built-in classes are in metres.", "this project"},
+        positive, [](auto& config) -> auto& { return config.workload.mesh_files.scale; }));
     keys.push_back(of_no_figure(Make::number_key(
         {"workload.mesh_files.time_limit_s", "s", "How long reading a mesh file may take.", "this project"},
         {0, 86'400, true}, [](auto& config) -> auto& { return config.workload.mesh_files.time_limit_s; })));
@@ -214,6 +218,11 @@ void add_samples_keys(Keys& keys) {
     keys.push_back(Make::integer_key(
         {"workload.samples.seed", "", "Seed of the pose samples.", "this project"}, any_seed,
         [](auto& config) -> auto& { return config.workload.samples.seed; }));
+    keys.push_back(Make::make_key(
+        {"workload.samples.poses", "",
+         "Table of poses (CSV: R, t_m or t) that replaces the other keys of workload.samples; empty to draw them.",
+         "this project"},
+        KeyKind::path, [](auto& config) -> auto& { return config.workload.samples.poses; }));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/provenance.hpp"
 #include "poses/page.hpp"
 
 namespace faster::poses {
@@ -75,7 +76,8 @@ Json evaluation_json(Evaluation const& evaluation) {
 }
 
 std::string evaluation_html(Evaluation const& evaluation) {
-    return report::filled_page(evaluation_page, "How far the poses are off", io::text_of(evaluation_json(evaluation)));
+    return report::filled_page(evaluation_page, "How far the poses are off", report::made_by_html(""),
+                               io::text_of(evaluation_json(evaluation)));
 }
 
 }  // namespace faster::poses

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <set>
 
+#include "kernel/base/counted_progress.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "poses/matching.hpp"
@@ -148,24 +148,6 @@ std::vector<InstanceErrors> judge_target(bop::Target const& target, Estimates co
     return errors;
 }
 
-/// Counts what is done; may be told from any thread.
-class Progress {
-  public:
-    Progress(std::size_t all, std::function<void(std::size_t, std::size_t)> const& tell) : all_(all), tell_(tell) {}
-    void one_more() {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        ++done_;
-        if (tell_)
-            tell_(done_, all_);
-    }
-
-  private:
-    std::size_t all_;
-    std::size_t done_ = 0;
-    std::function<void(std::size_t, std::size_t)> const& tell_;
-    std::mutex mutex_;
-};
-
 }  // namespace
 
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
@@ -175,7 +157,7 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
     Models const models = load_models(dataset, jobs);
     std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
-    Progress done(dataset.targets.size(), progress);
+    CountedProgress done(dataset.targets.size(), progress);
     on_threads(dataset.targets.size(), jobs, [&](std::size_t i) {
         bop::Target const& target = dataset.targets[i];
         Estimates const counted = best(groups, target);

@@ -13,6 +13,7 @@
 #include "reference/quality/survey_table.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/progress_line.hpp"
 #include "tool/say.hpp"
 #include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
@@ -61,11 +62,16 @@ int edge_quality(EdgeQualityRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, quality_folder);
     std::vector<quality::PoseSurvey> rows;
-    for (std::string const& object : objects) {
+    ProgressLine line("edge maps");
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        std::string const& object = objects[i];
+        auto const progress = [&](std::size_t done, std::size_t all) {
+            line.show(i * all + done, objects.size() * all);
+        };
         Mesh const mesh = models::make(object);
         auto const poses = quality::random_poses(mesh, static_cast<std::size_t>(request.poses),
                                                  static_cast<std::uint64_t>(request.seed));
-        for (quality::PoseSurvey& row : quality::survey(object, mesh, poses, algorithms))
+        for (quality::PoseSurvey& row : quality::survey(object, mesh, poses, algorithms, progress))
             rows.push_back(std::move(row));
     }
     if (folder != nullptr) {

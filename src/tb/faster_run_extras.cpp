@@ -1,7 +1,9 @@
 #include "tb/faster_run_extras.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "common/sample_counters.hpp"
 #include "kernel/base/input_error.hpp"
 #include "tb/faster_workload.hpp"
 
@@ -36,6 +38,19 @@ void FasterRunExtras::before(Workload& workload) {
 
 void FasterRunExtras::write(std::filesystem::path const& folder, std::vector<SampleStatistics> const& samples) const {
     pictures_->write(folder, samples);
+}
+
+std::vector<std::string> FasterRunExtras::warnings(std::vector<SampleStatistics> const& samples) const {
+    std::vector<std::size_t> empty;
+    for (SampleStatistics const& sample : samples)
+        if (counters_from(sample.counters).valid_raster == 0)
+            empty.push_back(sample.sample);
+    if (empty.empty())
+        return {};
+    return {
+        fmt::format("{} of {} samples draw no pixel, the first is sample {}: the object is outside of the window, too "
+                    "small or too near there",
+                    empty.size(), samples.size(), empty.front())};
 }
 
 std::vector<report::ReportPicture> FasterRunExtras::pictures() const { return pictures_->for_report(); }

@@ -17,6 +17,7 @@ class FasterRunExtras final : public RunExtras {
     void before(Workload& workload) override;
     bool writes_pictures() const override { return images_ > 0; }
     void write(std::filesystem::path const& folder, std::vector<SampleStatistics> const& samples) const override;
+    std::vector<std::string> warnings(std::vector<SampleStatistics> const& samples) const override;
     std::vector<report::ReportPicture> pictures() const override;
 
   private:

@@ -3,12 +3,19 @@
 #include "faster/faster_config.hpp"
 #include "modules/faster_simulation.hpp"
 #include "tb/workload_source.hpp"
+#include "workload/pose_list.hpp"
 
 namespace faster {
+
+/// A trace knows no poses.
+std::string FasterWorkload::table() const {
+    return stimulus.is_posed() ? workload::pose_list_csv(stimulus.posed.poses) : std::string{};
+}
 
 std::unique_ptr<Workload> FasterSimulation::load_workload(LoadedConfig& loaded) const {
     auto workload = std::make_unique<FasterWorkload>();
     workload->stimulus = load_stimulus(loaded);
+    workload->notes = stimulus_warnings(workload->stimulus, workload_of(loaded.config));
     return workload;
 }
 

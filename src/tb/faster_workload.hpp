@@ -9,10 +9,13 @@ namespace faster {
 /// What raster cores work on, and who watches them.
 struct FasterWorkload final : Workload {
     Stimulus stimulus;
-    SampleProbe* probe = nullptr;  ///< may be null
+    std::vector<std::string> notes;  ///< of warnings()
+    SampleProbe* probe = nullptr;    ///< may be null
 
     std::size_t samples() const override { return stimulus.samples.size(); }
     LoopIterations iterations() const override { return loop_iterations(stimulus); }
+    std::vector<std::string> warnings() const override { return notes; }
+    std::string table() const override;
 };
 
 /// FASTER for the commands that any design has.

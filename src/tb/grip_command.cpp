@@ -18,6 +18,7 @@
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
+#include "tool/progress_line.hpp"
 #include "tool/say.hpp"
 #include "workload/object_pose.hpp"
 
@@ -53,9 +54,12 @@ grip::Settings settings_of(GripRequest const& request, WorkloadConfig const& wor
 std::vector<SampleCounters> flow_counters(AcceleratorConfig const& config, Stimulus const& stimulus) {
     reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
                                                               : reference::Scorer(stimulus, config.edge_map);
+    ProgressLine line("samples by the design");
     std::vector<SampleCounters> counters;
-    for (std::size_t i = 0; i < stimulus.samples.size(); ++i)
+    for (std::size_t i = 0; i < stimulus.samples.size(); ++i) {
         counters.push_back(scorer.run(i));
+        line.show(i + 1, stimulus.samples.size());
+    }
     return counters;
 }
 
@@ -66,13 +70,19 @@ std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
     return errors;
 }
 
+std::vector<grip::PoseScore> scores_by_grip(Stimulus const& stimulus, grip::Settings const& settings, unsigned jobs) {
+    ProgressLine line("samples by GRIP");
+    return grip::score_poses(stimulus, settings, jobs,
+                             [&line](std::size_t done, std::size_t all) { line.show(done, all); });
+}
+
 GripComparison compare_with_flow(GripRequest const& request, RunConfig const& config, Stimulus const& stimulus) {
     GripComparison comparison;
     comparison.flow = accelerator_of(config).flow;
     comparison.architecture = accelerator_of(config).architecture;
     comparison.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     auto start = HostClock::now();
-    comparison.grip = grip::score_poses(stimulus, settings_of(request, workload_of(config)), comparison.jobs);
+    comparison.grip = scores_by_grip(stimulus, settings_of(request, workload_of(config)), comparison.jobs);
     comparison.grip_seconds = seconds_since(start);
     start = HostClock::now();
     comparison.counters = flow_counters(accelerator_of(config), stimulus);
@@ -93,6 +103,7 @@ int grip_baseline(GripRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
     Stimulus const stimulus = load_stimulus(loaded);
+    say_warnings(stimulus_warnings(stimulus, workload_of(loaded.config)));
     GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
     if (folder != nullptr) {
         io::write_file(folder->path() / "scores.csv", grip_csv(comparison));

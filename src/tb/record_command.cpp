@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "faster/faster_config.hpp"
 #include "kernel/config/load_config.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
@@ -18,7 +19,9 @@ int record(RecordRequest const& request) {
     paths.reads(request.config);
     paths.reads(loaded.config);
     paths.writes("--out", request.out, io::trace_kind());
-    Stimulus const stimulus = with_explicit_triangles(load_stimulus(loaded));
+    Stimulus const posed = load_stimulus(loaded);
+    say_warnings(stimulus_warnings(posed, workload_of(loaded.config)));
+    Stimulus const stimulus = with_explicit_triangles(posed);
     io::write_trace(stimulus, request.out);
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
     return exit_done;

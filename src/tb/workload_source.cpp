@@ -5,17 +5,30 @@
 #include "faster/faster_config.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/files/trace.hpp"
+#include "workload/object_mesh.hpp"
+#include "workload/object_size.hpp"
 
 namespace faster {
 
 Stimulus load_stimulus(LoadedConfig& loaded) {
     WorkloadConfig const& config = workload_of(loaded.config);
     AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
-    if (config.trace.empty())
-        return workload::build_stimulus(config, accelerator.window, accelerator.fraction_bits);
+    if (config.trace.empty()) {
+        Stimulus stimulus = workload::build_stimulus(config, accelerator.window, accelerator.fraction_bits);
+        if (!config.samples.poses.empty())
+            adopt_poses(loaded, stimulus.samples.size());
+        return stimulus;
+    }
     Stimulus stimulus = io::read_trace(config.trace);
     adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
     return stimulus;
+}
+
+std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadConfig const& config) {
+    if (!config.trace.empty() || !workload::is_mesh_file(config.target.object))
+        return {};
+    std::string const warning = workload::size_warning(stimulus.posed.mesh, config.target.object);
+    return warning.empty() ? std::vector<std::string>{} : std::vector<std::string>{warning};
 }
 
 Stimulus with_explicit_triangles(Stimulus stimulus) {

@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "kernel/base/input_error.hpp"
-#include "kernel/budgets/configuration_hash.hpp"
+#include "kernel/budgets/accelerator_settings.hpp"
 #include "kernel/budgets/run_figures.hpp"
+#include "kernel/config/configuration_hash.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/report/text_report.hpp"
@@ -40,7 +41,7 @@ budgets::Measurement measurement_of(LoadedConfig const& loaded, RunStatistics co
     std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
     budgets::Measurement measurement;
     measurement.clock_mhz = run.machine.clock_mhz;
-    measurement.configuration = budgets::configuration_hash(keys);
+    measurement.configuration = configuration_hash(keys);
     measurement.accelerator = budgets::accelerator_settings(keys);
     if (run.deadlocked()) {
         measurement.kind = Kind::deadlock;

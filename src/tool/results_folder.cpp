@@ -1,27 +1,38 @@
 #include "tool/results_folder.hpp"
 
 #include "kernel/base/files/text_file.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/report/csv.hpp"
+#include "kernel/report/provenance.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 
 namespace faster {
 
-namespace {
-io::FolderKind const results_folder{
-    "run's results", "summary.json", {"samples.csv", "fifos.csv", "loops.csv", "sensitivities.csv", "images"}};
-}  // namespace
+io::FolderKind const& ResultsFolder::kind() {
+    static io::FolderKind const results_folder = [] {
+        std::vector<std::string> others{"samples.csv",   "fifos.csv",         "loops.csv",
+                                        "all_loops.csv", "sensitivities.csv", "images"};
+        if (std::string const table = design().workload_table(); !table.empty())
+            others.push_back(table);
+        return io::FolderKind{"run's results", "summary.json", others};
+    }();
+    return results_folder;
+}
 
-io::FolderKind const& ResultsFolder::kind() { return results_folder; }
-
-ResultsFolder::ResultsFolder(std::filesystem::path const& folder) : folder_(folder, results_folder) {}
+ResultsFolder::ResultsFolder(std::filesystem::path const& folder) : folder_(folder, kind()) {}
 
 void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,
+                          std::string const& workload_table,
                           std::function<void(std::filesystem::path const&)> const& write_pictures) {
-    io::write_file(folder_.path() / "summary.json", report::summary_json(resolved_keys(config), run, host));
+    std::vector<ResolvedKey> const keys = resolved_keys(config);
+    io::write_file(folder_.path() / "summary.json", report::summary_json(keys, run, host, report::made_by_json(keys)));
     io::write_file(folder_.path() / "samples.csv", report::samples_csv(run));
     io::write_file(folder_.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder_.path() / "loops.csv", report::loops_csv(run));
+    io::write_file(folder_.path() / "all_loops.csv", report::all_loops_csv(run));
+    if (!workload_table.empty())
+        io::write_file(folder_.path() / design().workload_table(), workload_table);
     if (!run.sensitivities.empty())
         io::write_file(folder_.path() / "sensitivities.csv", report::sensitivities_csv(run));
     if (write_pictures)
@@ -30,7 +41,9 @@ void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, rep
 }
 
 void ResultsFolder::write_deadlock(RunConfig const& config, RunStatistics const& run) {
-    io::write_file(folder_.path() / "summary.json", report::deadlock_summary_json(resolved_keys(config), run));
+    std::vector<ResolvedKey> const keys = resolved_keys(config);
+    io::write_file(folder_.path() / "summary.json",
+                   report::deadlock_summary_json(keys, run, report::made_by_json(keys)));
     folder_.commit();
 }
 

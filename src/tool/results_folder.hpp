@@ -19,8 +19,10 @@ class ResultsFolder {
     /// Where to write a file that is to be at `file` when all is written, see AtomicFolder.
     std::filesystem::path place_of(std::filesystem::path const& file) { return folder_.place_of(file); }
 
-    /// Writes all files; `write_pictures` may put images into the folder it is given, and be empty.
+    /// Writes all files; `workload_table` of Workload::table(), may be empty. `write_pictures` may put images into the
+    /// folder it is given, and be empty.
     void write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,
+               std::string const& workload_table = {},
                std::function<void(std::filesystem::path const& images)> const& write_pictures = {});
     /// Only who waits for whom: nobody should take the rest for results.
     void write_deadlock(RunConfig const& config, RunStatistics const& run);

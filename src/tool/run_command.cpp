@@ -126,6 +126,8 @@ int run(RunRequest const& request, RunExtras& extras) {
     announce_waveform(request.recording, machine, samples, request.force,
                       [&](SimulationOptions const& options) { return simulate(loaded.config, *workload, options); });
 
+    say_warnings(workload->warnings());
+
     extras.before(*workload);
     start = HostClock::now();
     RunStatistics statistics;
@@ -145,6 +147,11 @@ int run(RunRequest const& request, RunExtras& extras) {
 
     if (statistics.deadlocked())
         return give_up(request, overrides, loaded, statistics, outputs);
+    statistics.warnings = workload->warnings();
+    for (std::string const& warning : extras.warnings(statistics.samples)) {
+        say_warnings({warning});
+        statistics.warnings.push_back(warning);
+    }
     if (std::string const left = leftover_tokens(statistics); !left.empty())
         throw std::logic_error("tokens are left at the end of the run: " + left);
     add_compute_alone(recorded, loaded, statistics);
@@ -153,10 +160,10 @@ int run(RunRequest const& request, RunExtras& extras) {
         statistics.alternatives = replay::alternatives(recorded, loaded);
     }
     if (outputs.folder && extras.writes_pictures())
-        outputs.folder->write(loaded.config, statistics, host,
+        outputs.folder->write(loaded.config, statistics, host, workload->table(),
                               [&](std::filesystem::path const& images) { extras.write(images, statistics.samples); });
     else if (outputs.folder)
-        outputs.folder->write(loaded.config, statistics, host);
+        outputs.folder->write(loaded.config, statistics, host, workload->table());
     if (outputs.events)  // these may lie in the folder
         write_events(*outputs.events, loaded, recorded, statistics);
     if (outputs.report)
@@ -176,7 +183,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
             command
                 .add_option("--out", request->out,
-                            "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder")
+                            "Write summary.json, samples.csv, fifos.csv and loops.csv to this folder, and what else "
+                            "docs/formats.md names")
                 ->type_name("DIR");
             command
                 .add_option("--report", request->report,

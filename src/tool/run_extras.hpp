@@ -30,6 +30,8 @@ class RunExtras {
     virtual bool writes_pictures() const { return false; }
     virtual void write(std::filesystem::path const& /*folder*/,
                        std::vector<SampleStatistics> const& /*samples*/) const {}
+    /// What in the results looks like a mistake, a line each.
+    virtual std::vector<std::string> warnings(std::vector<SampleStatistics> const& /*samples*/) const { return {}; }
     /// For the HTML page.
     virtual std::vector<report::ReportPicture> pictures() const { return {}; }
 };

@@ -6,6 +6,7 @@
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/printable.hpp"
+#include "kernel/base/program_name.hpp"
 
 namespace faster {
 
@@ -28,6 +29,11 @@ void say_text(std::string_view text) {
 }
 
 void warn_text(std::string_view text) { put(printable_lines(text), stderr); }
+
+void say_warnings(std::vector<std::string> const& warnings) {
+    for (std::string const& warning : warnings)
+        warn("{}: warning: {}\n", program_name(), message_line(warning));
+}
 
 void finish_saying() {
     if (std::fflush(stdout) != 0)

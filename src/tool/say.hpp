@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace faster {
 
@@ -20,6 +21,9 @@ void warn_text(std::string_view text);
 template <class... Arguments> void warn(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     warn_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
+
+/// To stderr, a line each: what looks like a mistake of the input, and lets it be used all the same.
+void say_warnings(std::vector<std::string> const& warnings);
 
 /// What was said has left the program. Throws InputError if it could not.
 void finish_saying();

@@ -10,6 +10,8 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/base/program_name.hpp"
+#include "kernel/config/configuration_hash.hpp"
+#include "kernel/config/resolved_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/retimed_config.hpp"
 #include "kernel/report/html/sizing_html.hpp"
@@ -52,7 +54,8 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
                     std::filesystem::path(request.events).filename().string(), request.within_percent);
     std::string const json = sizing::sizing_json(sizing);
     io::write_file(folder.path() / "sizing.json", json);
-    io::write_file(folder.path() / "sizing.html", report::sizing_html(title, json));
+    io::write_file(folder.path() / "sizing.html",
+                   report::sizing_html(title, configuration_hash(resolved_keys(sizing.config)), json));
     io::write_file(folder.path() / "pareto.csv", sizing::pareto_csv(sizing));
     io::write_file(folder.path() / "depths.yaml", sizing::depths_yaml(sizing, title));
     folder.commit();

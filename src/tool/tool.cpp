@@ -13,9 +13,11 @@
 #include "kernel/base/held_signals.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/keep_memory.hpp"
+#include "kernel/base/made_by.hpp"
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/base/printable.hpp"
 #include "kernel/base/program_name.hpp"
+#include "tool/command_text.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/say.hpp"
 
@@ -65,7 +67,7 @@ class Tool {
         if (argc > 1)
             require_known(argv[1]);
         CLI::App app{text_.description, text_.name};
-        app.set_version_flag("--version", text_.version);
+        app.set_version_flag("--version", version());
         app.require_subcommand(1);
         std::vector<std::function<int()>> actions;
         for (Subcommand const& command : commands_)
@@ -82,6 +84,7 @@ class Tool {
         std::size_t chosen = 0;
         while (!app.got_subcommand(commands_[chosen].name))
             ++chosen;
+        made_by().command = command_text(*app.get_subcommand(commands_[chosen].name));
         return actions[chosen];
     }
 
@@ -94,6 +97,12 @@ class Tool {
             return;
         throw InputError(fmt::format("unknown command {}, expected one of {}{}", given, fmt::join(known, ", "),
                                      did_you_mean(given, known)));
+    }
+
+    std::string version() const {
+        if (text_.commit.empty())
+            return text_.version;
+        return fmt::format("{} (commit {} of {})", text_.version, text_.commit, text_.commit_date);
     }
 
     int one_line_error(std::string const& text) const {
@@ -111,6 +120,7 @@ int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int 
     std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit of size is an error like a full disk
     keep_freed_memory();
     program_name() = text.name;
+    made_by() = {text.version, text.commit, text.commit_date, {}};
     return Tool(text, commands).run(argc, argv);
 }
 

@@ -9,6 +9,7 @@
 #include "workload/object_mesh.hpp"
 #include "workload/object_pose.hpp"
 #include "workload/observed_edges.hpp"
+#include "workload/pose_list.hpp"
 #include "workload/sample_poses.hpp"
 #include "workload/scene_renderer.hpp"
 #include "workload/sensor_noise.hpp"
@@ -67,10 +68,17 @@ void require_in_front(double origin_z_m, std::string const& place, std::string c
     }
 }
 
-SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t index, std::size_t triangles) {
-    std::string const place = fmt::format("workload.samples: sample {}", index);
+/// Of a pose that was drawn, or of the row of a table, whose header is line 1.
+std::string place_of(std::size_t index, std::string const& table) {
+    return table.empty() ? fmt::format("workload.samples: sample {}", index)
+                         : fmt::format("{}:{}: the pose", table, index + 2);
+}
+
+SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t index, std::size_t triangles,
+                         std::string const& table) {
+    std::string const place = place_of(index, table);
     Eigen::Vector3d const& origin = pose.translation;
-    require_in_front(origin.z(), place, " (reduce workload.samples.translation_sigma_m)");
+    require_in_front(origin.z(), place, table.empty() ? " (reduce workload.samples.translation_sigma_m)" : "");
     SampleInput sample;
     sample.centre_row = centre_pixel(camera.fy * origin.y() / origin.z() + camera.cy, place);
     sample.centre_col = centre_pixel(camera.fx * origin.x() / origin.z() + camera.cx, place);
@@ -102,18 +110,20 @@ Stimulus build_observation(WorkloadConfig const& config, int window, FractionBit
     return observed_stimulus(mesh, depth, downscaled(config.camera, config.scene.downscale), config, window, fraction);
 }
 
-void set_poses(std::vector<Pose> poses, Stimulus& stimulus) {
+void set_poses(std::vector<Pose> poses, Stimulus& stimulus, std::string const& table) {
     stimulus.samples.clear();
     for (std::size_t index = 0; index < poses.size(); ++index) {
         stimulus.samples.push_back(
-            sample_input(poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size()));
+            sample_input(poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size(), table));
     }
     stimulus.posed.poses = std::move(poses);
 }
 
 Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction) {
     Stimulus stimulus = build_observation(config, window, fraction);
-    set_poses(sample_poses(configured_pose(config.target), config.samples), stimulus);
+    std::string const& table = config.samples.poses;
+    set_poses(table.empty() ? sample_poses(configured_pose(config.target), config.samples) : read_pose_list(table),
+              stimulus, table);
     return stimulus;
 }
 

@@ -6,8 +6,8 @@
 namespace faster::workload {
 
 /// Makes the work of a run from its description: the object's mesh, the observed scene (rendered, or a depth image),
-/// its edges, and the pose samples. The result is posed: the vertex transform is still to be done. `config.trace` is
-/// not looked at. Throws InputError naming the key or file.
+/// its edges, and the pose samples, drawn or of a table. The result is posed: the vertex transform is still to be done.
+/// `config.trace` is not looked at. Throws InputError naming the key or file.
 Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction);
 
 /// The same without samples.
@@ -18,6 +18,7 @@ Stimulus observed_stimulus(Mesh const& mesh, DepthImage const& depth, Camera con
                            WorkloadConfig const& config, int window, FractionBits const& fraction);
 
 /// Replaces the samples of what build_observation() made. Throws InputError if a pose has its origin nearer than 0.1 m.
-void set_poses(std::vector<Pose> poses, Stimulus& stimulus);
+/// `table`: the file that the poses are the rows of; empty if they were drawn.
+void set_poses(std::vector<Pose> poses, Stimulus& stimulus, std::string const& table = {});
 
 }  // namespace faster::workload

@@ -68,12 +68,23 @@ Mesh compacted(Mesh const& mesh, Indices const& indices) {
     return result;
 }
 
+Mesh scaled(Mesh mesh, double scale) {
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex *= scale;
+    return mesh;
+}
+
 }  // namespace
 
+bool is_mesh_file(std::string const& name) {
+    return name.find('/') != std::string::npos || io::has_mesh_extension(name);
+}
+
 Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files) {
-    if (name.find('/') != std::string::npos || io::has_mesh_extension(name)) {
-        return io::load_mesh(name,
-                             {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib, "workload.mesh_files"});
+    if (is_mesh_file(name)) {
+        return scaled(io::load_mesh(name, {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib,
+                                           "workload.mesh_files"}),
+                      files.scale);
     }
     if (!models::contains(name)) {
         throw InputError(fmt::format("{} = {}, expected a built-in class or a mesh file{}", key, name,

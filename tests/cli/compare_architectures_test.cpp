@@ -55,7 +55,8 @@ TEST_CASE("compare-architectures finds what single runs find, in a table and a f
     CommandResult const result = workspace.compare({"plain.yaml", "quick.yaml", "stuck.yaml", "--workloads",
                                                     "small.yaml", "empty.yaml", "--csv", "a.csv", "--html", "a.html"});
     require_done(result);
-    CHECK_THAT(workspace.text("a.html"), Contains("\"architecture\":\"stuck\"") && Contains("Chart.js"));
+    CHECK_THAT(workspace.text("a.html"),
+               Contains("\"architecture\":\"stuck\"") && Contains("Chart.js") && Contains("Made by faster-sim"));
     std::vector<std::string> const table = lines_of(result.out);
     REQUIRE(table.size() >= 5);
     CHECK(table[0] == "| ms | small | empty | time, first = 1 | port conflict cycles | RAMB36 |");

@@ -30,7 +30,7 @@ TEST_CASE("Without --critical-path and --sensitivities nothing of them is writte
     require_done(workspace.run({"--out", "plain"}));
     CHECK_FALSE(workspace.summary("plain").contains("critical_path"));
     CHECK_FALSE(workspace.summary("plain").contains("sensitivities"));
-    CHECK(workspace.files_in("plain") == 4);
+    CHECK(workspace.files_in("plain") == 6);
 }
 
 TEST_CASE("Sensitivities are what runs with the changed keys find") {
@@ -38,7 +38,7 @@ TEST_CASE("Sensitivities are what runs with the changed keys find") {
     CommandResult const result = workspace.run({"--sensitivities", "--out", "out"});
     require_done(result);
     CHECK_THAT(result.out, Contains("Sensitivities: change of the "));
-    CHECK(workspace.files_in("out") == 5);
+    CHECK(workspace.files_in("out") == 7);
     std::vector<std::string> const lines = lines_of(workspace.text("out/sensitivities.csv"));
     Json const summary = workspace.summary("out");
     CHECK(lines.size() == 1 + 2 * summary["sensitivities"].size());

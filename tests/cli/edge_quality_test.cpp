@@ -5,12 +5,14 @@
 #include <string>
 
 #include "support/command.hpp"
+#include "support/on_terminal.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
 namespace edge_quality_test {
 
 using namespace faster::test;
+using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 CommandResult judge(TempFolder const& folder, std::vector<std::string> arguments) {
@@ -33,6 +35,16 @@ TEST_CASE("edge-quality prints a table, and writes the rows and two pictures of 
         CHECK(image.rows == 600);
         CHECK(image.cols == 600);
     }
+}
+
+TEST_CASE("edge-quality and grip show on a terminal how long they will take", "[quality][grip]") {
+    std::string const quality = output_on_terminal(
+        FASTER_SIM_BINARY, {"edge-quality", "--poses", "60", "--classes", "mug,banana", "--algorithms", "bounded"}, {});
+    CHECK_THAT(quality, Contains("/120 edge maps, ") && Contains(" s left") && Contains("| bounded |"));
+    std::string const config = FASTER_SOURCE_DIR "/configs/banana.yaml";
+    std::string const grip =
+        output_on_terminal(FASTER_SIM_BINARY, {"grip", config, "--set", "workload.samples.count=620", "-j", "1"}, {});
+    CHECK_THAT(grip, Contains("/620 samples by GRIP, ") && Contains("/620 samples by the design, "));
 }
 
 TEST_CASE("edge-quality refuses what it does not know in one line", "[quality]") {

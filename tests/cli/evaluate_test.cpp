@@ -65,6 +65,7 @@ TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[eval
                                Contains("| all | right | 8 | 8 | 100.0 (100.0 .. 100.0) |") &&
                                Contains("Points more than right") && Contains("right: 0.250 s per image") &&
                                Contains("written: out"));
+    CHECK_THAT(workspace.text("out/evaluation.html"), Contains("<code>faster-sim evaluate "));
     for (std::string const file : {"scores.csv", "errors.csv", "curves.csv", "evaluation.html"})
         CHECK_THAT(workspace.text("out/" + file), Contains("off"));
     auto const json = nlohmann::json::parse(workspace.text("out/evaluation.json"));

@@ -26,6 +26,7 @@ class Workspace {
     Json summary(std::string const& run) const {
         Json json = small_.summary(run);
         json.erase("host");
+        json.erase("made_by");
         return json;
     }
     bool has(std::string const& name) const { return std::filesystem::exists(folder() / name); }

@@ -217,7 +217,7 @@ TEST_CASE("Several processes at once on one output leave the whole output of one
         CHECK(std::count(fifos.begin(), fifos.end(), '\n') == 1 + 14 * cores);
     }
     CHECK(workspace.text("one/notes.txt") == "mine");
-    CHECK(workspace.files_in("one") == 5);
+    CHECK(workspace.files_in("one") == 7);
     CHECK(workspace.files_in("new") == 1);
     CHECK(workspace.files_in("") == 4);
 }

@@ -88,7 +88,7 @@ TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {
     CHECK_THAT(result.out, Contains("written: new/o\n") && Contains("written: new/o/e.events\n") &&
                                Contains("written: new/o/r.html\n") &&
                                Contains("written: new/o/t/t.json, new/o/w.vcd, new/o/w.command_command.txt, "));
-    CHECK(workspace.small().files_in("new/o") == 13);
+    CHECK(workspace.small().files_in("new/o") == 14);
     CHECK_THAT(workspace.small().text("new/o/w.gtkw"), Contains("\"w.vcd\"") && Contains(" w.states.txt\n"));
 
     std::string const waves = workspace.small().text("new/o/w.vcd");
@@ -100,7 +100,7 @@ TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {
     CHECK(again.out.find("w.txt") == std::string::npos);
     CHECK(workspace.small().text("new/o/notes.txt") == "mine");
     CHECK(workspace.small().text("new/o/w.vcd") == waves);
-    CHECK(workspace.small().files_in("new/o") == 15);
+    CHECK(workspace.small().files_in("new/o") == 16);
     CHECK(workspace.small().files_in("new") == 1);
 }
 

@@ -28,12 +28,16 @@ void check_refused(Workspace const& workspace, Words const& arguments, std::stri
     CHECK(entries_in(workspace.folder().path()) == before);
 }
 
-/// The page without the value of simulation.engine.
-std::string without_engine(std::string page) {
-    std::string const row = R"({"key":"simulation.engine","value":")";
-    std::size_t const begin = page.find(row);
-    REQUIRE(begin != std::string::npos);
-    return page.erase(begin, page.find('}', begin) - begin);
+/// The text without what stands from `begin` on, up to `end`.
+std::string without(std::string text, std::string const& begin, std::string const& end) {
+    std::size_t const first = text.find(begin);
+    REQUIRE(first != std::string::npos);
+    return text.erase(first, text.find(end, first) - first);
+}
+
+/// The page without the value of simulation.engine, and the command that gave it.
+std::string without_engine(std::string const& page) {
+    return without(without(page, R"({"key":"simulation.engine","value":")", "}"), "<code>faster-sim run", "</code>");
 }
 
 TEST_CASE("A run writes its HTML report without --out, and nothing else") {
@@ -53,7 +57,7 @@ TEST_CASE("The HTML report may lie in the folder of the results, new or old") {
     Workspace const workspace;
     for (int run = 0; run < 2; ++run) {
         require_done(workspace.run({"--out", "out", "--report", "out/report.html"}));
-        CHECK(entries_in(workspace.folder() / "out") == 5);
+        CHECK(entries_in(workspace.folder() / "out") == 7);
         CHECK(entries_in(workspace.folder().path()) == 2);
     }
 }
@@ -78,6 +82,48 @@ TEST_CASE("Equal runs write the same HTML report, on either engine") {
     std::string const page = report_of("decoupled", "first.html");
     CHECK((page == report_of("decoupled", "second.html")));
     CHECK((without_engine(page) == without_engine(report_of("lockstep", "third.html"))));
+}
+
+TEST_CASE("Results and page say what made them, whatever the names of outputs") {
+    Workspace const workspace;
+    require_done(
+        workspace.run({"--out", "o", "--critical-path", "--set", "workload.samples.seed=3", "--report", "r.html"}));
+    Json const made_by = workspace.summary("o")["made_by"];
+    CHECK(made_by["program"] == "faster-sim");
+    CHECK(made_by["command"] == "faster-sim run config.yaml --critical-path --set workload.samples.seed=3");
+    std::string const version = run_command(FASTER_SIM_BINARY, {"--version"}, "/").out;
+    CHECK(version.rfind(made_by["version"].get<std::string>(), 0) == 0);
+    if (!made_by["commit"].is_null())
+        CHECK_THAT(version, Contains("(commit " + made_by["commit"].get<std::string>() + " of " +
+                                     made_by["commit_date"].get<std::string>() + ")"));
+    std::string const page = workspace.text("r.html");
+    for (char const* const part : {"version", "command", "configuration"})
+        CHECK_THAT(page, Contains(made_by[part].get<std::string>()));
+    CHECK(workspace.summary("o").rbegin().key() == "made_by");
+
+    // The hash tells configurations apart, however they were given, and does not look at the engine.
+    require_done(
+        workspace.run({"--set", "simulation.engine=lockstep", "--set", "workload.samples.seed=3", "--out", "p"}));
+    CHECK(workspace.summary("p")["made_by"]["configuration"] == made_by["configuration"]);
+    require_done(workspace.run({"--out", "q"}));
+    CHECK(workspace.summary("q")["made_by"]["configuration"] != made_by["configuration"]);
+    CHECK(workspace.summary("q")["made_by"]["command"] == "faster-sim run config.yaml");
+}
+
+TEST_CASE("The command in a result can be typed again") {
+    Workspace const workspace;
+    workspace.folder().write("it's & mine.yaml", workspace.text("config.yaml"));
+    CommandResult const result = run_command(
+        FASTER_SIM_BINARY, {"run", "it's & mine.yaml", "--out", "o", "--report", "r.html"}, workspace.folder().path());
+    require_done(result);
+    std::string const command = workspace.summary("o")["made_by"]["command"];
+    CHECK(command == R"(faster-sim run 'it'\''s & mine.yaml')");
+    CHECK_THAT(workspace.text("r.html"), Contains("it&#39;\\&#39;&#39;s &amp; mine.yaml"));
+    std::string const bin = fs::path(FASTER_SIM_BINARY).parent_path().string();
+    CommandResult const again =
+        run_command("/bin/sh", {"-c", "PATH=" + bin + ":$PATH; " + command}, workspace.folder().path());
+    require_done(again);
+    CHECK_THAT(again.out, Contains(lines_of(result.out)[1]));  // the total
 }
 
 TEST_CASE("Pictures go into the HTML report, with and without --out") {

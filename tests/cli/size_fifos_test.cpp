@@ -109,6 +109,8 @@ TEST_CASE("The files of size-fifos agree, and are the same on any number of thre
         CHECK(workspace.text("one" + file) == workspace.text("three" + file));
     Json const sizing = workspace.json("one/sizing.json");
     CHECK(json_element(workspace.text("one/sizing.html"), "data") == sizing);
+    CHECK_THAT(workspace.text("one/sizing.html"),
+               Contains("Made by faster-sim") && Contains("<code>faster-sim size-fifos ") && Contains("fnv1a64:"));
     std::vector<std::string> const rows = lines_of(workspace.text("one/pareto.csv"));
     REQUIRE(rows.size() == sizing["front"].size() + 1);
     CHECK_THAT(rows[0], Contains("cost_luts,luts,ramb36,total_cycles,milliseconds,proven,sample_vertex,"));

@@ -229,6 +229,8 @@ TEST_CASE("The page of a sweep holds the table's figures", "[sweeps]") {
     SweepWorkspace const workspace;
     require_done(workspace.sweep("out"));
     Json const data = json_element(workspace.text("out/index.html"), "data");
+    CHECK_THAT(workspace.text("out/index.html"),
+               Contains("<code>faster-sim sweep sweep.yaml</code>") && Contains("fnv1a64:"));
     std::vector<Row> const rows = rows_of(workspace.text("out/results.csv"));
     REQUIRE(data["points"].size() == rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {

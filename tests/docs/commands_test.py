@@ -9,6 +9,8 @@ import unittest
 from functools import lru_cache
 from pathlib import Path
 
+from page_blocks import blocks_of
+
 SOURCE = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ["FASTER_SIM"]
 SHIPPED = re.compile(r"(?:\./)?((?:configs|traces|examples|scripts|docs)/[\w./-]+)")
@@ -35,13 +37,8 @@ def keys() -> set[str]:
 
 def commands_in(page: Path) -> list[list[str]]:
     """Of its code blocks: what follows "faster-sim", word by word."""
-    commands = []
-    for block in re.findall(r"^```(?:console|bash|sh)?\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE):
-        for line in block.replace("\\\n", " ").splitlines():
-            call = re.match(r"(?:\$ )?(?:\S*/)?faster-sim ((?!-)[a-z].*)", line)
-            if call:
-                commands.append(shlex.split(call.group(1), comments=True))
-    return commands
+    calls = (re.match(r"(?:time )?(?:\S*/)?faster-sim ((?!-)[a-z].*)", command.text) for block in blocks_of(page) for command in block.commands)
+    return [shlex.split(call.group(1), comments=True) for call in calls if call]
 
 
 def faults_of(words: list[str]) -> list[str]:
@@ -70,7 +67,10 @@ class CommandsTest(unittest.TestCase):
             for words in commands_in(page):
                 found += 1
                 with self.subTest(page=page.name, command=" ".join(words)):
-                    self.assertEqual(faults_of(words), [])
+                    faults = faults_of(words)
+                    if page.name == "changing-the-design.md":  # keys of changed designs: scripts/check-changes.sh looks for them
+                        faults = [fault for fault in faults if not fault.startswith("no key ")]
+                    self.assertEqual(faults, [])
         self.assertGreater(found, 50)
 
     def test_links_between_pages_lead_somewhere(self) -> None:

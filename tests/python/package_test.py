@@ -99,6 +99,12 @@ class PackageTest(unittest.TestCase):
         result = faster_sim.run(CONFIG, out=out, **SMALL)
         self.assertEqual(json.loads((out / "summary.json").read_text()), result.summary)
 
+    def test_the_version_is_that_of_the_program(self) -> None:
+        said = subprocess.run([os.environ["FASTER_SIM"], "--version"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(said.split()[0], faster_sim.__version__)
+        self.assertEqual(self.events.whatif({DEPTH: 16}).summary["made_by"]["version"], faster_sim.__version__)
+        self.assertEqual(self.events.whatif({DEPTH: 16}).summary["made_by"]["commit"] or "", faster_sim.__commit__)
+
     def test_progress_is_told(self) -> None:
         seen = []
         self.events.size_fifos(5, progress=lambda done, of_all: seen.append((done, of_all)))

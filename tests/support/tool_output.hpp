@@ -16,6 +16,15 @@ inline void require_done(CommandResult const& result) {
     REQUIRE(result.err.empty());
 }
 
+/// The tool did what it was asked, and warned of something at most.
+inline void require_done_with_warnings(CommandResult const& result) {
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    std::istringstream stream(result.err);
+    for (std::string line; std::getline(stream, line);)
+        REQUIRE(line.rfind("faster-sim: warning: ", 0) == 0);
+}
+
 /// Exit code 2, one line on stderr that contains `parts`, nothing on stdout.
 inline void check_bad_input(CommandResult const& result, std::vector<std::string> const& parts) {
     CAPTURE(result.err);

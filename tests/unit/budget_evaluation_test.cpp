@@ -2,7 +2,6 @@
 
 #include "kernel/budgets/check_json.hpp"
 #include "kernel/budgets/check_text.hpp"
-#include "kernel/budgets/configuration_hash.hpp"
 #include "kernel/budgets/evaluate.hpp"
 #include "kernel/budgets/explain.hpp"
 #include "kernel/budgets/figure_facts.hpp"
@@ -10,6 +9,7 @@
 #include "kernel/budgets/junit_xml.hpp"
 #include "kernel/budgets/limit_text.hpp"
 #include "kernel/budgets/run_figures.hpp"
+#include "kernel/config/configuration_hash.hpp"
 #include "support/counters.hpp"
 #include "support/idle_run.hpp"
 #include "support/input_error_text.hpp"
@@ -272,14 +272,14 @@ TEST_CASE("A measurement survives the way from one process to another") {
 TEST_CASE("The hash of a configuration is FNV-1a and does not know the engine") {
     using faster::ResolvedKey;
     // Published test vectors of FNV-1a 64 are for bare text; a key line is text like any other.
-    CHECK(configuration_hash({}) == "fnv1a64:cbf29ce484222325");
+    CHECK(faster::configuration_hash({}) == "fnv1a64:cbf29ce484222325");
     std::vector<ResolvedKey> keys{{"accelerator.window", std::int64_t{32}, false}};
-    std::string const small = configuration_hash(keys);
+    std::string const small = faster::configuration_hash(keys);
     keys[0].value = std::int64_t{33};
-    CHECK(configuration_hash(keys) != small);
+    CHECK(faster::configuration_hash(keys) != small);
     keys[0].value = std::int64_t{32};
     keys.push_back({"simulation.engine", std::string("lockstep"), false});
-    CHECK(configuration_hash(keys) == small);
+    CHECK(faster::configuration_hash(keys) == small);
     std::uint64_t expected = 14695981039346656037U;
     for (char const letter : std::string("accelerator.window=32\n"))
         expected = (expected ^ static_cast<unsigned char>(letter)) * 1099511628211U;

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "kernel/base/random.hpp"
+#include "support/temp_folder.hpp"
 #include "workload/object_pose.hpp"
+#include "workload/pose_list.hpp"
 
 namespace sample_poses_test {
 
@@ -121,6 +123,18 @@ TEST_CASE("Samples spread as configured around the true pose", "[sample_poses]")
         CHECK(axes[axis] == Approx(1.0 / 3).epsilon(0.03));  // no direction is preferred
     }
     CHECK(std::sqrt(angle_variance) / radians_per_degree == Approx(5).epsilon(0.03));
+}
+
+TEST_CASE("A table of poses brings back every bit", "[sample_poses]") {
+    std::vector<Pose> const poses = sample_poses(some_truth(), many(0.01, 5));
+    faster::test::TempFolder const folder;
+    folder.write("poses.csv", pose_list_csv(poses));
+    std::vector<Pose> const read = read_pose_list(folder / "poses.csv");
+    REQUIRE(read.size() == poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        REQUIRE(read[i].rotation == poses[i].rotation);
+        REQUIRE(read[i].translation == poses[i].translation);
+    }
 }
 
 }  // namespace sample_poses_test

@@ -6,6 +6,7 @@ namespace faster {
 
 std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
 
+std::string Design::workload_table() const { return {}; }
 IdleKeys Design::idle_keys(RunConfig const& /*config*/) const { return {}; }
 
 bool Design::decides_function(std::string const& /*key*/, RunConfig const& /*config*/) const { return false; }

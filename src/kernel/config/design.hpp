@@ -38,6 +38,8 @@ class Design {
     virtual std::vector<Preset> const& presets() const;
     /// The files that make up what a folder means that a key names, in a fixed order. All that are in it, by path.
     virtual std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const;
+    /// The file among the results of a run that has what its workload was made of. Empty: none.
+    virtual std::string workload_table() const;
     /// The counters that a sample's result consists of.
     virtual std::vector<ColumnFacts> const& counters() const = 0;
     /// The one that says most: new budgets guard it. Empty if there are none.

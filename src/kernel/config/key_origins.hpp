@@ -10,7 +10,8 @@ enum class KeySource { default_value, preset, file, command_line, trace };
 
 struct KeyOrigin {
     KeySource source = KeySource::default_value;
-    std::string place;  ///< "FILE:LINE" (of a preset as well), "--set KEY=VALUE" or "trace"; empty for a default
+    std::string place;  ///< "FILE:LINE" (of a preset as well), "--set KEY=VALUE" or what was read, e.g. "trace"; empty
+                        ///< for a default
 };
 
 /// Where every key that does not just have its default was set.

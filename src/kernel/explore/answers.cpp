@@ -6,6 +6,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/explore/page.hpp"
 #include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/provenance.hpp"
 
 namespace faster::explore {
 
@@ -78,7 +79,8 @@ Answer failure(std::exception_ptr const& error) {
 
 Answer Answers::page() const {
     return {200, "text/html; charset=utf-8",
-            report::filled_page(explore_page, exploration_.title(), io::text_of(exploration_.design()))};
+            report::filled_page(explore_page, exploration_.title(), report::made_by_html(""),
+                                io::text_of(exploration_.design()))};
 }
 
 Answer Answers::ask(std::string_view question, std::string const& request) {

@@ -66,6 +66,7 @@ struct RunStatistics {
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::vector<Alternative> alternatives;      ///< likewise
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked
+    std::vector<std::string> warnings;          ///< what in workload or results looks like a mistake
 
     /// Those of the cores, which is what the classes of their processes add up to.
     Cycles core_cycles() const { return total_cycles - load_cycles; }

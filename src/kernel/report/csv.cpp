@@ -19,6 +19,14 @@ std::string sample_line(SampleStatistics const& sample) {
     return line(cells);
 }
 
+std::string loop_lines(RunStatistics const& run, bool is_in_csv) {
+    std::string text;
+    for (LoopRow const& row : loop_rows(run))
+        if (row.is_in_csv == is_in_csv)
+            text += line(csv_cells(loop_columns, row));
+    return text;
+}
+
 }  // namespace
 
 std::string samples_csv(RunStatistics const& run) {
@@ -38,12 +46,8 @@ std::string fifos_csv(RunStatistics const& run) {
     return text;
 }
 
-std::string loops_csv(RunStatistics const& run) {
-    std::string text = line(csv_header(loop_columns));
-    for (LoopRow const& row : loop_rows(run))
-        if (row.is_in_csv)
-            text += line(csv_cells(loop_columns, row));
-    return text;
-}
+std::string loops_csv(RunStatistics const& run) { return line(csv_header(loop_columns)) + loop_lines(run, true); }
+
+std::string all_loops_csv(RunStatistics const& run) { return loops_csv(run) + loop_lines(run, false); }
 
 }  // namespace faster::report

@@ -10,4 +10,7 @@ std::string samples_csv(RunStatistics const& run);
 std::string fifos_csv(RunStatistics const& run);
 std::string loops_csv(RunStatistics const& run);
 
+/// loops.csv with the loops that SPEC section 4 leaves out of it: the rows of loops.csv first.
+std::string all_loops_csv(RunStatistics const& run);
+
 }  // namespace faster::report

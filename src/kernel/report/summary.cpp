@@ -22,7 +22,8 @@ Json configuration(std::vector<ResolvedKey> const& keys) {
 
 }  // namespace
 
-std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host) {
+std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host,
+                         Json const& made_by) {
     Json summary;
     summary["format"] = "faster-summary";
     summary["version"] = 1;
@@ -49,8 +50,12 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
         summary["sensitivities"] = sensitivities_json(run);
     if (!run.alternatives.empty())
         summary["alternatives"] = alternatives_json(run);
+    if (!run.warnings.empty())
+        summary["warnings"] = run.warnings;
     summary["configuration"] = configuration(keys);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
+    if (!made_by.is_null())
+        summary["made_by"] = made_by;
     return io::text_of(summary, 2) + "\n";
 }
 
@@ -73,12 +78,14 @@ Json deadlock_json(RunStatistics const& run) {
     return {{"cycle", run.deadlock_cycle()}, {"wait_cycle", rows(run.wait_cycle())}, {"stuck", rows(run.stuck)}};
 }
 
-std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run) {
+std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, Json const& made_by) {
     Json summary;
     summary["format"] = "faster-summary";
     summary["version"] = 1;
     summary["deadlock"] = deadlock_json(run);
     summary["configuration"] = configuration(keys);
+    if (!made_by.is_null())
+        summary["made_by"] = made_by;
     return io::text_of(summary, 2) + "\n";
 }
 

@@ -15,12 +15,15 @@ struct HostTime {
 };
 
 /// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
-std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host);
+/// `made_by`: of made_by_json(); null leaves it out, for what is to be the same whatever the command.
+std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host,
+                         Json const& made_by = {});
 
 /// Who waits for whom in a run that got stuck.
 Json deadlock_json(RunStatistics const& run);
 
 /// summary.json of a run that got stuck: who waits for whom, and the configuration. It has no results.
-std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run);
+std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run,
+                                  Json const& made_by = {});
 
 }  // namespace faster::report

@@ -2,7 +2,9 @@
 
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
+#include "kernel/config/configuration_hash.hpp"
 #include "kernel/report/html/fill_page.hpp"
+#include "kernel/report/provenance.hpp"
 #include "kernel/sweeps/page.hpp"
 
 namespace faster::sweeps {
@@ -22,13 +24,21 @@ Json points_json(Manifest const& manifest, Results const& results) {
     return points;
 }
 
+/// Made of the manifest as all else, not of the command, which may have been `sweep merge`.
+std::string made_by(Manifest const& manifest) {
+    MadeBy maker = faster::made_by();
+    maker.version = manifest.version;
+    maker.command = "sweep " + manifest.sweep;
+    return report::made_by_html(hash_of(to_text(manifest)), maker);
+}
+
 }  // namespace
 
 std::string sweep_page(Manifest const& manifest, Results const& results) {
     Json const data{{"format", "faster-sweep-page"}, {"version", 1},
                     {"sweep", manifest.sweep},       {"planned", manifest.points.size()},
                     {"columns", manifest.columns},   {"points", points_json(manifest, results)}};
-    return report::filled_page(sweep_page_template, manifest.sweep, io::text_of(data));
+    return report::filled_page(sweep_page_template, manifest.sweep, made_by(manifest), io::text_of(data));
 }
 
 }  // namespace faster::sweeps

@@ -30,11 +30,16 @@ PoseScore PoseScorer::score(Pose const& pose, PixelArea const& box) const {
     return score;
 }
 
-std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs) {
+std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs,
+                                   TellProgress const& progress) {
     PoseScorer const scorer(stimulus, settings);
     std::vector<Pose> const& poses = stimulus.posed.poses;
     std::vector<PoseScore> scores(poses.size());
-    on_threads(poses.size(), jobs, [&](std::size_t i) { scores[i] = scorer.score(poses[i]); });
+    CountedProgress done(poses.size(), progress);
+    on_threads(poses.size(), jobs, [&](std::size_t i) {
+        scores[i] = scorer.score(poses[i]);
+        done.one_more();
+    });
     return scores;
 }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "common/stimulus.hpp"
+#include "kernel/base/counted_progress.hpp"
 #include "reference/grip/inlier_ratio.hpp"
 
 namespace faster::grip {
@@ -32,6 +33,7 @@ class PoseScorer {
 };
 
 /// Every pose of a posed stimulus, on `jobs` threads, at least one.
-std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs);
+std::vector<PoseScore> score_poses(Stimulus const& stimulus, Settings const& settings, unsigned jobs,
+                                   TellProgress const& progress = {});
 
 }  // namespace faster::grip

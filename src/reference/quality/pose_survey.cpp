@@ -80,13 +80,14 @@ std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_
 }
 
 std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
-                               std::vector<EdgeMapAlgorithm> const& algorithms) {
+                               std::vector<EdgeMapAlgorithm> const& algorithms, TellProgress const& progress) {
     Stimulus const stimulus = stimulus_of(mesh, poses);
     SampleJudge judge(stimulus, ContourSide::outside);
     std::vector<Image<std::uint8_t>> silhouettes;
     for (std::size_t i = 0; i < poses.size(); ++i)
         silhouettes.push_back(judge.silhouette_of(i));
     std::vector<PoseSurvey> rows;
+    CountedProgress done(algorithms.size() * poses.size(), progress);
     for (EdgeMapAlgorithm const algorithm : algorithms) {
         EdgeMapConfig config;
         config.algorithm = algorithm;
@@ -97,6 +98,7 @@ std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std:
         for (std::size_t i = 0; i < poses.size(); ++i) {
             scorer.run(i);
             look_at(i, scorer.maps().edge_map, silhouettes[i], row);
+            done.one_more();
         }
         rows.push_back(std::move(row));
     }

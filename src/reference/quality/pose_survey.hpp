@@ -7,6 +7,7 @@
 #include "common/edge_map_config.hpp"
 #include "common/image.hpp"
 #include "common/mesh.hpp"
+#include "kernel/base/counted_progress.hpp"
 #include "reference/quality/contour_quality.hpp"
 #include "reference/quality/quality_sums.hpp"
 
@@ -34,7 +35,8 @@ struct PoseSurvey : QualitySums {
 std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_t seed);
 
 /// The untimed reference's edge maps of all poses, with each of the algorithms, against the silhouettes.
+/// `progress`: told of each edge map.
 std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
-                               std::vector<EdgeMapAlgorithm> const& algorithms);
+                               std::vector<EdgeMapAlgorithm> const& algorithms, TellProgress const& progress = {});
 
 }  // namespace faster::quality

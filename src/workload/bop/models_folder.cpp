@@ -9,8 +9,8 @@
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/json_file.hpp"
 #include "workload/bop/json_node.hpp"
-#include "workload/bop/pose_numbers.hpp"
 #include "workload/files/mesh_file.hpp"
+#include "workload/files/pose_numbers.hpp"
 
 namespace faster::bop {
 namespace {
@@ -54,7 +54,7 @@ std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes) {
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
         if (auto const id = numbered_object(mesh.stem().string()))
-            models[*id] = model_named(mesh, *id, m_per_mm);
+            models[*id] = model_named(mesh, *id, io::m_per_mm);
     }
     return models;
 }
@@ -72,9 +72,9 @@ std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes) {
 Pose read_symmetry(JsonNode const& node) {
     std::vector<double> const m = node.numbers(16);
     Pose pose;
-    pose.rotation = matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
-    pose.translation = m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
-    if (std::string const problem = rotation_problem(pose.rotation); !problem.empty())
+    pose.rotation = io::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
+    pose.translation = io::m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
+    if (std::string const problem = io::rotation_problem(pose.rotation); !problem.empty())
         node.fail(problem + " and a translation");
     return pose;
 }
@@ -85,11 +85,11 @@ ObjectModel::Axis read_axis(JsonNode const& node) {
     Eigen::Vector3d const direction = vector_of(node.at("axis").numbers(3));
     if (!(direction.norm() > 0))
         node.at("axis").fail("a direction, not 0 0 0");
-    return {direction.normalized(), m_per_mm * vector_of(node.at("offset").numbers(3))};
+    return {direction.normalized(), io::m_per_mm * vector_of(node.at("offset").numbers(3))};
 }
 
 void read_info(JsonNode const& info, ObjectModel& model) {
-    model.diameter_m = m_per_mm * info.at("diameter").number_above_zero();
+    model.diameter_m = io::m_per_mm * info.at("diameter").number_above_zero();
     if (auto const discrete = info.find("symmetries_discrete")) {
         for (JsonNode const& symmetry : discrete->items())
             model.symmetries.push_back(read_symmetry(symmetry));

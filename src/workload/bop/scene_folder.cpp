@@ -6,7 +6,7 @@
 #include "kernel/base/files/json_file.hpp"
 #include "workload/bop/image_box.hpp"
 #include "workload/bop/json_node.hpp"
-#include "workload/bop/pose_numbers.hpp"
+#include "workload/files/pose_numbers.hpp"
 
 namespace faster::bop {
 namespace {
@@ -22,7 +22,7 @@ DatasetImage read_camera(JsonNode const& node, Camera const& size) {
     DatasetImage image;
     image.camera = {size.width, size.height, k[0], k[4], k[2], k[5]};
     auto const scale = node.find("depth_scale");
-    image.depth_unit_m = m_per_mm * (scale ? scale->number_above_zero() : 1);
+    image.depth_unit_m = io::m_per_mm * (scale ? scale->number_above_zero() : 1);
     return image;
 }
 
@@ -42,11 +42,11 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
 GroundTruth read_object(JsonNode const& node) {
     GroundTruth object;
     object.obj_id = node.at("obj_id").integer(1);
-    object.pose.rotation = matrix_of(node.at("cam_R_m2c").numbers(9));
-    if (std::string const problem = rotation_problem(object.pose.rotation); !problem.empty())
+    object.pose.rotation = io::matrix_of(node.at("cam_R_m2c").numbers(9));
+    if (std::string const problem = io::rotation_problem(object.pose.rotation); !problem.empty())
         node.at("cam_R_m2c").fail(problem);
     std::vector<double> const t = node.at("cam_t_m2c").numbers(3);
-    object.pose.translation = m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+    object.pose.translation = io::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
     return object;
 }
 
@@ -106,7 +106,7 @@ GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> c
         std::vector<double> const numbers = rows[static_cast<std::size_t>(row)].numbers(3);
         object.pose.rotation.row(row) << numbers[0], numbers[1], numbers[2];
     }
-    if (std::string const problem = rotation_problem(object.pose.rotation); !problem.empty())
+    if (std::string const problem = io::rotation_problem(object.pose.rotation); !problem.empty())
         node.at("R").fail(problem);
     std::vector<double> const t = node.at("t_scan").numbers(3);
     object.pose.translation = Eigen::Vector3d(t[0], t[1], t[2]);

@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "kernel/base/json.hpp"
-#include "workload/bop/pose_numbers.hpp"
+#include "workload/files/pose_numbers.hpp"
 
 namespace faster::bop {
 namespace {
 
-constexpr double mm_per_m = 1 / m_per_mm;
+constexpr double mm_per_m = 1 / io::m_per_mm;
 
 Json matrix_json(Eigen::Matrix3d const& m) {
     Json numbers = Json::array();

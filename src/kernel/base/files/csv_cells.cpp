@@ -24,6 +24,11 @@ std::string_view take_until(std::string_view& rest, char separator) {
     return taken;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+}
+
 std::size_t cell_count(std::string_view line) {
     return trimmed(line).empty() ? 0 : static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
 }
@@ -44,10 +49,7 @@ class Table {
         : path_(path.string()), columns_(columns), cells_(columns.size()) {}
 
     void read(std::string_view text, CsvCellReader const& read_row) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
-            text.remove_prefix(byte_order_mark.size());
-        }
+        text = without_byte_order_mark(text);
         text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
         line_ = 1;
         read_header(take_until(text, '\n'));
@@ -110,6 +112,13 @@ void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> 
                     CsvCellReader const& read_row) {
     std::string const text = read_file(path);
     Table(path, columns).read(text, read_row);
+}
+
+bool has_csv_column(std::filesystem::path const& path, std::string const& column) {
+    std::string const text = read_file(path);
+    std::string_view rest = without_byte_order_mark(text);
+    std::vector<std::string> const names = cells_of(take_until(rest, '\n'));
+    return std::find(names.begin(), names.end(), column) != names.end();
 }
 
 }  // namespace faster::io

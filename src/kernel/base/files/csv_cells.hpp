@@ -19,4 +19,7 @@ using CsvCellReader = std::function<void(std::size_t line, std::string_view cons
 void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> const& columns,
                     CsvCellReader const& read_row);
 
+/// Whether the first line of a table names that column.
+bool has_csv_column(std::filesystem::path const& path, std::string const& column);
+
 }  // namespace faster::io

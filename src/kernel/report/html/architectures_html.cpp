@@ -4,6 +4,7 @@
 
 #include "kernel/report/html/fill_page.hpp"
 #include "kernel/report/html/page.hpp"
+#include "kernel/report/provenance.hpp"
 
 namespace faster::report {
 
@@ -15,7 +16,7 @@ std::string architectures_html(std::string const& title, std::vector<Architectur
         line["workload"] = row.workload;
         table.push_back(std::move(line));
     }
-    return filled_page(architectures_page, title,
+    return filled_page(architectures_page, title, made_by_html(""),
                        nlohmann::json{{"rows", table}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 

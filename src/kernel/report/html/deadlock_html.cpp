@@ -2,6 +2,7 @@
 
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/base/program_name.hpp"
+#include "kernel/config/configuration_hash.hpp"
 #include "kernel/config/key_names.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/report/html/configuration_data.hpp"
@@ -9,6 +10,7 @@
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/page.hpp"
 #include "kernel/report/html/run_data.hpp"
+#include "kernel/report/provenance.hpp"
 #include "kernel/report/summary.hpp"
 
 namespace faster::report {
@@ -80,7 +82,7 @@ std::string deadlock_html(std::string const& title, RunCommand const& command, R
     data["graph"] = graph_data(run.machine);
     data["fifos"] = fifos(run);
     data["configuration"] = configuration_data(keys);
-    return filled_page(deadlock_page, title, io::text_of(data));
+    return filled_page(deadlock_page, title, made_by_html(configuration_hash(keys)), io::text_of(data));
 }
 
 }  // namespace faster::report

@@ -14,11 +14,13 @@ static std::string_view take_until(std::string_view& rest, std::string_view mark
     return taken;
 }
 
-std::string filled_page(std::string_view page, std::string const& title, std::string const& data) {
+std::string filled_page(std::string_view page, std::string const& title, std::string const& made_by_html,
+                        std::string const& data) {
     std::string const name = markup_escaped(printable(title));
     std::string html;
     for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline
         html.append(take_until(page, "@title@")).append(name);
+    html.append(take_until(page, "@made_by@")).append(made_by_html);
     html.append(take_until(page, "@data@")).append(script_safe(data));
     return html.append(page);
 }

@@ -2,7 +2,7 @@
 namespace faster::report {
 
 /// The HTML report without its data: page/report.html with style and scripts in place. In the order in which they stand
-/// there, `@title@` (twice) and `@data@` are to be replaced.
+/// there, `@title@` (twice), `@made_by@` and `@data@` are to be replaced.
 extern char const* const report_page;
 /// The same of a run that got stuck: page/deadlock.html.
 extern char const* const deadlock_page;

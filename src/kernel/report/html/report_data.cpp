@@ -69,6 +69,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["version"] = 1;
     data["headline"] = headline_data(input.run);
     data["bound_by"] = diagnosis_sentences(input.run);
+    data["warnings"] = input.run.warnings;
     data["graph"] = graph_data(input.run.machine);
     data["cycle_classes"] = cycle_class_data(input.run.machine);
     data["modules"] = module_data(input.run);

@@ -4,6 +4,6 @@
 namespace faster::report {
 
 /// One HTML page of a sizing of FIFOs, that needs nothing else. `json`: its sizing.json (docs/formats.md).
-std::string sizing_html(std::string const& title, std::string const& json);
+std::string sizing_html(std::string const& title, std::string const& configuration_hash, std::string const& json);
 
 }  // namespace faster::report

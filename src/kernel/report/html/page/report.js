@@ -14,6 +14,7 @@ function show_headline() {
     ["samples per second", h.milliseconds > 0 ? whole((h.samples / h.milliseconds) * 1000) : "-"],
     ["median latency [ms]", data.latency ? decimal(milliseconds(data.latency.median), 3) : "-"],
   ]);
+  by_id("bound-by").append(...data.warnings.map((text) => element("p", { role: "note" }, `Warning: ${text}`)));
   const [bound, ...reasons] = data.bound_by;
   if (!bound) return;
   by_id("bound-by").append(element("p", {}, bound), element("ul", {}, ...reasons.map((text) => element("li", {}, text))));

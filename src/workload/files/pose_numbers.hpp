@@ -4,7 +4,7 @@
 
 #include "common/mesh.hpp"
 
-namespace faster::bop {
+namespace faster::io {
 
 constexpr double m_per_mm = 1e-3;
 
@@ -17,4 +17,7 @@ std::string rotation_problem(Eigen::Matrix3d const& rotation);
 /// A matrix of nine numbers, row by row.
 Eigen::Matrix3d matrix_of(std::vector<double> const& row_major);
 
-}  // namespace faster::bop
+/// Its nine numbers parted by blanks, with just the digits that bring back the same matrix.
+std::string row_major_text(Eigen::Matrix3d const& matrix);
+
+}  // namespace faster::io

@@ -1,9 +1,9 @@
-#include "workload/bop/pose_numbers.hpp"
+#include "workload/files/pose_numbers.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-namespace faster::bop {
+namespace faster::io {
 
 std::string rotation_problem(Eigen::Matrix3d const& rotation) {
     double const error = (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -17,4 +17,9 @@ Eigen::Matrix3d matrix_of(std::vector<double> const& row_major) {
     return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> const>(row_major.data());
 }
 
-}  // namespace faster::bop
+std::string row_major_text(Eigen::Matrix3d const& matrix) {
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> const rows = matrix;
+    return fmt::format("{}", fmt::join(rows.data(), rows.data() + rows.size(), " "));
+}
+
+}  // namespace faster::io

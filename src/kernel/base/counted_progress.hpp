@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <mutex>
+
+namespace faster {
+
+/// Told after each piece of work how many are done; may be empty.
+using TellProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Counts pieces of work that several threads do, and tells of each, one at a time.
+class CountedProgress {
+  public:
+    CountedProgress(std::size_t all, TellProgress const& tell) : all_(all), tell_(tell) {}
+    void one_more() {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        ++done_;
+        if (tell_)
+            tell_(done_, all_);
+    }
+
+  private:
+    std::size_t all_;
+    std::size_t done_ = 0;
+    TellProgress const& tell_;
+    std::mutex mutex_;
+};
+
+}  // namespace faster

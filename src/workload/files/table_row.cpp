@@ -1,0 +1,74 @@
+#include "workload/files/table_row.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/printable.hpp"
+#include "workload/files/pose_numbers.hpp"
+
+namespace faster::io {
+namespace {
+
+template <class Number> bool parse(std::string_view text, Number& number) {
+    char const* const end = text.data() + text.size();
+    auto const result = std::from_chars(text.data(), end, number);
+    return result.ec == std::errc{} && result.ptr == end && std::isfinite(static_cast<double>(number));
+}
+
+/// Takes a word off the front of `rest`, and the blanks behind it.
+std::string_view take_word(std::string_view& rest) {
+    std::string_view const word = rest.substr(0, rest.find_first_of(" \t"));
+    rest.remove_prefix(word.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    return word;
+}
+
+}  // namespace
+
+int TableRow::id(std::size_t column) const {
+    int value = 0;
+    if (!parse(cells_[column], value) || value < 0)
+        fail(column, "an integer from 0");
+    return value;
+}
+
+double TableRow::number(std::size_t column) const {
+    double value = 0;
+    if (!parse(cells_[column], value))
+        fail(column, "a finite number");
+    return value;
+}
+
+std::vector<double> TableRow::numbers(std::size_t column, std::size_t count) const {
+    std::vector<double> values;
+    for (std::string_view rest = cells_[column]; !rest.empty();) {
+        values.emplace_back();
+        if (!parse(take_word(rest), values.back()))
+            fail(column, fmt::format("{} finite numbers parted by blanks", count));
+    }
+    if (values.size() != count)
+        fail(column, fmt::format("{} numbers parted by blanks, not {}", count, values.size()));
+    return values;
+}
+
+Eigen::Matrix3d TableRow::rotation(std::size_t column) const {
+    Eigen::Matrix3d const matrix = matrix_of(numbers(column, 9));
+    if (std::string const problem = rotation_problem(matrix); !problem.empty())
+        fail(column, problem);
+    return matrix;
+}
+
+Eigen::Vector3d TableRow::vector(std::size_t column) const {
+    std::vector<double> const t = numbers(column, 3);
+    return {t[0], t[1], t[2]};
+}
+
+void TableRow::fail(std::size_t column, std::string const& expected) const {
+    throw InputError(fmt::format("{}:{}: column {} = {}, expected {}", path_.string(), line_, columns_[column],
+                                 cells_[column].empty() ? "nothing" : shortened(cells_[column]), expected));
+}
+
+}  // namespace faster::io

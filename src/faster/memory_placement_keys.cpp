@@ -31,10 +31,10 @@ Keys memory_placement_keys() {
          "Whether the observation reader fetches each sample's window, or the whole image is in block RAMs.",
          this_project},
         [](auto& config) -> auto& { return config.accelerator.memory_placement.observation; }));
-    keys.push_back(Make::integer_key(
+    keys.push_back(of_time(Make::integer_key(
         {"accelerator.memory.observation_copies", "",
          "How often an observation on the chip is there; the cores share the copies' ports.", this_project},
-        {1, 1024}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_copies; }));
+        {1, 1024}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_copies; })));
     keys.push_back(Make::integer_key(
         {"accelerator.memory.mesh_triangles", "triangles", "What a mesh on the chip has room for.", this_project},
         {1, 1'048'576}, [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh_triangles; }));

@@ -82,40 +82,42 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
 }
 
 Subcommand size_fifos_command() {
-    return {
-        "size-fifos",
-        "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones",
-        [](CLI::App& command) {
-            auto const request = std::make_shared<SizeFifosRequest>();
-            command.add_option("events", request->events, "Event file of run --events")
-                ->required()
-                ->type_name("EVENTS");
-            command
-                .add_option("--within", request->within_percent,
-                            "How much longer than with unbounded FIFOs, in per cent")
-                ->required()
-                ->type_name("PERCENT")
-                ->check(number_in(0, 1e6));
-            command
-                .add_option("--out", request->out,
-                            "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
-                ->type_name("DIR");
-            command
-                .add_option("--ramb36-luts", request->luts_per_ramb36,
-                            "LUTs that a block RAM of 36 Kbit is worth (300.53)")
-                ->type_name("LUTS")
-                ->check(number_in(0.01, 1e6));
-            command
-                .add_option("--points", request->front_points,
-                            "Bounds at which cost is weighed against cycles; 0: none")
-                ->type_name("N")
-                ->capture_default_str()
-                ->check(CLI::Range(0, 1000));
-            add_jobs(command, request->jobs, "Threads");
-            add_overrides(command, request->overrides);
-            command.footer("Only depths are searched; kinds stay as configured, auto being a memory above depth 2.");
-            return [request] { return print_fifo_sizes(*request); };
-        }};
+    return {"size-fifos",
+            "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones",
+            [](CLI::App& command) {
+                auto const request = std::make_shared<SizeFifosRequest>();
+                command.add_option("events", request->events, "Event file of run --events")
+                    ->required()
+                    ->type_name("EVENTS");
+                command
+                    .add_option("--within", request->within_percent,
+                                "How much longer than with unbounded FIFOs, in per cent")
+                    ->required()
+                    ->type_name("PERCENT")
+                    ->check(number_in(0, 1e6));
+                command
+                    .add_option("--out", request->out,
+                                "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
+                    ->type_name("DIR");
+                command
+                    .add_option("--ramb36-luts", request->luts_per_ramb36,
+                                "LUTs that a block RAM of 36 Kbit is worth (300.53)")
+                    ->type_name("LUTS")
+                    ->check(number_in(0.01, 1e6));
+                command
+                    .add_option("--points", request->front_points,
+                                "Bounds at which cost is weighed against cycles; 0: none")
+                    ->type_name("N")
+                    ->capture_default_str()
+                    ->check(CLI::Range(0, 1000));
+                add_jobs(command, request->jobs, "Threads");
+                add_overrides(command, request->overrides);
+                command.footer(
+                    "Only depths are searched; kinds stay as configured, auto being a memory above depth 2. "
+                    "Cores that share a memory are all retimed for each question; the answer says what is "
+                    "proven then.");
+                return [request] { return print_fifo_sizes(*request); };
+            }};
 }
 
 }  // namespace faster

@@ -84,12 +84,23 @@ TEST_CASE("whatif knows other memories, and says why it does not know what was n
     CHECK_THAT(workspace.tool({"sensitivities", "ideal"}).out, !Contains("accelerator.memory."));
 }
 
-TEST_CASE("size-fifos says why it does not size FIFOs behind external memory") {
+TEST_CASE("size-fifos says what it proves behind external memory") {
     Workspace const workspace;
     require_done(workspace.run({"--events", "events"}));
-    check_bad_input(workspace.tool({"size-fifos", "events", "--within", "5", "--out", "sizes"}),
-                    {"events: accelerator.memory.model = \"axi\", expected a run with \"ideal\""});
-    CHECK_FALSE(std::filesystem::exists(workspace.small.folder() / "sizes"));
+    CommandResult const sized =
+        workspace.tool({"size-fifos", "events", "--within", "5", "--points", "0", "--out", "sizes"});
+    require_done(sized);
+    auto const sizing = Json::parse(workspace.small.text("sizes/sizing.json"));
+    CHECK(sizing["shares_memory"] == true);
+    CHECK(sizing["answer"]["total_cycles"] <= sizing["bound_cycles"]);
+    CHECK(sizing["proven"] == sizing["unproven_because"].is_null());
+    CHECK(sizing["proven"] == (sizing["answer"]["cost_luts"] <= sizing["least_cost_luts"]));
+    CHECK_THAT(sized.out, Contains("The cores share a memory"));
+    Words depths{"--out", "run"};
+    for (auto const& [fifo, depth] : sizing["answer"]["depths"].items())
+        depths.insert(depths.end(), {"--set", "accelerator.fifos." + fifo + ".depth=" + depth.dump()});
+    require_done(workspace.run(depths));
+    CHECK(workspace.small.summary("run")["total_cycles"] == sizing["answer"]["total_cycles"]);
 }
 
 TEST_CASE("A deadlock behind external memory names who waits, and the path names memory") {

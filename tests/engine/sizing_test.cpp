@@ -5,6 +5,7 @@
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/sizing/size_fifos.hpp"
+#include "support/cheaper_choices.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
@@ -88,59 +89,6 @@ SizingOptions within(double percent) {
     options.front_points = 0;
     return options;
 }
-
-/// Whether some combination of levels that costs less is within the bound: tries them all.
-class BruteForce {
-  public:
-    BruteForce(Case const& of, Sizing const& sizing) : case_(of), sizing_(sizing) {
-        for (std::size_t i = 0; i < fifo_count; ++i) {
-            std::uint64_t const depth = std::max<std::uint64_t>(3, sizing.unbounded.choice[i].depth);
-            testing::FifoConfig const fifo = fifo_of(of.config, fifo_ids[i]);
-            FifoFreedom const freedom{fifo.kind, fifo.bits, fifo.rules, fifo.squeezes ? fifo.write_latency : 0};
-            levels_[i] = levels_of(freedom, depth, sizing.options.weights);
-        }
-        for (std::size_t i = fifo_count; i-- > 0;)
-            least_[i] = least_[i + 1] + levels_[i].front().cost;
-    }
-
-    /// How many combinations cost less; too many are not counted to the end.
-    std::size_t cheaper() {
-        only_counts_ = true;
-        tried_ = 0;
-        try_all(0, 0);
-        return tried_;
-    }
-    std::size_t cheaper_within() {
-        only_counts_ = false;
-        try_all(0, 0);
-        return found_;
-    }
-    static constexpr std::size_t most = 400;
-
-  private:
-    void try_all(std::size_t fifo, double cost) {
-        if (cost + least_[fifo] >= sizing_.answer.cost - 1e-6 || (only_counts_ && tried_ > most))
-            return;
-        if (fifo == fifo_count) {
-            ++tried_;
-            found_ += !only_counts_ && case_.cycles(choice_) <= sizing_.bound ? 1U : 0U;
-            return;
-        }
-        for (Level const& level : levels_[fifo]) {
-            choice_[fifo] = level.choice;
-            try_all(fifo + 1, cost + level.cost);
-        }
-    }
-
-    Case const& case_;
-    Sizing const& sizing_;
-    Levels levels_ = Levels(fifo_count);
-    std::array<double, fifo_count + 1> least_{};
-    Choice choice_ = Choice(fifo_count);
-    bool only_counts_ = false;
-    std::size_t tried_ = 0;
-    std::size_t found_ = 0;
-};
 
 /// A token less is a step down unless it makes a shift register of a memory that costs no more.
 bool has_token_step(Sizing const& sizing, std::size_t fifo) {
@@ -295,11 +243,12 @@ TEST_CASE("No combination of depths that costs less is within the bound: all are
             CAPTURE(seed, percent);
             Sizing const sizing = one.size(within(percent));
             CHECK(sizing.is_proven);
-            BruteForce brute_force(one, sizing);
-            std::size_t const combinations = brute_force.cheaper();
-            if (combinations == 0 || combinations > BruteForce::most)
+            testing::CheaperChoices choices(sizing, sizing.answer.cost,
+                                            [&](auto& choice) { return one.cycles(choice); });
+            std::size_t const combinations = choices.count();
+            if (combinations == 0 || combinations > testing::CheaperChoices::most)
                 continue;
-            CHECK(brute_force.cheaper_within() == 0);
+            CHECK(choices.count_within() == 0);
             tried += combinations;
             ++cases;
         }

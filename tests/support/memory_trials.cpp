@@ -62,7 +62,8 @@ void check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const
 AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config) {
     std::mt19937_64 random(seed);
     draw_memory_timing(~seed, config);
-    config.cores = std::max<std::uint64_t>(config.memory_placement.observation_copies, 1 + random() % 12);
+    config.cores = 1 + random() % 12;
+    config.memory_placement.observation_copies = 1 + random() % config.cores;
     for (FifoId const fifo : {FifoId::vertex, FifoId::command, FifoId::observed_depth, FifoId::edge_token})
         config.fifo(fifo).depth = fifo_of(config, fifo).depth + random() % 8;
     return config;

@@ -179,6 +179,20 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
 
 }  // namespace
 
+Cycles load_cycles(Machine const& machine, std::vector<timing::LoadedRange> loaded) {
+    if (!machine.external_memory)
+        return 0;
+    std::uint64_t sharers = 1;
+    for (MachineMemory const& memory : machine.memories)
+        sharers = std::max(sharers, memory.sharers);
+    for (timing::LoadedRange& range : loaded)
+        if (range.copies > 0)
+            range.copies = (machine.cores + sharers - 1) / sharers;
+    timing::ExternalMemory shape = *machine.external_memory;
+    shape.is_shared = true;  // whatever relaxation the cores are timed on
+    return cycles_of_load(shape, loads_of_ports(shape, loaded, machine.cores));
+}
+
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
                       timing::MemorySystem const* memory, std::vector<timing::LoadedRange> const& loaded) {
     RunStatistics run;
@@ -198,7 +212,7 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
             run.cores[k].processes.push_back(sorter.row_of(i));
     }
     if (memory != nullptr) {  // the cycles of the cores begin behind it
-        run.load_cycles = cycles_of_load(memory->shape(), loads_of_ports(memory->shape(), loaded, cores.size()));
+        run.load_cycles = load_cycles(machine, loaded);
         run.total_cycles += run.load_cycles;
     }
     return run;

@@ -16,6 +16,10 @@ struct FinishedCore {
     Counters const* counters;  ///< by sample of its share, as far as it got
 };
 
+/// How long it takes to bring what a machine's memories on the chip hold. As many copies of what cores share as it has:
+/// the ranges may be those of another.
+Cycles load_cycles(Machine const& machine, std::vector<timing::LoadedRange> loaded);
+
 /// The figures of a finished (or stuck) run of a machine. `memory`: the external one; null if it is ideal. `loaded`:
 /// what it brought before cycle 0, which adds to the total.
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,

@@ -79,6 +79,8 @@ RunStatistics retime(ScriptedRun const& run, Following following, Machine const&
 
 Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                    CoreOptions const& options) {
+    if (run.run().memory)
+        return retime_cores_together(run, machine, cores, options);
     return retime_cores(run, Following::scripts, machine, cores, options);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "kernel/machine/core_share.hpp"
@@ -9,7 +10,6 @@
 #include "kernel/replay/core_variant.hpp"
 #include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/plain_reader.hpp"
-#include "kernel/replay/retime.hpp"
 #include "kernel/replay/sample_cutter.hpp"
 #include "kernel/timing/memory/memory_system.hpp"
 
@@ -45,16 +45,22 @@ std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
 
 class Together {
   public:
-    Together(ScriptedRun const& run, Machine const& machine, bool leave_trails, CoreWatch* watch)
-        : run_(run), machine_(machine), leave_trails_(leave_trails), watch_(watch), samples_(run) {
+    Together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& numbers,
+             CoreOptions const& options, CoreWatch* watch = nullptr)
+        : run_(run),
+          machine_(machine),
+          options_(options),
+          watch_(watch),
+          samples_(run),
+          is_left_(numbers.size()) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();
-        for (std::size_t core = 0; core < machine.cores; ++core) {
-            shares_.push_back(share_of(core, machine.cores, run.run().tape.samples()));
+        for (std::size_t const number : numbers) {
+            shares_.push_back(share_of(number, machine.cores, run.run().tape.samples()));
             cores_.push_back(core_variant(*run.run().blueprint, machine));
             cores_.back()->let_follow(run.lead(), automaton);
-            if (leave_trails)
+            if (options.leave_trails)
                 cores_.back()->leave_trail();
             if (memory_)
                 memory_->add_core(*cores_.back(), shares_.back().count > 0);
@@ -65,28 +71,48 @@ class Together {
             tell_entries(core);
     }
 
-    RunStatistics go_on() {
-        for (std::size_t i = 0; i < shares_.front().count; ++i)  // the first has the most
+    /// False: the watch wants to know no more.
+    bool go_on() {
+        for (std::size_t i = 0; i < shares_.front().count && has_more(); ++i) {  // the first has the most
             for (std::size_t core = 0; core < cores_.size(); ++core)
-                if (i < shares_[core].count && !feed(core, i))
-                    return {};
+                if (i < shares_[core].count && !is_left_[core] && !feed(core, i))
+                    return false;
+            if (memory_)
+                memory_->go_on(false);
+            leave();
+        }
         if (memory_)
             memory_->go_on(true);
-        std::vector<FinishedCore> finished;
-        for (std::size_t core = 0; core < cores_.size(); ++core) {
-            cores_[core]->resolve();
-            finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
-        }
+        for (auto const& core : cores_)
+            core->resolve();
         if (watch_ != nullptr)
             watch_->end();
+        return true;
+    }
+
+    RunStatistics statistics() const {
+        std::vector<FinishedCore> finished;
+        for (std::size_t core = 0; core < cores_.size(); ++core)
+            finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
         RunStatistics statistics = collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
-        if (leave_trails_ && !statistics.deadlocked())
+        if (options_.leave_trails && !statistics.deadlocked())
             statistics.critical_path = path();
         return statistics;
     }
 
+    Cores take_cores() { return std::move(cores_); }
+
   private:
     RecordedMemory const& recorded() const { return *run_.run().memory; }
+    bool has_more() const { return std::find(is_left_.begin(), is_left_.end(), false) != is_left_.end(); }
+
+    void leave() {
+        for (std::size_t core = 0; options_.leaves && core < cores_.size(); ++core)
+            is_left_[core] = is_left_[core] || options_.leaves(*cores_[core]);
+        if (memory_ && memory_->shape().is_shared &&
+            std::find(is_left_.begin(), is_left_.end(), true) != is_left_.end())
+            is_left_.assign(is_left_.size(), true);
+    }
 
     CriticalPath path() const {
         std::vector<timing::CoreTiming const*> cores;
@@ -107,7 +133,6 @@ class Together {
         }
     }
 
-    /// False: nobody wants to know more.
     bool feed(std::size_t core, std::size_t i) {
         if (watch_ != nullptr && !watch_->sample_begins(core, i))
             return false;
@@ -117,9 +142,7 @@ class Together {
         SampleOperations const operations = samples_.read(sample);
         for (std::size_t process = 0; process < operations.size(); ++process)
             tell_sample(operations[process], cores_[core]->process(process));
-        if (memory_)
-            memory_->note_sample();
-        else
+        if (!memory_)
             cores_[core]->resolve(false);
         return true;
     }
@@ -136,18 +159,29 @@ class Together {
 
     ScriptedRun const& run_;
     Machine const& machine_;
-    bool leave_trails_;
+    CoreOptions const options_;
     CoreWatch* watch_;
     PlainSamples samples_;
     std::vector<CoreShare> shares_;
     Cores cores_;
     std::optional<timing::MemorySystem> memory_;
+    std::vector<bool> is_left_;  // by core
 };
 
 }  // namespace
 
 RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails, CoreWatch* watch) {
-    return Together(run, machine, leave_trails, watch).go_on();
+    std::vector<std::size_t> numbers(machine.cores);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    Together together(run, machine, numbers, {leave_trails, nullptr}, watch);
+    return together.go_on() ? together.statistics() : RunStatistics();
+}
+
+Cores retime_cores_together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
+                            CoreOptions const& options) {
+    Together together(run, machine, cores, options);
+    together.go_on();
+    return together.take_cores();
 }
 
 }  // namespace faster::replay

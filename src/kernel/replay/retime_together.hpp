@@ -1,7 +1,6 @@
 #pragma once
-#include "kernel/figures/run_statistics.hpp"
 #include "kernel/replay/core_watch.hpp"
-#include "kernel/replay/scripted_run.hpp"
+#include "kernel/replay/retime.hpp"
 
 namespace faster::replay {
 
@@ -10,5 +9,10 @@ namespace faster::replay {
 /// may be null.
 RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails = false,
                               CoreWatch* watch = nullptr);
+
+/// retime_cores() of such a run. Of a memory that is shared it must be all cores that have samples, and where one is
+/// left, all are.
+Cores retime_cores_together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
+                            CoreOptions const& options);
 
 }  // namespace faster::replay

@@ -1,10 +1,12 @@
 #include "kernel/sizing/core_times.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/machine/core_share.hpp"
+#include "kernel/replay/collect.hpp"
 #include "kernel/timing/path_sweep.hpp"
 
 namespace faster::sizing {
@@ -26,10 +28,10 @@ std::size_t cores_with_samples(std::size_t cores, std::size_t samples) {
     return used;
 }
 
-/// The first port at which a process reads; none if it reads nothing.
+/// The first FIFO's port at which a process reads; none if it reads none.
 std::optional<unsigned> first_read_port(timing::ProcessTiming const& process) {
     for (unsigned port = 0; port < process.port_count(); ++port)
-        if (!process.writes(port))
+        if (!process.writes(port) && !process.fifo(port).is_memory())
             return port;
     return std::nullopt;
 }
@@ -75,7 +77,7 @@ Members members_of_path(timing::CoreTiming const& core, std::size_t collector) {
     for (timing::ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port) {
             timing::FifoTiming const& fifo = process.fifo(port);
-            if (turns_at(process, port, path) == 0)
+            if (fifo.is_memory() || turns_at(process, port, path) == 0)
                 continue;
             Cut::Member& member = members[core.number_of(fifo)];
             if (process.writes(port))
@@ -123,17 +125,27 @@ std::vector<Cut::Member> members_of(Members const& members) {
     return kept;
 }
 
+/// No FIFO changes it.
+Cycles load_of(replay::RecordedRun const& run, Machine const& machine) {
+    return run.memory ? replay::load_cycles(machine, run.memory->loaded) : 0;
+}
+
 }  // namespace
 
 CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine, BeforeRetiming before_retiming)
-    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, machine.lead), machine, std::move(before_retiming)) {}
+    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, run.lead(machine)), machine, load_of(run, machine),
+                std::move(before_retiming)) {}
 
-CoreTimes::CoreTimes(Run run, Machine machine, BeforeRetiming before_retiming)
+CoreTimes::CoreTimes(Run run, Machine machine, Cycles load, BeforeRetiming before_retiming)
     : run_(std::move(run)),
       machine_(std::move(machine)),
+      load_(load),
       before_retiming_(std::move(before_retiming)),
       freezing_(freezing_fifos(machine_)),
-      relaxed_(freezing_.empty() ? nullptr : new CoreTimes(run_, sizing::relaxed(machine_), before_retiming_)),
+      are_together_(shares_memory(machine_)),
+      relaxed_(freezing_.empty() && !are_together_
+                   ? nullptr
+                   : new CoreTimes(run_, sizing::relaxed(machine_), load_, before_retiming_)),
       cores_(cores_with_samples(machine_.cores, run_->run().tape.samples())),
       tokens_(machine_.fifos.size()),
       work_(cores_) {}
@@ -144,9 +156,9 @@ bool CoreTimes::has_frozen(Choice const& choice, Known const& known) const {
                        [&](std::size_t fifo) { return choice[fifo].capacity() < known.room[fifo]; });
 }
 
-/// The relaxed machine does the same as long as nothing would freeze.
+/// The relaxed machine does the same as long as nothing would freeze, and no memory is shared.
 std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
-    std::optional<Known> const relaxed = is_monotone() ? std::nullopt : relaxed_->known(core, choice);
+    std::optional<Known> const relaxed = is_monotone() || are_together_ ? std::nullopt : relaxed_->known(core, choice);
     if (relaxed && !relaxed->is_left_early && !has_frozen(choice, *relaxed))
         return relaxed;
     std::lock_guard<std::mutex> const lock(mutex_);
@@ -193,9 +205,10 @@ bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const
     return true;
 }
 
-/// The same latency, and the same room, or more than is needed in either case.
+/// The same latency, and the same room, or more than is needed in either case. Where a run got stuck, what was full is
+/// not all counted.
 bool CoreTimes::is_same(Choice const& choice, Place const& place, Known const& known) {
-    if (known.is_left_early)
+    if (known.is_left_early || known.end == Cut::deadlock)
         return choice == place.second;
     for (std::size_t i = 0; i < choice.size(); ++i) {
         FifoChoice const& there = place.second[i];
@@ -214,24 +227,39 @@ Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     std::size_t const samples = share_of(number, machine_.cores, run_->run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
-    return results_of(core).back() + 1;
+    return load_ + results_of(core).back() + 1;
 }
 
-void CoreTimes::enter(Place const& place, timing::CoreTiming& core) {
-    Cycles const end = end_of(core, place.first);
-    std::lock_guard<std::mutex> const lock(mutex_);
-    ++retimed_;
-    Known& known = known_[place];
-    known = {end, false, std::vector<std::uint64_t>(machine_.fifos.size())};
-    if (end != Cut::deadlock && is_monotone())
-        note_work(place.first, core, end);
-    for (std::size_t i = 0; i < known.room.size(); ++i) {
+CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core) {
+    Known known{end_of(core, number), false, {}};
+    if (known.end != Cut::deadlock && is_monotone())
+        note_work(number, core, known.end - load_);
+    for (std::size_t i = 0; i < machine_.fifos.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
-        known.room[i] = fifo.max_occupancy() + 1;
-        if (end != Cut::deadlock)
+        known.room.push_back(fifo.max_occupancy() + 1);
+        if (known.end != Cut::deadlock)
             tokens_[i] = std::max(tokens_[i], fifo.writes());
     }
+    return known;
+}
+
+/// Room that one core needs makes the others what they are, where cores are together.
+void CoreTimes::enter(std::vector<std::size_t> const& cores, Choice const& choice, replay::Cores const& timings) {
+    std::lock_guard<std::mutex> const lock(mutex_);
+    std::vector<Known> outcomes;
+    for (std::size_t i = 0; i < cores.size(); ++i)
+        outcomes.push_back(outcome(cores[i], *timings[i]));
+    std::vector<std::uint64_t> room(machine_.fifos.size());
+    for (std::size_t i = 0; i < room.size(); ++i)
+        for (Known const& one : outcomes)
+            room[i] = std::max(room[i], one.room[i]);
+    for (std::size_t i = 0; i < cores.size(); ++i) {
+        if (are_together_)
+            outcomes[i].room = room;
+        known_[{cores[i], choice}] = std::move(outcomes[i]);
+    }
+    retimed_ += cores.size();
 }
 
 replay::Cores CoreTimes::retimed(std::vector<std::size_t> const& cores, Choice const& choice,
@@ -242,9 +270,8 @@ replay::Cores CoreTimes::retimed(std::vector<std::size_t> const& cores, Choice c
 }
 
 void CoreTimes::work_out(std::vector<std::size_t> const& cores, Choice const& choice) {
-    auto const timings = retimed(cores, choice, {});
-    for (std::size_t i = 0; i < cores.size(); ++i)
-        enter({cores[i], choice}, *timings[i]);
+    if (!cores.empty())
+        enter(cores, choice, retimed(cores, choice, {}));
 }
 
 std::vector<Cycles> const& CoreTimes::results_of(timing::CoreTiming const& core) const {
@@ -268,7 +295,8 @@ void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cy
     timing::ProcessTiming const& collector = core.processes()[machine_.ends];
     Cycles const waited = collector.fifo(*first_read_port(collector)).empty_stall_cycles();
     Cycles const behind_end = collector.local_time() - std::min(collector.local_time(), end);
-    Cycles const left_out = stalls_of(*writer) + writer->awaited_setup_cycles() + behind_end;
+    Cycles const left_out =
+        stalls_of(*writer) + writer->memory_stall_cycles() + writer->awaited_setup_cycles() + behind_end;
     work_[number] = waited - std::min(waited, left_out);
 }
 
@@ -280,13 +308,13 @@ std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
     return work_[core];
 }
 
-/// It has waited too long for its work still to be done in time.
+/// It has waited too long for its work still to be done in time. Cores that are together go to their ends.
 replay::Leaves CoreTimes::as_soon_as_exceeds(std::size_t core, Cycles bound) const {
     std::optional<Cycles> const work = work_of(core);
-    if (!work)
+    if (!work || are_together_)
         return nullptr;
     return [=](timing::CoreTiming const& timing) {
-        return !results_of(timing).empty() && *work + stalls_of(*writer_of_results(timing)) > bound;
+        return !results_of(timing).empty() && load_ + *work + stalls_of(*writer_of_results(timing)) > bound;
     };
 }
 
@@ -295,9 +323,19 @@ void CoreTimes::work_out_whether_exceeds(std::size_t core, Choice const& choice,
     GivenUp given_up{is_obsolete};
     replay::CoreOptions options;
     options.leaves = given_up.or_if(as_soon_as_exceeds(core, bound));
-    auto const timings = retimed({core}, choice, options);
-    if (!given_up && !enter_as_left({core, choice}, *timings.front(), bound))
-        enter({core, choice}, *timings.front());
+    std::vector<std::size_t> const cores = with(core);
+    auto const timings = retimed(cores, choice, options);
+    if (!given_up && (are_together_ || !enter_as_left({core, choice}, *timings.front(), bound)))
+        enter(cores, choice, timings);
+}
+
+std::vector<std::size_t> CoreTimes::with(std::size_t core) const {
+    std::vector<std::size_t> cores{core};
+    if (are_together_) {
+        cores.resize(cores_);
+        std::iota(cores.begin(), cores.end(), std::size_t{0});
+    }
+    return cores;
 }
 
 /// False if it has not been left before its end.
@@ -307,7 +345,7 @@ bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core
     std::size_t const samples = share_of(place.first, machine_.cores, run_->run().tape.samples()).count;
     if (done == samples || !exceeds || !exceeds(core))
         return false;
-    Cycles const least = *work_of(place.first) + stalls_of(*writer_of_results(core));
+    Cycles const least = load_ + *work_of(place.first) + stalls_of(*writer_of_results(core));
     std::lock_guard<std::mutex> const lock(mutex_);
     ++retimed_;
     Known& known = known_[place];
@@ -373,12 +411,12 @@ std::size_t CoreTimes::first_to_exceed(Choice const& choice, Cycles bound, unsig
 
 Cycles CoreTimes::cycles(std::size_t core, Choice const& choice) {
     if (!is_done(core, choice))
-        work_out({core}, choice);
+        work_out(with(core), choice);
     return known(core, choice)->end;
 }
 
 Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
-    std::vector<std::vector<std::size_t>> shares(std::max(1U, jobs));
+    std::vector<std::vector<std::size_t>> shares(are_together_ ? 1 : std::max(1U, jobs));
     std::size_t next = 0;
     for (std::size_t core = 0; core < cores_; ++core)
         if (!is_done(core, choice))
@@ -392,34 +430,35 @@ Cycles CoreTimes::total_cycles(Choice const& choice, unsigned jobs) {
 
 Cut CoreTimes::explain(std::size_t core, Choice const& choice) { return suspects(core, choice, Cut::deadlock).value(); }
 
-std::unique_ptr<timing::CoreTiming> CoreTimes::with_trail(std::size_t core, Choice const& choice,
-                                                          replay::Leaves const& leaves) const {
+replay::Cores CoreTimes::with_trails(std::size_t core, Choice const& choice, replay::Leaves const& leaves) const {
     replay::CoreOptions options;
     options.leave_trails = true;
     options.leaves = leaves;
-    return std::move(retimed({core}, choice, options).front());
+    return retimed(with(core), choice, options);
 }
 
 Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const {
-    auto const timing = with_trail(
+    replay::Cores const timings = with_trails(
         core, choice, [=](timing::CoreTiming const& so_far) { return results_of(so_far).size() >= samples; });
-    if (results_of(*timing).empty())
+    timing::CoreTiming const& timing = *timings[are_together_ ? core : 0];
+    if (results_of(timing).empty())
         return {};
-    return {members_of(members_of_path(*timing, machine_.ends)), results_of(*timing).back() + 1};
+    return {members_of(members_of_path(timing, machine_.ends)), results_of(timing).back() + 1};
 }
 
 std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
                                        IsObsolete const& is_obsolete) {
     GivenUp given_up{is_obsolete};
-    auto const timing = with_trail(core, choice, given_up.or_if(as_soon_as_exceeds(core, bound)));
+    replay::Cores const timings = with_trails(core, choice, given_up.or_if(as_soon_as_exceeds(core, bound)));
     if (given_up)
         return std::nullopt;
-    bool const is_left = enter_as_left({core, choice}, *timing, bound);
+    timing::CoreTiming& timing = *timings[are_together_ ? core : 0];
+    bool const is_left = !are_together_ && enter_as_left({core, choice}, timing, bound);
     if (!is_left)
-        enter({core, choice}, *timing);
-    Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(*timing, core);
+        enter(with(core), choice, timings);
+    Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
     Members const members =
-        cycles == Cut::deadlock ? members_of_deadlock(*timing) : members_of_path(*timing, machine_.ends);
+        cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing, machine_.ends);
     return Cut{members_of(members), cycles};
 }
 

@@ -16,7 +16,8 @@
 namespace faster::sizing {
 
 /// How long the cores of a recorded run would take with other FIFOs. Remembers what it has worked out. May be asked by
-/// several threads at once. Of a machine with freezing_fifos() it knows the times of the relaxed machine besides.
+/// several threads at once. Where times are not monotone it knows those of the relaxed machine besides. Cores that
+/// share a memory are all retimed when one is.
 class CoreTimes {
   public:
     /// Called before each retiming of a core, from any thread; may throw, to give up.
@@ -27,6 +28,8 @@ class CoreTimes {
 
     /// More room and less latency never make a run longer.
     bool is_monotone() const { return relaxed_ == nullptr; }
+    /// Whether no core can be retimed without the others.
+    bool are_together() const { return are_together_; }
     /// Times that are: these, or else those of the relaxed machine.
     CoreTimes& relaxed() { return is_monotone() ? *this : *relaxed_; }
 
@@ -77,12 +80,14 @@ class CoreTimes {
     using Place = std::pair<std::size_t, Choice>;
     struct Known {
         Cycles end = 0;
-        bool is_left_early = false;       ///< not before `end`, and then nothing is known of room
-        std::vector<std::uint64_t> room;  ///< capacities with which FIFOs are never full; more than they have: it was
+        bool is_left_early = false;  ///< not before `end`, and then nothing is known of room
+        /// Capacities with which FIFOs are never full, here or in a core that was retimed with it; more than they have:
+        /// it was.
+        std::vector<std::uint64_t> room;
     };
     using Run = std::shared_ptr<replay::ScriptedRun const>;
 
-    CoreTimes(Run run, Machine machine, BeforeRetiming before_retiming);
+    CoreTimes(Run run, Machine machine, Cycles load, BeforeRetiming before_retiming);
 
     /// Stamps of the process that ends samples, and who writes what it waits for.
     std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
@@ -93,8 +98,9 @@ class CoreTimes {
     bool has_frozen(Choice const& choice, Known const& known) const;
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
     replay::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
-    std::unique_ptr<timing::CoreTiming> with_trail(std::size_t core, Choice const& choice,
-                                                   replay::Leaves const& leaves) const;
+    /// Those that have to be retimed with it.
+    std::vector<std::size_t> with(std::size_t core) const;
+    replay::Cores with_trails(std::size_t core, Choice const& choice, replay::Leaves const& leaves) const;
     bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
     /// As retime_cores() does.
     replay::Cores retimed(std::vector<std::size_t> const& cores, Choice const& choice,
@@ -106,12 +112,15 @@ class CoreTimes {
     std::optional<Cycles> work_of(std::size_t core) const;
     void note_work(std::size_t number, timing::CoreTiming const& core, Cycles end);
     Cycles end_of(timing::CoreTiming& core, std::size_t number) const;
-    void enter(Place const& place, timing::CoreTiming& core);
+    void enter(std::vector<std::size_t> const& cores, Choice const& choice, replay::Cores const& timings);
+    Known outcome(std::size_t number, timing::CoreTiming& core);
 
     Run const run_;
     Machine const machine_;
+    Cycles const load_;  ///< before the cores begin
     BeforeRetiming const before_retiming_;
     std::vector<std::size_t> const freezing_;
+    bool const are_together_;
     std::unique_ptr<CoreTimes> const relaxed_;  ///< null: these times are monotone
     std::size_t cores_;
     std::vector<std::uint64_t> tokens_;  ///< by FIFO

@@ -12,9 +12,13 @@ std::vector<std::size_t> freezing_fifos(Machine const& machine) {
     return freezing;
 }
 
+bool shares_memory(Machine const& machine) { return machine.external_memory && machine.external_memory->is_shared; }
+
 Machine relaxed(Machine machine) {
     for (std::size_t const i : freezing_fifos(machine))
         machine.fifos[i].when_full = WhenFull::squeeze;
+    if (machine.external_memory)
+        machine.external_memory->is_shared = false;
     return machine;
 }
 

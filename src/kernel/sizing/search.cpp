@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <optional>
 
 #include "kernel/base/on_threads.hpp"
@@ -65,10 +66,10 @@ Choice without_spare_room(Choice const& choice, CoreTimes const& times) {
     return smaller;
 }
 
-/// What holds others up because it freezes; false: nothing that could be deeper.
-bool deepen_frozen(Choice& choice, std::vector<std::size_t> const& freezing, CoreTimes const& times) {
+/// Those of some FIFOs that have been full; false: none that could be deeper.
+bool deepen_full(Choice& choice, std::vector<std::size_t> const& fifos, CoreTimes const& times) {
     Cut full;
-    for (std::size_t const fifo : freezing)
+    for (std::size_t const fifo : fifos)
         if (times.was_full(choice, fifo))
             full.members.push_back({fifo, choice[fifo].capacity(), false});
     return deepen(choice, full);
@@ -76,8 +77,28 @@ bool deepen_frozen(Choice& choice, std::vector<std::size_t> const& freezing, Cor
 
 namespace {
 
+std::vector<std::size_t> all_of(FifoFrame const& frame) {
+    std::vector<std::size_t> fifos(frame.fifos());
+    std::iota(fifos.begin(), fifos.end(), std::size_t{0});
+    return fifos;
+}
+
+/// A path that waits for memory does not say who let a master ask late. With all the room there is it is not later.
+bool is_late(Choice choice, Cycles total_cycles, FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    for (std::size_t i = 0; i < choice.size(); ++i)
+        choice[i] = frame.freedoms[i].with_capacity(choice[i].kind, timing::FifoShape::unlimited);
+    return times.total_cycles(choice, jobs) < total_cycles;
+}
+
+std::size_t last_core(Choice const& choice, CoreTimes& times, Cycles total_cycles) {
+    std::size_t core = 0;
+    while (times.cycles(core, choice) != total_cycles)
+        ++core;
+    return core;
+}
+
 /// On the relaxed machine.
-Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, bool has_memory, unsigned jobs) {
     Unbounded result;
     for (FifoFreedom const& fifo : frame.freedoms)
         result.choice.push_back(deep(fifo, first_depth));
@@ -86,20 +107,33 @@ Unbounded relaxed_unbounded(FifoFrame const& frame, CoreTimes& times, unsigned j
     }
     while (!is_deep) {
         result.total_cycles = times.total_cycles(result.choice, jobs);
-        result.last_core = 0;
-        while (times.cycles(result.last_core, result.choice) != result.total_cycles)
-            ++result.last_core;
+        result.last_core = last_core(result.choice, times, result.total_cycles);
         is_deep = !deepen(result.choice, times.explain(result.last_core, result.choice)) &&
-                  !deepen_frozen(result.choice, frame.freezing, times);
+                  !deepen_full(result.choice, frame.freezing, times) &&
+                  !(has_memory && is_late(result.choice, result.total_cycles, frame, times, jobs) &&
+                    deepen_full(result.choice, all_of(frame), times));
     }
     result.choice = without_spare_room(result.choice, times);
     return result;
 }
 
+/// Where the cores wait for each other, the last one's critical path may ask for more room. What more room still would
+/// do nobody can say, so that these FIFOs are such as an answer may have.
+void deepen_together(Unbounded& result, FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
+    do
+        result.last_core = last_core(result.choice, times, times.total_cycles(result.choice, jobs));
+    while (deepen(result.choice, times.explain(result.last_core, result.choice)));
+    result.choice = without_spare_room(result.choice, times);
+    for (std::size_t i = 0; i < result.choice.size(); ++i)
+        result.choice[i] = as_it_may_be(result.choice[i], frame.freedoms[i]);
+}
+
 }  // namespace
 
 Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
-    Unbounded result = relaxed_unbounded(frame, times.relaxed(), jobs);
+    Unbounded result = relaxed_unbounded(frame, times.relaxed(), times.are_together(), jobs);
+    if (times.are_together() && times.cores() > 0)
+        deepen_together(result, frame, times, jobs);
     result.total_cycles = times.total_cycles(result.choice, jobs);
     return result;
 }
@@ -298,14 +332,20 @@ void Search::deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycle
         deepest + 1 < capacities.size() ? capacities[deepest] : 0;  // however deep: it is too slow
 }
 
-/// From unbounded FIFOs down, one after the other, until none can be had for less.
-Choice Search::descend(Cycles bound) {
+/// Unbounded FIFOs such as an answer may have.
+Choice Search::deepest() const {
     Choice choice = unbounded_.choice;
     for (std::size_t i = 0; i < choice.size(); ++i)
         choice[i] = as_it_may_be(choice[i], frame_.freedoms[i]);
     for (std::size_t const fifo : frame_.freezing)  // so deep that it never freezes, whatever the others are
         choice[fifo] =
             frame_.freedoms[fifo].at_depth(std::max(choice[fifo].depth, std::min(most_depth, times_.tokens()[fifo])));
+    return choice;
+}
+
+/// From unbounded FIFOs down, one after the other, until none can be had for less.
+Choice Search::descend(Cycles bound) {
+    Choice choice = times_.are_together() ? unbounded_.choice : deepest();
     for (bool is_cheaper = true; is_cheaper;) {
         is_cheaper = false;
         for (std::size_t i = 0; i < choice.size(); ++i)

@@ -27,7 +27,7 @@ struct Unbounded {
 
 /// Deepens FIFOs of the configured kinds, `auto` ones as memories, until the critical path of the core that ends last
 /// waits for no room, and no pipeline ever freezes. Then no depth whatsoever is faster (unless `most_depth` is
-/// reached).
+/// reached, or cores share a memory: then some other may be).
 Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 
 /// The cheapest choice within a bound, and how sure that is.
@@ -76,6 +76,7 @@ class Search {
     void deepen_member(Cut& cut, std::size_t member, std::size_t core, Cycles bound);
     Choice corner(Cut const& cut) const;
     std::vector<Cut> cuts_against(Cycles bound) const;
+    Choice deepest() const;
     Choice descend(Cycles bound);
     bool cheapen(Choice& choice, std::size_t fifo, Cycles bound);
     std::optional<bool> known_to_fit(Choice const& choice, Cycles bound, std::vector<std::size_t> const& cores) const;

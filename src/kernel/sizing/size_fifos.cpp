@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "kernel/base/input_error.hpp"
 #include "kernel/config/design.hpp"
 
 namespace faster::sizing {
@@ -32,14 +31,6 @@ Choice holding(Choice choice, FifoFrame const& frame) {
         choice[i].depth = deepest;
     }
     return choice;
-}
-
-/// Cores are searched one by one, and more room never makes one longer: neither holds where they share a memory.
-void require_ideal_memory(replay::RecordedRun const& run) {
-    if (run.memory)
-        throw InputError(
-            "accelerator.memory.model = \"axi\", expected a run with \"ideal\": a FIFO that lets a core go ahead can "
-            "make others wait for memory, so depths are not searched; try those of an ideal run with whatif");
 }
 
 /// Counts steps, of which some become known on the way.
@@ -79,6 +70,17 @@ Found certified(Found found, RepairedSearch& search, CoreTimes& times, Sizing& s
     }
 }
 
+/// What is configured, if it is within the bound and costs less than what was found: where times are not monotone,
+/// no search looks everywhere.
+Found or_configured(Found const& found, RepairedSearch& search, CoreTimes& times, Sizing const& sizing) {
+    FifoFrame const frame(sizing.machine, sizing.options.weights);
+    Choice const configured = choice_of(sizing.machine);
+    bool const is_better = !times.is_monotone() &&
+                           sized(configured, 0, frame).cost < sized(found.choice, 0, frame).cost &&
+                           times.total_cycles(configured, sizing.options.jobs) <= sizing.bound;
+    return is_better ? search.timed(search.replaced(found, configured)) : found;
+}
+
 }  // namespace
 
 Cycles bound_within(double percent, Cycles unbounded_cycles) {
@@ -89,7 +91,6 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
 
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
-    require_ideal_memory(run);
     Machine const machine = machine_of(config);
     FifoFrame const frame(machine, options.weights);
     CoreTimes times(run, machine, options.before_retiming);
@@ -108,7 +109,7 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     steps.done();
     found = search.shallowest(found, sizing.bound);
     steps.done();
-    found = certified(found, search, times, sizing, steps);
+    found = certified(or_configured(found, search, times, sizing), search, times, sizing, steps);
     sizing.answer = sized(found.choice, found.total_cycles, frame);
     sizing.is_proven = found.is_proven;
     sizing.is_given_up = found.is_given_up;

@@ -49,7 +49,7 @@ struct Sizing {
 Cycles bound_within(double percent, Cycles unbounded_cycles);
 
 /// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
-/// done. Errors: InputError if the cores share a memory.
+/// done.
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 

@@ -54,7 +54,9 @@ Json summary(SizedChoice const& choice, Machine const& machine) {
 Json why_unproven(Sizing const& sizing) {
     if (sizing.is_proven)
         return {};
-    return sizing.is_given_up ? "given_up" : "freezing";
+    if (sizing.is_given_up)
+        return "given_up";
+    return shares_memory(sizing.machine) ? "shared_memory" : "freezing";
 }
 
 Json freezing(Machine const& machine) {
@@ -116,6 +118,7 @@ std::string sizing_json(Sizing const& sizing) {
     json["unproven_because"] = why_unproven(sizing);
     json["least_cost_luts"] = rounded(sizing.least_cost);
     json["freezing_fifos"] = freezing(sizing.machine);
+    json["shares_memory"] = shares_memory(sizing.machine);
     json["unbounded"] = summary(sizing.unbounded, sizing.machine);
     json["configured"] = summary(sizing.configured, sizing.machine);
     json["answer"] = summary(sizing.answer, sizing.machine);

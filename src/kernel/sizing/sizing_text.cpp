@@ -51,11 +51,26 @@ std::string proof(Sizing const& sizing) {
             "\n  Not proven to be the cheapest: the search was given up. Nothing within the bound costs less than "
             "{:.1f} LUT.\n",
             sizing.least_cost);
+    if (shares_memory(sizing.machine))
+        return fmt::format(
+            "\n  Nothing within the bound costs less than {:.1f} LUT: that would be too slow even if every master had "
+            "the\n"
+            "  memory to itself. They share it, so that more room may cost time: not proven that nothing in between is "
+            "within.\n",
+            sizing.least_cost);
     return fmt::format(
         "\n  Nothing within the bound costs less than {:.1f} LUT: that would be too slow even if tokens in front of a\n"
         "  full {} closed up. They freeze, so that more room may cost time: not proven that nothing in between is "
         "within.\n",
         sizing.least_cost, names_of(freezing_fifos(sizing.machine), sizing.machine));
+}
+
+/// Of figures that a shared memory makes.
+std::string remark(Sizing const& sizing) {
+    return shares_memory(sizing.machine) ? "  The cores share a memory, so that more room may cost time, also more "
+                                           "than unbounded FIFOs have. All totals\n"
+                                           "  are those of all cores, retimed together.\n"
+                                         : "";
 }
 
 std::string head(Sizing const& sizing) {
@@ -66,7 +81,7 @@ std::string head(Sizing const& sizing) {
     text += choice_line("unbounded", sizing.unbounded, sizing);
     text += choice_line("configured", sizing.configured, sizing);
     text += choice_line("answer", sizing.answer, sizing);
-    text += proof(sizing);
+    text += proof(sizing) + remark(sizing);
     return text + fmt::format("  A RAMB36 counts as {:.2f} LUT.\n", sizing.options.weights.luts_per_ramb36);
 }
 

@@ -50,7 +50,7 @@ class Sizing {
   show(sizing, base) {
     const { answer } = sizing;
     this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36 a core, ` +
-      `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing within the bound costs less." : "not proven to be the cheapest."}`);
+      `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing within the bound costs less." : `not proven to be the cheapest: nothing costs less than ${whole(sizing.least_cost_luts)} LUTs.`}`);
     const take = element("button", { type: "button", id: "take-sizing" }, "take these depths");
     take.addEventListener("click", () => this.found(this.overrides_of_depths(answer.depths)));
     by_id("sizing-note").append(" ", take);

@@ -49,6 +49,28 @@ bool can_follow(Group const& group) {
     }
     return true;
 }
+
+/// The driver's next step only reads what comes from memory, and need not wait for it: done, and it leaves a step that
+/// accesses nothing, which takes as long. Who writes there goes on. Not where trails are left, which tell all in the
+/// order of causes.
+bool take_in(Group const& group, Cycles time) {
+    ProcessTiming& driver = group.driver();
+    if (driver.log().exhausted() || driver.trail() != nullptr)
+        return false;
+    Operation const step = driver.log().whole_front();
+    if (step.kind() != Operation::Kind::step || step.ports() == 0)
+        return false;
+    unsigned const port = Ports(step.ports()).first();
+    if (Ports::of(port) != Ports(step.ports()) || group.feeder(port) == nullptr)
+        return false;
+    FifoTiming& fifo = driver.fifo(port);
+    if (fifo.known_reads() == 0 || fifo.earliest_read() > time)
+        return false;
+    fifo.read(time);
+    driver.log().whole_front() = Operation(Operation::Kind::wait, 0, 0, step.count());
+    group.feeder(port)->advance();
+    return true;
+}
 }  // namespace
 
 Automaton::Automaton() = default;
@@ -112,7 +134,12 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         return progress;
     if (!is_worthwhile())
         reading = Phrase::Reading::foreign;
-    for (; reading == Phrase::Reading::complete; reading = phrase_.read(group, session.frozen)) {
+    auto const read_next = [&] {
+        reading = phrase_.read(group, session.frozen);
+        if (reading == Phrase::Reading::foreign && take_in(group, session.time))
+            reading = phrase_.read(group, session.frozen);
+    };
+    for (; reading == Phrase::Reading::complete; read_next()) {
         Print const print = phrase_.print(session.state + std::uint64_t{1});
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
         if (slot == nullptr)

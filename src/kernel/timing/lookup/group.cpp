@@ -74,6 +74,18 @@ Group::Group(CoreTiming& core, Lead const& lead) {
         for (unsigned m = 1; m < members_.size(); ++m)
             if ((ports & members_[m].driver_port) != 0)
                 followers_at_[ports] |= Lanes{1} << (lane_bits * (m - 1));
+    find_feeders(core);
+}
+
+void Group::find_feeders(CoreTiming& core) {
+    feeders_.resize(driver().port_count());
+    for (unsigned port = 0; port < feeders_.size(); ++port)
+        for (std::size_t number = 0; number < core.processes().size() && !driver().writes(port); ++number) {
+            ProcessTiming& process = core.process(number);
+            for (unsigned other = 0; other < process.port_count() && process.stream() != nullptr; ++other)
+                if (process.writes(other) && &process.fifo(other) == &driver().fifo(port))
+                    feeders_[port] = &process;
+        }
 }
 
 unsigned Group::other_end(unsigned member, unsigned port) const {

@@ -50,13 +50,18 @@ class Group {
     /// The inner FIFO at a port, and who is at its other end.
     unsigned fifo_at(unsigned member, unsigned port) const { return fifo_at_[member][port]; }
     unsigned other_end(unsigned member, unsigned port) const;
+    /// Who writes what the driver reads at a port, if that is somebody outside who takes from memory; or null.
+    ProcessTiming* feeder(unsigned driver_port) const { return feeders_[driver_port]; }
 
   private:
+    void find_feeders(CoreTiming& core);
+
     std::vector<Member> members_;
     unsigned supplier_ = 0;
     std::uint32_t readers_ = 0;
     std::vector<Lanes> followers_at_ = std::vector<Lanes>(Ports::numbers);  ///< beyond masks: none
     std::vector<Inner> fifos_;
+    std::vector<ProcessTiming*> feeders_;         // by port of the driver
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
 };
 

@@ -19,6 +19,8 @@ struct ExternalMemory {
     std::uint64_t period_ps = 5000;   ///< of a cycle
     std::uint64_t latency_ps = 0;     ///< from a burst's begin to its first beat
     std::uint64_t granule_ps = 0;     ///< that the controller takes for a granule
+    /// False: every master has a controller and a port to itself. No memory does that; no burst comes later there.
+    bool is_shared = true;
 };
 
 /// What a master may ask for ahead of its process, if masters prefetch.

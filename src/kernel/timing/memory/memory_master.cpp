@@ -4,6 +4,18 @@
 
 namespace faster::timing {
 
+namespace {
+
+/// The first token of a burst that ends behind one of its beats, in which some end.
+std::uint64_t first_behind(MemoryBurst const& burst, std::uint64_t beat, std::uint64_t port_bytes) {
+    std::uint64_t const end = burst.address + (beat + 1) * port_bytes;
+    if (burst.last_last < end)
+        return burst.tokens;
+    return std::min(burst.tokens, (end - burst.first_last + burst.token_bytes - 1) / burst.token_bytes);
+}
+
+}  // namespace
+
 MemoryMaster::MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch,
                            HandedOut const& handed_out)
     : shape_(shape),
@@ -98,8 +110,12 @@ Cycles MemoryMaster::served(Cycles cycle) {
     if (stream_.is_write()) {
         free_from_.push_back(done + 1);
     } else {
-        for (std::uint64_t token = 0; token < burst.tokens; ++token)
-            stream_.deliver(1, cycle + burst.beat_of(token, shape_.port_bytes) + 1);
+        for (std::uint64_t token = 0; token < burst.tokens;) {
+            std::uint64_t const beat = burst.beat_of(token, shape_.port_bytes);
+            std::uint64_t const next = first_behind(burst, beat, shape_.port_bytes);
+            stream_.deliver(next - token, cycle + beat + 1);
+            token = next;
+        }
         if (burst.tokens > 0)
             first = cycle + burst.beat_of(0, shape_.port_bytes) + 1;
         delivered_ += burst.tokens;

@@ -7,7 +7,11 @@
 namespace faster::timing {
 
 MemorySystem::MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters)
-    : shape_(shape), shapes_(std::move(masters)), port_free_(shape.ports), port_figures_(shape.ports) {}
+    : shape_(shape),
+      shapes_(std::move(masters)),
+      controllers_free_ps_(1),
+      ports_free_(shape.ports),
+      port_figures_(shape.ports) {}
 
 void MemorySystem::add_core(CoreTiming& core, bool has_work) {
     cores_.push_back(&core);
@@ -17,6 +21,10 @@ void MemorySystem::add_core(CoreTiming& core, bool has_work) {
     for (MasterShape const& master : shapes_)
         masters_.emplace_back(shape_, core.stream(master.stream), master.prefetch, handed_out);
     is_waiting_.resize(masters_.size());
+    if (!shape_.is_shared) {
+        controllers_free_ps_.resize(masters_.size());
+        ports_free_.resize(masters_.size());
+    }
 }
 
 void MemorySystem::note_request(std::size_t master) {
@@ -56,20 +64,22 @@ MemorySystem::Served MemorySystem::serve() {
     MemoryMaster& master = masters_[number];
     MemoryBurst const& burst = master.next_burst();
     std::uint64_t const arrival = (ask + shape_.request_cycles) * shape_.period_ps;
-    std::uint64_t const begin = std::max(arrival, controller_free_ps_);
-    controller_free_ps_ = begin + burst.granules * shape_.granule_ps;
+    std::uint64_t& controller_free_ps = controllers_free_ps_[shape_.is_shared ? 0 : number];
+    std::uint64_t const begin = std::max(arrival, controller_free_ps);
+    controller_free_ps = begin + burst.granules * shape_.granule_ps;
     controller_.granules += burst.granules;
     note_queue(arrival, begin);
     controller_.history.arrived(ask + shape_.request_cycles, burst.granules, begins_ps_.size());
     Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
     std::size_t const port = number / shapes_.size() % shape_.ports;
     if (!master.stream().is_write()) {
-        cycle = std::max(cycle, port_free_[port]);
-        port_free_[port] = cycle + burst.beats;
+        Cycles& port_free = ports_free_[shape_.is_shared ? port : number];
+        cycle = std::max(cycle, port_free);
+        port_free = cycle + burst.beats;
         port_figures_[port].beats += burst.beats;
     }
     if (served_call_)
-        served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps_, cycle, burst.beats, port,
+        served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps, cycle, burst.beats, port,
                       master.stream().is_write()});
     Served const served{number, master.served(cycle)};
     note_request(number);

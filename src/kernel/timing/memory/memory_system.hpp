@@ -99,8 +99,8 @@ class MemorySystem {
     std::deque<MemoryMaster> masters_;                // of the first core, of the second, ...
     std::vector<bool> is_waiting_;                    // by master: is in requests_
     Requests requests_;
-    std::uint64_t controller_free_ps_ = 0;
-    std::vector<Cycles> port_free_;
+    std::vector<std::uint64_t> controllers_free_ps_;  // one, or one of each master
+    std::vector<Cycles> ports_free_;                  // of all, or one of each master
     std::vector<PortFigures> port_figures_;
     ControllerFigures controller_;
     std::function<void(ServedBurst const&)> served_call_;

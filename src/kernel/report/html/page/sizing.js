@@ -17,6 +17,9 @@ function proof() {
   if (data.proven) return "Proven: no depths within the bound cost less.";
   const least = `othing within the bound costs less than ${decimal(data.least_cost_luts, 1)} LUTs`;
   if (data.unproven_because === "given_up") return `Not proven to be the cheapest, as the search was given up: n${least}.`;
+  if (data.unproven_because === "shared_memory")
+    return `N${least}: that would be too slow even if every master had the memory to itself.`
+      + " They share it, so that more room may cost time: not proven that nothing in between is within.";
   return `N${least}: that would be too slow even if tokens in front of a full ${data.freezing_fifos.join(", ")} closed up.`
     + " They freeze, so that more room may cost time: not proven that nothing in between is within.";
 }

@@ -58,7 +58,7 @@ TEST_CASE("compare-architectures finds what single runs find, in a table and a f
     CHECK_THAT(workspace.text("a.html"), Contains("\"architecture\":\"stuck\"") && Contains("Chart.js"));
     std::vector<std::string> const table = lines_of(result.out);
     REQUIRE(table.size() >= 5);
-    CHECK(table[0] == "| ms | small | empty | time, first = 1 | port conflict cycles | RAMB36 |");
+    CHECK(table[0] == "| ms | small | empty | time, first = 1 | port conflict cycles | RAMB36 | LUT | FF | DSP |");
     CHECK_THAT(table[2], Contains("| plain | ") && Contains(" | 1.00 | "));
     CHECK_THAT(table[3], Contains("| quick | "));
     CHECK_THAT(table[4], Contains("| stuck | deadlock |"));

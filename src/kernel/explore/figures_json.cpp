@@ -12,10 +12,10 @@ namespace faster::explore {
 
 namespace {
 
-Json primitives_json(sizing::Primitives const& primitives) {
+Json primitives_json(Primitives const& primitives) {
     return {{"luts", primitives.luts},
             {"ramb36", static_cast<double>(primitives.ramb18) / 2},
-            {"cost_luts", sizing::cost_of(primitives, {})}};
+            {"cost_luts", cost_of(primitives, {})}};
 }
 
 Json fifos_json(RunStatistics const& run) {
@@ -41,7 +41,7 @@ Json area_json(Machine const& machine) {
 }  // namespace
 
 double cost_of_cores(Machine const& machine, double cost_of_fifos) {
-    double const of_memories = ramb36_of_core(machine) * sizing::CostWeights{}.luts_per_ramb36;
+    double const of_memories = ramb36_of_core(machine) * CostWeights{}.luts_per_ramb36;
     return static_cast<double>(machine.cores) * (cost_of_fifos + of_memories);
 }
 

@@ -7,13 +7,16 @@
 #include "kernel/report/hazard_report.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/memory_traffic_report.hpp"
+#include "kernel/report/power_report.hpp"
+#include "kernel/report/resource_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/timing_report.hpp"
 
 namespace faster::report {
 
 namespace {
 
-Json configuration(std::vector<ResolvedKey> const& keys) {
+Json configuration_json(std::vector<ResolvedKey> const& keys) {
     Json object = Json::object();
     for (ResolvedKey const& key : keys)
         object[key.key] = {{"value", Json::parse(json_text(key.value))}, {"default", key.is_default}};
@@ -49,7 +52,12 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
         summary["sensitivities"] = sensitivities_json(run);
     if (!run.alternatives.empty())
         summary["alternatives"] = alternatives_json(run);
-    summary["configuration"] = configuration(keys);
+    summary["configuration"] = configuration_json(keys);
+    summary["resources"] = resources_json(run.machine);
+    if (Json timing = timing_json(run.machine); !timing.is_null())
+        summary["timing"] = std::move(timing);
+    if (Json power = power_json(run); !power.is_null())
+        summary["power"] = std::move(power);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     return io::text_of(summary, 2) + "\n";
 }
@@ -78,7 +86,7 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
     summary["format"] = "faster-summary";
     summary["version"] = 1;
     summary["deadlock"] = deadlock_json(run);
-    summary["configuration"] = configuration(keys);
+    summary["configuration"] = configuration_json(keys);
     return io::text_of(summary, 2) + "\n";
 }
 

@@ -407,6 +407,7 @@ show_critical_path();
 show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
+show_resources();
 show_hazards();
 show_external_memory();
 show_latency();

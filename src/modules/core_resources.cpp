@@ -51,14 +51,13 @@ struct Delay {
 ResourceParts delays(std::vector<Delay> const& lines) {
     auto const cost = [](Cycles stages, double bits) {
         auto const at = static_cast<double>(stages);
-        return stages == 0 ? Resources{}
-                           : synthesized_units().on_grid("delay_line", "stages", at, "bits", bits).amount;
+        return stages == 0 ? Resources{} : synthesized_units().on_grid("delay_line", "stages", at, "bits", bits).amount;
     };
     ResourceParts parts;
     for (Delay const& line : lines)
         if (line.stages != line.standard)
-            parts.push_back({"stages", cost(line.stages, line.bits) - cost(line.standard, line.bits),
-                             ResourceBasis::interpolated});
+            parts.push_back(
+                {"stages", cost(line.stages, line.bits) - cost(line.standard, line.bits), ResourceBasis::interpolated});
     return parts.empty() ? parts : ResourceParts{sum_of("stages", parts)};
 }
 
@@ -115,7 +114,8 @@ class CoreCount {
     UnitKey reciprocal_bits() const { return number("area_reciprocal", config_.fraction_bits.area_reciprocal, 30); }
 
     Logic rasterizer() const {
-        bool const object_only = config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
+        bool const object_only =
+            config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
         return logic("rasterizer", {window(), vertex_xy(), choice("edge_tokens", object_only, "object")});
     }
     Logic area_reciprocal() const {

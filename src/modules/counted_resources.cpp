@@ -23,9 +23,8 @@ Resources synthesized(char const* unit) { return synthesized_units().unit(unit, 
 /// enters every third cycle, so each is six stages that take three steps one after the other: a third of one with three
 /// steps in a stage. Otherwise it works 18 cycles.
 Resources span_dividers(RasterizerConfig const& rasterizer) {
-    Resources const sixth = rasterizer.setup_overlap > 0
-                                ? Resources{synthesized("span_divider").lut / 3, 516, 0, 0}
-                                : Resources{60, 55, 0, 0};
+    Resources const sixth = rasterizer.setup_overlap > 0 ? Resources{synthesized("span_divider").lut / 3, 516, 0, 0}
+                                                         : Resources{60, 55, 0, 0};
     return 6.0 * sixth;
 }
 
@@ -87,9 +86,10 @@ ResourceParts counted_in_rasterizer(AcceleratorConfig const& config) {
     }
     double const more_lanes = rasterizer.lanes - 1;
     if (more_lanes > 0)
-        parts.push_back(counted("z sums and masks of lanes",
-                                more_lanes * (Resources{73, 210, 0, 0} +
-                                              (rasterizer.scan == ScanPolicy::spans ? nothing : Resources{90, 0, 0, 0}))));
+        parts.push_back(
+            counted("z sums and masks of lanes",
+                    more_lanes * (Resources{73, 210, 0, 0} +
+                                  (rasterizer.scan == ScanPolicy::spans ? nothing : Resources{90, 0, 0, 0}))));
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(counted("least and greatest pixel touched", {60, 36, 0, 0}));
     return parts;
@@ -102,9 +102,9 @@ ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machi
         parts.push_back(counted("this algorithm, as much as dual_map", nothing));
     add_choice_of_banks(parts, machine, {"edge_map", "object_map"});
     if (config.inlier_unit.sweep_lanes > 1 || config.rasterizer.lanes > 1)
-        parts.push_back(counted("lanes of the maps",
-                                count(config.inlier_unit.sweep_lanes - 1) * Resources{10, 10, 0, 0} +
-                                    count(config.rasterizer.lanes - 1) * Resources{2, 2, 0, 0}));
+        parts.push_back(
+            counted("lanes of the maps", count(config.inlier_unit.sweep_lanes - 1) * Resources{10, 10, 0, 0} +
+                                             count(config.rasterizer.lanes - 1) * Resources{2, 2, 0, 0}));
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(corners(config));
     return parts;
@@ -123,7 +123,8 @@ ResourceParts counted_in_inlier_unit(AcceleratorConfig const& config, Machine co
     ResourceParts parts;
     double const more_lanes = config.rasterizer.lanes - 1;
     if (more_lanes > 0) {  // each with its depth unit, depth test and registers of two stages; and with forwarding
-        parts.push_back(counted("depths of lanes", more_lanes * (synthesized("depth_unit") + Resources{15, 134, 0, 0})));
+        parts.push_back(
+            counted("depths of lanes", more_lanes * (synthesized("depth_unit") + Resources{15, 134, 0, 0})));
         parts.push_back(counted("forwarding of lanes", more_lanes * Resources{23, 56, 0, 0}));
     }
     double const more_pixels = config.inlier_unit.sweep_lanes - 1;

@@ -183,10 +183,10 @@ TEST_CASE("A run's report says how many block RAMs it takes, as summary.json doe
         CHECK(2 * of_core == Approx(resources.at("cores").at(key).get<double>()));
     }
     CHECK(resources.at("cores").at("ramb36") == sum);
-    std::ostringstream cores;
-    cores << "\n  2 raster cores " << std::setw(20) << std::lround(resources.at("cores").at("lut").get<double>())
-          << ' ';
-    CHECK_THAT(result.out, Contains(cores.str()));
+    std::ostringstream of_cores;
+    of_cores << "\n  2 raster cores " << std::setw(20) << std::lround(resources.at("cores").at("lut").get<double>())
+             << ' ';
+    CHECK_THAT(result.out, Contains(of_cores.str()));
     CHECK_THAT(result.out, Contains("of the XCZU9EG"));
     nlohmann::ordered_json const& power = summary.at("power");
     CHECK(power.at("energy_mj").at("typical").get<double>() ==

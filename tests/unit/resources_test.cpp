@@ -7,8 +7,8 @@
 #include "faster/synthesized_units.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/load_config.hpp"
-#include "kernel/machine/machine_resources.hpp"
 #include "kernel/figures/power.hpp"
+#include "kernel/machine/machine_resources.hpp"
 #include "kernel/report/resource_report.hpp"
 #include "kernel/report/timing_report.hpp"
 #include "support/example_run.hpp"
@@ -99,8 +99,8 @@ TEST_CASE("The table of the tool is rtl/resources.csv", "[resources]") {
 }
 
 TEST_CASE("Interpolation is checked against synthesized points that took no part in it", "[resources]") {
-    std::map<std::string, std::string> const standard{{"window", "200"}, {"vertex_xy", "4"}, {"ports", "2"},
-                                                      {"area_reciprocal", "30"}, {"fragment_depth", "18"}};
+    std::map<std::string, std::string> const standard{
+        {"window", "200"}, {"vertex_xy", "4"}, {"ports", "2"}, {"area_reciprocal", "30"}, {"fragment_depth", "18"}};
     std::map<std::string, std::string> const latencies{{"area_reciprocal", "36"}, {"vertex_transform", "40"}};
     std::size_t points = 0;
     double sum = 0, largest = 0;
@@ -118,8 +118,9 @@ TEST_CASE("Interpolation is checked against synthesized points that took no part
         } else {
             std::vector<UnitKey> keys;
             for (auto const& [key, value] : row.keys) {
-                auto const by_default = key == "write_latency" ? latencies.at(unit)
-                                        : standard.count(key) > 0 ? standard.at(key) : "";
+                auto const by_default = key == "write_latency"    ? latencies.at(unit)
+                                        : standard.count(key) > 0 ? standard.at(key)
+                                                                  : "";
                 keys.push_back({key, value, by_default});
             }
             ResourcePart const part = synthesized_units().unit(unit, keys);
@@ -221,7 +222,8 @@ TEST_CASE("A design that tells nothing has its FIFOs and memories counted", "[re
     CHECK(report::resources_text(machine).find("does not fit") != std::string::npos);
 }
 
-TEST_CASE("A path is estimated for every synthesized module, and one that is too slow for the clock is named", "[timing]") {
+TEST_CASE("A path is estimated for every synthesized module, and one that is too slow for the clock is named",
+          "[timing]") {
     for (MachineResources::Module const& module : resources_of(machine_of(RunConfig())).modules) {
         INFO(module.sum.name);
         if (module.sum.name == "result_collector")

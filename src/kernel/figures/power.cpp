@@ -37,7 +37,9 @@ class PowerCount {
     }
 
   private:
-    double lane_cycles() const { return static_cast<double>(run_.total_cycles) * static_cast<double>(run_.cores.size()); }
+    double lane_cycles() const {
+        return static_cast<double>(run_.total_cycles) * static_cast<double>(run_.cores.size());
+    }
 
     /// Average over the run.
     Estimate milliwatts(Estimate const& picojoules) const {

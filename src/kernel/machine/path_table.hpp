@@ -20,13 +20,11 @@ struct UnitPath {
     unsigned stages = 1;  ///< that its logic may be spread over
     Estimate delay_ns;    ///< of all of it
 
-    Estimate of_stage() const {
-        return {delay_ns.low / stages, delay_ns.typical / stages, delay_ns.high / stages};
-    }
+    Estimate of_stage() const { return {delay_ns.low / stages, delay_ns.typical / stages, delay_ns.high / stages}; }
 };
 
-/// Longest paths of synthesized configurations of units: rtl/timing.csv, of which the columns unit, configuration, stages,
-/// low_ns, typical_ns, high_ns, from and to count.
+/// Longest paths of synthesized configurations of units: rtl/timing.csv, of which the columns unit, configuration,
+/// stages, low_ns, typical_ns, high_ns, from and to count.
 class PathTable {
   public:
     /// Errors: std::invalid_argument, std::out_of_range for a table without these columns.

@@ -71,8 +71,8 @@ ResourceTable::ResourceTable(std::string_view csv) {
 }
 
 ResourceTable::Row const* ResourceTable::row(std::string const& unit, Keys const& keys) const {
-    auto const found = std::find_if(rows_.begin(), rows_.end(),
-                                    [&](Row const& row) { return row.unit == unit && row.keys == keys; });
+    auto const found =
+        std::find_if(rows_.begin(), rows_.end(), [&](Row const& row) { return row.unit == unit && row.keys == keys; });
     return found == rows_.end() ? nullptr : &*found;
 }
 

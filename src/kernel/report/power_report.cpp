@@ -44,8 +44,8 @@ std::string power_text(RunStatistics const& run) {
     if (!is_known(run))
         return "";
     RunPower const power = power_of(run);
-    std::string text = fmt::format("\nPower, estimated from the run's activity\n  {:<25} {:>9} {:>9} {:>9}\n", "", "low",
-                                   "typical", "high");
+    std::string text = fmt::format("\nPower, estimated from the run's activity\n  {:<25} {:>9} {:>9} {:>9}\n", "",
+                                   "low", "typical", "high");
     for (PowerRow const& module : power.modules)
         text += line(module.name, module.milliwatts, "mW");
     text += line("FIFOs", power.fifos.milliwatts, "mW");

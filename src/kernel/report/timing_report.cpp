@@ -12,14 +12,10 @@ double period_ns(Machine const& machine) { return 1e3 / machine.clock_mhz; }
 
 Json path_json(std::string const& module, UnitPath const& path) {
     Estimate const stage = path.of_stage();
-    return {{"module", module},
-            {"from", path.from},
-            {"to", path.to},
-            {"stages", path.stages},
-            {"low_ns", stage.low},
-            {"typical_ns", stage.typical},
-            {"high_ns", stage.high},
-            {"typical_mhz", 1e3 / stage.typical}};
+    return {{"module", module},      {"from", path.from},
+            {"to", path.to},         {"stages", path.stages},
+            {"low_ns", stage.low},   {"typical_ns", stage.typical},
+            {"high_ns", stage.high}, {"typical_mhz", 1e3 / stage.typical}};
 }
 
 }  // namespace
@@ -44,10 +40,11 @@ std::string timing_text(Machine const& machine) {
         if (!module.slowest || module.slowest->of_stage().typical <= period_ns(machine))
             continue;
         Estimate const stage = module.slowest->of_stage();
-        text += fmt::format("  At {:g} MHz {} would not close: {:.1f} ns from {} to {} ({:.1f} to {:.1f}), {:.0f} MHz; "
-                            "estimated.\n",
-                            machine.clock_mhz, module.sum.name, stage.typical, module.slowest->from, module.slowest->to,
-                            stage.low, stage.high, 1e3 / stage.typical);
+        text += fmt::format(
+            "  At {:g} MHz {} would not close: {:.1f} ns from {} to {} ({:.1f} to {:.1f}), {:.0f} MHz; "
+            "estimated.\n",
+            machine.clock_mhz, module.sum.name, stage.typical, module.slowest->from, module.slowest->to, stage.low,
+            stage.high, 1e3 / stage.typical);
     }
     return text;
 }

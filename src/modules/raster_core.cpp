@@ -1,6 +1,7 @@
 #include "modules/raster_core.hpp"
 
 #include "common/sample_counters.hpp"
+#include "modules/core_resources.hpp"
 #include "modules/raster_core_activity.hpp"
 
 namespace faster {
@@ -26,6 +27,7 @@ CoreDescription describe_raster_core(AcceleratorConfig const& config) {
                   {"area_reciprocal", "area"},
                   {"edge_map_builder", "edge_token"},
                   {"inlier_unit", "command"}}};
+    core.resources = [config](Machine const& machine) { return core_resources(config, machine); };
     return core;
 }
 

@@ -8,7 +8,6 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/config/resolved_config.hpp"
-#include "kernel/explore/fifo_costs.hpp"
 #include "kernel/explore/replayed_timeline.hpp"
 #include "kernel/report/html/deadlock_html.hpp"
 #include "kernel/report/html/html_report.hpp"
@@ -80,8 +79,7 @@ void write_report(io::OutputFile const& file, std::string const& config, LoadedC
     std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
     std::vector<report::PackedTimeline> const timelines =
         packed_timelines(recorded, run.machine, shown_samples(run, asked));
-    std::vector<report::FifoCost> const costs = explore::fifo_costs(run.machine);
-    file.commit(report::html_report({title_of(config), run, keys, timelines, extras.pictures(), costs}));
+    file.commit(report::html_report({title_of(config), run, keys, timelines, extras.pictures()}));
 }
 
 void write_deadlock_page(io::OutputFile const& file, std::string const& config,

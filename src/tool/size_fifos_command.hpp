@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/sizing/fifo_cost.hpp"
+#include "kernel/machine/fifo_cost.hpp"
 #include "tool/subcommand.hpp"
 
 namespace faster {
@@ -12,7 +12,7 @@ struct SizeFifosRequest {
     std::string events;         ///< file
     double within_percent = 0;  ///< of what unbounded FIFOs take, more
     std::string out;            ///< folder; empty: none
-    double luts_per_ramb36 = sizing::CostWeights().luts_per_ramb36;
+    double luts_per_ramb36 = CostWeights().luts_per_ramb36;
     unsigned front_points = 12;
     unsigned jobs = 0;  ///< threads; 0: the host's cores
     std::vector<std::string> overrides;

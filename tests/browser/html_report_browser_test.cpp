@@ -53,8 +53,9 @@ TEST_CASE("The browser draws every chart and section of the report without an er
     Json const check = self_check(folder, "report.html");
     CHECK(check["charts"] == 4 + 4);  // modules, critical path, timeline, latencies; four FIFOs with occupancies
     CHECK(check["pictures"] == 1);
-    CHECK(check["sections"] == Json::array({"summary", "graph", "modules", "critical-path", "sensitivities", "timeline",
-                                            "fifos", "loops", "memories", "latency", "pictures", "configuration"}));
+    CHECK(check["sections"] ==
+          Json::array({"summary", "graph", "modules", "critical-path", "sensitivities", "timeline", "fifos", "loops",
+                       "memories", "resources", "latency", "pictures", "configuration"}));
     CHECK(check["keys"].size() == example_keys().size());
     CHECK(check["changed_keys"].size() == 2);
 }
@@ -217,7 +218,8 @@ TEST_CASE("A run without samples is drawn, too", "[browser]") {
     RunStatistics const empty = testing::idle_run(testing::raster_machine({}), 0);
     folder.write("report.html", report::html_report({"empty", empty, {}, {}, {}}));
     Json const check = self_check(folder, "report.html");
-    CHECK(check["sections"] == Json::array({"summary", "graph", "modules", "fifos", "loops", "configuration"}));
+    CHECK(check["sections"] ==
+          Json::array({"summary", "graph", "modules", "fifos", "loops", "resources", "configuration"}));
 }
 
 TEST_CASE("The browser draws the traffic of an external memory", "[browser]") {

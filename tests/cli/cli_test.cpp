@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
@@ -171,6 +173,26 @@ TEST_CASE("A run's report says how many block RAMs it takes, as summary.json doe
     CHECK_THAT(result.out, Contains(line.str()));
     for (char const* const name : {"edge_map ", "object_map ", "depth_buffer "})
         CHECK_THAT(result.out, Contains(std::string("\n  ") + name));
+    nlohmann::ordered_json const& resources = summary.at("resources");
+    for (char const* const key : {"lut", "ff", "dsp", "ramb36"}) {
+        double of_core = 0;
+        for (char const* const parts : {"modules", "fifos", "memories"})
+            for (auto const& part : resources.at(parts))
+                of_core += part.at(key).get<double>();
+        CHECK(of_core == Approx(resources.at("core").at(key).get<double>()));
+        CHECK(2 * of_core == Approx(resources.at("cores").at(key).get<double>()));
+    }
+    CHECK(resources.at("cores").at("ramb36") == sum);
+    std::ostringstream of_cores;
+    of_cores << "\n  2 raster cores " << std::setw(20) << std::lround(resources.at("cores").at("lut").get<double>())
+             << ' ';
+    CHECK_THAT(result.out, Contains(of_cores.str()));
+    CHECK_THAT(result.out, Contains("of the XCZU9EG"));
+    nlohmann::ordered_json const& power = summary.at("power");
+    CHECK(power.at("energy_mj").at("typical").get<double>() ==
+          Approx(power.at("total_w").at("typical").get<double>() * summary.at("milliseconds").get<double>()));
+    CHECK_THAT(result.out, Contains("energy of the run"));
+    CHECK(summary.at("timing").at("closes") == true);
 }
 
 TEST_CASE("A run writes exactly its six files with their headers and rows in order") {

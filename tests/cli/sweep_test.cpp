@@ -69,6 +69,8 @@ void check_against_run(SweepWorkspace const& workspace, Row const& row) {
     CHECK(whole("fifo_full_stall_cycles") == sum_of<Count>(run["fifos"], {"full_stall_cycles"}));
     CHECK(whole("fifo_empty_stall_cycles") == sum_of<Count>(run["fifos"], {"empty_stall_cycles"}));
     CHECK(std::stod(row.at("ramb36")) == sum_of<double>(run["brams"], {"ramb36"}));
+    for (char const* const column : {"lut", "ff", "dsp"})
+        CHECK(std::stod(row.at(column)) == run["resources"]["cores"][column].get<double>());
 }
 
 TEST_CASE("Every point of a sweep has what faster-sim run finds, cell for cell", "[sweeps]") {

@@ -166,13 +166,11 @@ TEST_CASE("The page names the samples that stand for others", "[html]") {
     CHECK(standout_samples(run).empty());
 }
 
-TEST_CASE("The page has the memories of a core and what its FIFOs take", "[html]") {
+TEST_CASE("The page has the memories of a core", "[html]") {
     RunStatistics const run = example_run();
-    std::vector<FifoCost> const costs{{"vertex", 64, 32, 0}, {"command", 9, 0, 0.5}};
-    Json const area = json_element(html_report({"name", run, {}, {}, {}, costs}), "data")["area"];
+    Json const area = json_element(html_report({"name", run, {}, {}, {}}), "data")["area"];
     CHECK(area["memories"].size() == brams_of(run.machine).size());
     CHECK(area["memories"][0]["ramb36"] == ramb36_count(run.machine.memories[brams_of(run.machine)[0]].shape));
-    CHECK(area["fifo_costs"][1] == Json{{"fifo", "command"}, {"bits", 9}, {"luts", 0}, {"ramb36", 0.5}});
 }
 
 TEST_CASE("The configuration in the page says what differs from the defaults", "[html]") {

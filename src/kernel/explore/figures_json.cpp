@@ -1,6 +1,5 @@
 #include "kernel/explore/figures_json.hpp"
 
-#include "kernel/explore/fifo_costs.hpp"
 #include "kernel/figures/table_rows.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/html/deadlock_html.hpp"
@@ -14,17 +13,20 @@ namespace faster::explore {
 
 namespace {
 
-Json primitives_json(sizing::Primitives const& primitives) {
+Json primitives_json(Primitives const& primitives) {
     return {{"luts", primitives.luts},
             {"ramb36", static_cast<double>(primitives.ramb18) / 2},
-            {"cost_luts", sizing::cost_of(primitives, {})}};
+            {"cost_luts", cost_of(primitives, {})}};
 }
 
 Json fifos_json(RunStatistics const& run) {
+    sizing::Choice const choice = sizing::choice_of(run.machine);
     Json rows = Json::array();
     for (FifoRow const& row : over_cores(fifo_columns, fifo_rows(run))) {
+        std::size_t const i = run.machine.fifo(row.fifo);
         rows.push_back(report::json_row(fifo_columns, row));
-        rows.back().update(primitives_json(primitives_of_fifo(run.machine, run.machine.fifo(row.fifo))));
+        rows.back().update(
+            primitives_json(sizing::primitives_of(choice[i], sizing::freedom_of(run.machine.fifos[i]), {})));
     }
     return rows;
 }
@@ -40,7 +42,7 @@ Json area_json(Machine const& machine) {
 }  // namespace
 
 double cost_of_cores(Machine const& machine, double cost_of_fifos) {
-    double const of_memories = ramb36_of_core(machine) * sizing::CostWeights{}.luts_per_ramb36;
+    double const of_memories = ramb36_of_core(machine) * CostWeights{}.luts_per_ramb36;
     return static_cast<double>(machine.cores) * (cost_of_fifos + of_memories);
 }
 

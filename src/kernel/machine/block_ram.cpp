@@ -2,33 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+
+#include "kernel/machine/primitive_shapes.hpp"
 
 namespace faster {
 namespace {
 
 constexpr std::uint64_t ports_per_primitive = 2;
 
-/// Words and bits of a primitive in one of its shapes.
-struct PrimitiveShape {
-    std::uint64_t words;
-    std::uint64_t bits;
-};
-
 constexpr std::array<PrimitiveShape, 6> ramb36_shapes{
     {{32768, 1}, {16384, 2}, {8192, 4}, {4096, 9}, {2048, 18}, {1024, 36}}};
 constexpr std::array<PrimitiveShape, 5> ramb18_shapes{{{16384, 1}, {8192, 2}, {4096, 4}, {2048, 9}, {1024, 18}}};
-
-constexpr std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
-
-/// Primitives for one bank in the shape that takes fewest.
-template <class Shapes> std::uint64_t fewest(std::uint64_t words, std::uint64_t bits, Shapes const& shapes) {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    for (PrimitiveShape const& shape : shapes) {
-        least = std::min(least, divided_up(words, shape.words) * divided_up(bits, shape.bits));
-    }
-    return least;
-}
 
 double ramb36_of_bank(std::uint64_t words, std::uint64_t bits) {
     return fewest(words, bits, ramb18_shapes) == 1 ? 0.5 : static_cast<double>(fewest(words, bits, ramb36_shapes));

@@ -75,6 +75,8 @@ class Maker {
         machine_.clock_mhz = settings.clock_mhz;
         machine_.cores_are = core.cores_are;
         machine_.remark = core.remark;
+        if (core.resources)
+            machine_.resources = std::make_shared<TellResources const>(core.resources);
         machine_.external_memory = shape_of(settings);
         for (ModuleDescription const& module : core.modules)
             add_process(module);

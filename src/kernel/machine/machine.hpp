@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,6 +62,9 @@ struct MachineFifo {
 
     /// Tokens that fit.
     std::uint64_t capacity() const { return depth + tokens_beyond_depth(kind, generation); }
+    /// Tokens that it is built for: behind a pipeline that squeezes, those of the pipeline as well.
+    std::uint64_t tokens() const { return depth + tokens_of_pipeline(); }
+    std::uint64_t tokens_of_pipeline() const { return flushes && when_full == WhenFull::squeeze ? write_latency : 0; }
     /// As the timing sees it (SPEC section 3, FIFO).
     timing::FifoShape shape() const;
 };
@@ -125,8 +129,9 @@ struct Machine {
     std::optional<timing::ExternalMemory> external_memory;  ///< none: ideal
     std::vector<LineBuffer> line_buffers;
     timing::Lead lead;
-    std::size_t begins = 0;  ///< process whose stamps begin samples
-    std::size_t ends = 0;    ///< process whose stamps end them
+    std::size_t begins = 0;                          ///< process whose stamps begin samples
+    std::size_t ends = 0;                            ///< process whose stamps end them
+    std::shared_ptr<TellResources const> resources;  ///< asked by resources_of(); or none
 
     double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / (clock_mhz * 1e3); }
     /// Of the table of processes of a core: it ends with the last that is there.

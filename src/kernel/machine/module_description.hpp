@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "kernel/base/cycles.hpp"
 #include "kernel/machine/access_pattern.hpp"
+#include "kernel/machine/resources.hpp"
 #include "kernel/timing/memory/external_memory.hpp"
 
 namespace faster {
@@ -224,6 +226,10 @@ class ModuleDescription {
     }
 };
 
+struct Machine;
+/// What a core of a machine takes of the device.
+using TellResources = std::function<ToldResources(Machine const&)>;
+
 /// A core: its modules, and the FIFOs that join them, in the order of their rows in tables.
 struct CoreDescription {
     struct Pace {
@@ -242,6 +248,7 @@ struct CoreDescription {
     std::string cores_are = "cores";  ///< what reports call cores
     std::string remark;               ///< what reports say of the machine besides, e.g. "window 200 x 200 px"
     Pace pace;                        ///< about speed of simulation only, see timing::Lead
+    TellResources resources;          ///< none: FIFOs and memories are counted, modules are not
 };
 
 }  // namespace faster

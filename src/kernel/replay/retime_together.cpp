@@ -47,12 +47,7 @@ class Together {
   public:
     Together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& numbers,
              CoreOptions const& options, CoreWatch* watch = nullptr)
-        : run_(run),
-          machine_(machine),
-          options_(options),
-          watch_(watch),
-          samples_(run),
-          is_left_(numbers.size()) {
+        : run_(run), machine_(machine), options_(options), watch_(watch), samples_(run), is_left_(numbers.size()) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();

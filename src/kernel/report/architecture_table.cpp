@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernel/base/files/json_file.hpp"
+#include "kernel/machine/machine_resources.hpp"
 #include "kernel/report/summary.hpp"
 
 namespace faster::report {
@@ -64,7 +65,8 @@ std::string line_of(Rows const& rows, Rows::const_iterator begin, Rows::const_it
     Cycles conflicts = 0;
     for (auto row = begin; row != end; ++row)
         conflicts += row->port_conflict_cycles;
-    line += fmt::format(" {} | {:g} |", conflicts, begin->ramb36);
+    line += fmt::format(" {} | {:g} | {:.0f} | {:.0f} | {:.0f} |", conflicts, begin->ramb36, begin->lut, begin->ff,
+                        begin->dsp);
     return line + (has_quality(rows) ? quality_cells(begin, end) : "") + "\n";
 }
 
@@ -74,6 +76,10 @@ ArchitectureRow architecture_row(RunStatistics const& run) {
     ArchitectureRow row;
     row.deadlocked = run.deadlocked();
     row.ramb36 = ramb36_of_core(run.machine) * static_cast<double>(run.machine.cores);
+    Resources const cores = resources_of(run.machine).cores.amount;
+    row.lut = cores.lut;
+    row.ff = cores.ff;
+    row.dsp = cores.dsp;
     if (row.deadlocked)
         return row;
     row.total_cycles = run.total_cycles;
@@ -97,9 +103,9 @@ std::string architecture_markdown(Rows const& rows) {
         rule += " --- |";
     }
     bool const judged = has_quality(rows);
-    std::string text = header + " time, first = 1 | port conflict cycles | RAMB36 |" +
-                       (judged ? " precision | recall | closed | thin |\n" : "\n") + rule + " --- | --- | --- |" +
-                       (judged ? " --- | --- | --- | --- |\n" : "\n");
+    std::string text = header + " time, first = 1 | port conflict cycles | RAMB36 | LUT | FF | DSP |" +
+                       (judged ? " precision | recall | closed | thin |\n" : "\n") + rule +
+                       " --- | --- | --- | --- | --- | --- |" + (judged ? " --- | --- | --- | --- |\n" : "\n");
     for (auto begin = rows.begin(); begin != rows.end();) {
         auto const end = end_of_architecture(rows, begin);
         text += line_of(rows, begin, end);
@@ -111,7 +117,7 @@ std::string architecture_markdown(Rows const& rows) {
 std::string architecture_csv(Rows const& rows) {
     std::string text =
         "architecture,workload,outcome,total_cycles,milliseconds,empty_stall_cycles,full_stall_cycles,"
-        "port_conflict_cycles,ramb36,judged_samples,precision,recall,closed,thin\n";
+        "port_conflict_cycles,ramb36,judged_samples,precision,recall,closed,thin,lut,ff,dsp\n";
     for (ArchitectureRow const& row : rows) {
         fmt::format_to(std::back_inserter(text), "{},{},{},", row.architecture, row.workload,
                        row.deadlocked ? "deadlock" : "finished");
@@ -122,10 +128,11 @@ std::string architecture_csv(Rows const& rows) {
                            row.empty_stall_cycles, row.full_stall_cycles, row.port_conflict_cycles);
         fmt::format_to(std::back_inserter(text), ",{:g},{},", row.ramb36, row.judged_samples);
         if (row.judged_samples == 0)
-            text += ",,,\n";
+            text += ",,,";
         else
-            fmt::format_to(std::back_inserter(text), "{:.4f},{:.4f},{:.4f},{:.4f}\n", row.precision, row.recall,
+            fmt::format_to(std::back_inserter(text), "{:.4f},{:.4f},{:.4f},{:.4f}", row.precision, row.recall,
                            row.closed, row.thin);
+        fmt::format_to(std::back_inserter(text), ",{:.0f},{:.0f},{:.0f}\n", row.lut, row.ff, row.dsp);
     }
     return text;
 }
@@ -138,6 +145,9 @@ std::string to_text(ArchitectureRow const& row) {
                                       {"full_stall_cycles", row.full_stall_cycles},
                                       {"port_conflict_cycles", row.port_conflict_cycles},
                                       {"ramb36", row.ramb36},
+                                      {"lut", row.lut},
+                                      {"ff", row.ff},
+                                      {"dsp", row.dsp},
                                       {"judged_samples", row.judged_samples},
                                       {"precision", row.precision},
                                       {"recall", row.recall},
@@ -155,6 +165,9 @@ ArchitectureRow row_from_text(std::string const& text) {
     json.at("full_stall_cycles").get_to(row.full_stall_cycles);
     json.at("port_conflict_cycles").get_to(row.port_conflict_cycles);
     json.at("ramb36").get_to(row.ramb36);
+    json.at("lut").get_to(row.lut);
+    json.at("ff").get_to(row.ff);
+    json.at("dsp").get_to(row.dsp);
     json.at("judged_samples").get_to(row.judged_samples);
     json.at("precision").get_to(row.precision);
     json.at("recall").get_to(row.recall);

@@ -17,6 +17,9 @@ struct ArchitectureRow {
     Cycles full_stall_cycles = 0;
     Cycles port_conflict_cycles = 0;
     double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores
+    double lut = 0;     ///< of all cores, as are the two below
+    double ff = 0;
+    double dsp = 0;
     /// Samples whose results were judged (docs/validation.md); the rest is means and shares over them.
     std::size_t judged_samples = 0;
     double precision = 0;

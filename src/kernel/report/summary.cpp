@@ -7,13 +7,16 @@
 #include "kernel/report/hazard_report.hpp"
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/memory_traffic_report.hpp"
+#include "kernel/report/power_report.hpp"
+#include "kernel/report/resource_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/timing_report.hpp"
 
 namespace faster::report {
 
 namespace {
 
-Json configuration(std::vector<ResolvedKey> const& keys) {
+Json configuration_json(std::vector<ResolvedKey> const& keys) {
     Json object = Json::object();
     for (ResolvedKey const& key : keys)
         object[key.key] = {{"value", Json::parse(json_text(key.value))}, {"default", key.is_default}};
@@ -52,7 +55,12 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
         summary["alternatives"] = alternatives_json(run);
     if (!run.warnings.empty())
         summary["warnings"] = run.warnings;
-    summary["configuration"] = configuration(keys);
+    summary["configuration"] = configuration_json(keys);
+    summary["resources"] = resources_json(run.machine);
+    if (Json timing = timing_json(run.machine); !timing.is_null())
+        summary["timing"] = std::move(timing);
+    if (Json power = power_json(run); !power.is_null())
+        summary["power"] = std::move(power);
     summary["host"] = {{"build_seconds", host.build_seconds}, {"simulate_seconds", host.simulate_seconds}};
     if (!made_by.is_null())
         summary["made_by"] = made_by;
@@ -83,7 +91,7 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
     summary["format"] = "faster-summary";
     summary["version"] = 1;
     summary["deadlock"] = deadlock_json(run);
-    summary["configuration"] = configuration(keys);
+    summary["configuration"] = configuration_json(keys);
     if (!made_by.is_null())
         summary["made_by"] = made_by;
     return io::text_of(summary, 2) + "\n";

@@ -11,7 +11,10 @@
 #include "kernel/report/hazard_report.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/memory_traffic_report.hpp"
+#include "kernel/report/power_report.hpp"
+#include "kernel/report/resource_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/timing_report.hpp"
 
 namespace faster::report {
 
@@ -136,6 +139,9 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
     loop_table(text, run);
     fifo_table(text, run);
     bram_table(text, run);
+    text += resources_text(run.machine);
+    text += timing_text(run.machine);
+    text += power_text(run);
     text += hazards_text(run);
     text += memory_traffic_text(run);
     latency_table(text, run);

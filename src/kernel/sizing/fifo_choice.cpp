@@ -55,8 +55,7 @@ Freedoms freedoms_of(Machine const& machine) {
 }
 
 FifoFreedom freedom_of(MachineFifo const& fifo) {
-    bool const squeezes = fifo.flushes && fifo.when_full == WhenFull::squeeze;
-    return {fifo.configured_kind, fifo.bits, fifo.generation, squeezes ? fifo.write_latency : 0};
+    return {fifo.configured_kind, fifo.bits, fifo.generation, fifo.tokens_of_pipeline()};
 }
 
 Primitives primitives_of(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights) {

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/machine/fifo_cost.hpp"
 #include "kernel/machine/machine.hpp"
-#include "kernel/sizing/fifo_cost.hpp"
 
 namespace faster::sizing {
 

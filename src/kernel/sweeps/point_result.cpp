@@ -56,6 +56,9 @@ PointResult result_of(RunStatistics const& run) {
     report::ArchitectureRow const row = report::architecture_row(run);
     PointResult result;
     result.ramb36 = row.ramb36;
+    result.lut = row.lut;
+    result.ff = row.ff;
+    result.dsp = row.dsp;
     if (run.deadlocked()) {
         result.status = Status::deadlock;
         result.message = circle_of(run);
@@ -91,7 +94,10 @@ Json to_json(PointResult const& result) {
             {"port_conflict_cycles", result.port_conflict_cycles},
             {"fifo_full_stall_cycles", result.fifo_full_stall_cycles},
             {"fifo_empty_stall_cycles", result.fifo_empty_stall_cycles},
-            {"ramb36", result.ramb36}};
+            {"ramb36", result.ramb36},
+            {"lut", result.lut},
+            {"ff", result.ff},
+            {"dsp", result.dsp}};
 }
 
 PointResult result_from_json(Json const& json) {
@@ -105,6 +111,9 @@ PointResult result_from_json(Json const& json) {
     json.at("fifo_full_stall_cycles").get_to(result.fifo_full_stall_cycles);
     json.at("fifo_empty_stall_cycles").get_to(result.fifo_empty_stall_cycles);
     json.at("ramb36").get_to(result.ramb36);
+    json.at("lut").get_to(result.lut);
+    json.at("ff").get_to(result.ff);
+    json.at("dsp").get_to(result.dsp);
     return result;
 }
 

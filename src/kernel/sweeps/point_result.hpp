@@ -23,7 +23,10 @@ struct PointResult {
     Cycles port_conflict_cycles = 0;
     Cycles fifo_full_stall_cycles = 0;
     Cycles fifo_empty_stall_cycles = 0;
-    double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores; unless failed
+    double ramb36 = 0;  ///< block RAMs of 36 Kbit of all cores; unless failed, as are the three below
+    double lut = 0;
+    double ff = 0;
+    double dsp = 0;
 
     bool operator==(PointResult const& other) const;
 };

@@ -21,12 +21,13 @@ std::string quoted(std::string const& value) {
 
 std::string figures(PointResult const& result) {
     if (result.status == PointResult::Status::failed)
-        return ",,,,,,";
+        return ",,,,,,,,,";
+    std::string const area = fmt::format("{:g},{:.0f},{:.0f},{:.0f}", result.ramb36, result.lut, result.ff, result.dsp);
     if (result.status == PointResult::Status::deadlock)
-        return fmt::format(",,,,,,{:g}", result.ramb36);
-    return fmt::format("{},{},{},{},{},{},{:g}", result.total_cycles, result.milliseconds, result.stall_cycles,
+        return ",,,,,," + area;
+    return fmt::format("{},{},{},{},{},{},{}", result.total_cycles, result.milliseconds, result.stall_cycles,
                        result.port_conflict_cycles, result.fifo_full_stall_cycles, result.fifo_empty_stall_cycles,
-                       result.ramb36);
+                       area);
 }
 
 }  // namespace
@@ -41,6 +42,9 @@ std::vector<std::string> const& result_columns() {
                                                   "fifo_full_stall_cycles",
                                                   "fifo_empty_stall_cycles",
                                                   "ramb36",
+                                                  "lut",
+                                                  "ff",
+                                                  "dsp",
                                                   "message"};
     return columns;
 }

@@ -14,14 +14,6 @@ struct ReportPicture {
     std::string png;  ///< the bytes of the file
 };
 
-/// What the tokens of one core's FIFO are kept in.
-struct FifoCost {
-    std::string fifo;
-    unsigned bits = 0;  ///< of a token
-    std::uint64_t luts = 0;
-    double ramb36 = 0;
-};
-
 /// What the HTML report of a finished run is made from. Referred to, not kept.
 struct HtmlReportInput {
     std::string title;  ///< of the page, e.g. the name of the configuration
@@ -29,7 +21,6 @@ struct HtmlReportInput {
     std::vector<ResolvedKey> const& keys;
     std::vector<PackedTimeline> const& timelines;  ///< none: no timeline, no occupancies
     std::vector<ReportPicture> const& pictures;
-    std::vector<FifoCost> const& fifo_costs = {};
 };
 
 /// One HTML page that needs nothing else: no network, no other file. Simulated figures only, so equal runs give equal

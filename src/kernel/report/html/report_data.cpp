@@ -14,9 +14,12 @@
 #include "kernel/report/json_rows.hpp"
 #include "kernel/report/latencies.hpp"
 #include "kernel/report/memory_traffic_report.hpp"
+#include "kernel/report/power_report.hpp"
+#include "kernel/report/resource_report.hpp"
 #include "kernel/report/sensitivity_report.hpp"
 #include "kernel/report/standout_samples.hpp"
 #include "kernel/report/summary.hpp"
+#include "kernel/report/timing_report.hpp"
 
 namespace faster::report {
 
@@ -80,10 +83,13 @@ std::string report_data(HtmlReportInput const& input) {
     data["alternatives"] = alternatives_json(input.run);
     data["fifos"] = json_table(fifo_columns, fifo_rows(input.run));
     data["loops"] = json_table(loop_columns, loop_rows(input.run));
+    data["resources"] = resources_json(input.run.machine);
+    data["timing"] = timing_json(input.run.machine);
+    data["power"] = power_json(input.run);
     data["hazards"] = hazard_sums_json(input.run);
     data["latency"] = latency(input.run);
     data["external_memory"] = memory_traffic_json(input.run);
-    data["area"] = area_data(input.run, input.fifo_costs);
+    data["area"] = area_data(input.run);
     data["timelines"] = timelines(input);
     data["pictures"] = pictures(input.pictures);
     data["configuration"] = configuration_data(input.keys);

@@ -8,6 +8,9 @@ const metrics = [
   { name: "fifo_full_stall_cycles", title: "FIFO full stall cycles", digits: 0 },
   { name: "fifo_empty_stall_cycles", title: "FIFO empty stall cycles", digits: 0 },
   { name: "ramb36", title: "RAMB36", digits: 1 },
+  { name: "lut", title: "LUT", digits: 0 },
+  { name: "ff", title: "FF", digits: 0 },
+  { name: "dsp", title: "DSP", digits: 0 },
 ];
 
 const done_points = data.points.filter((point) => point.status === "done");

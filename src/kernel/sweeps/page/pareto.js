@@ -2,7 +2,7 @@
 
 class ParetoChart {
   constructor(changed) {
-    this.chosen = [metrics[0], metrics[metrics.length - 1]];
+    this.chosen = [metrics[0], metrics.find((metric) => metric.name === "ramb36")];
     this.changed = changed;
     const titles = metrics.map((metric) => metric.title);
     ["Figure", "against"].forEach((text, which) => {

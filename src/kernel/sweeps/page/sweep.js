@@ -22,7 +22,7 @@ function point_columns() {
     return { title: short_name(column), value: (point) => (scale.numeric ? Number(point.values[i]) : point.values[i]),
       text: (point) => point.values[i], number: scale.numeric };
   };
-  const shown = (metric, point) => point.status === "done" || (metric.name === "ramb36" && point.status === "deadlock");
+  const shown = (metric, point) => point.status === "done" || (["ramb36", "lut", "ff", "dsp"].includes(metric.name) && point.status === "deadlock");
   const metric_column = (metric) => figure(metric.title, (point) => (shown(metric, point) ? point[metric.name] : -1),
     (point) => (shown(metric, point) ? metric_text(metric, point[metric.name]) : "-"));
   return [figure("point", (point) => point.point), ...data.columns.map(key), { title: "status", value: (point) => point.status },

@@ -111,6 +111,7 @@ function show_figures() {
     figure("full stalls", (row) => row.full_stall_cycles),
     figure("port conflicts", (row) => row.port_conflict_cycles),
     figure("RAMB36", (row) => row.ramb36, (row) => decimal(row.ramb36, 1)),
+    ...["lut", "ff", "dsp"].map((name) => figure(name.toUpperCase(), (row) => row[name], (row) => decimal(row[name], 0))),
     ...(judged ? [quality("precision", "precision"), quality("recall", "recall"), quality("closed", "closed"), quality("thin", "thin")] : []),
   ], data.rows);
 }

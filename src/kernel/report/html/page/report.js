@@ -393,6 +393,7 @@ show_sensitivities();
 show_timelines(new FifoTable());
 show_loops();
 show_memories();
+show_resources();
 show_hazards();
 show_external_memory();
 show_latency();

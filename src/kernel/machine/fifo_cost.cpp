@@ -1,23 +1,19 @@
-#include "kernel/sizing/fifo_cost.hpp"
+#include "kernel/machine/fifo_cost.hpp"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
-namespace faster::sizing {
+#include "kernel/machine/primitive_shapes.hpp"
+
+namespace faster {
 
 namespace {
 
-/// Words and bits of a block RAM in one of its shapes.
-struct Shape {
-    std::uint64_t words;
-    std::uint64_t bits;
-};
-constexpr std::array<Shape, 6> ramb18_shapes{{{16384, 1}, {8192, 2}, {4096, 4}, {2048, 9}, {1024, 18}, {512, 36}}};
-constexpr std::array<Shape, 7> ramb36_shapes{
+/// Simple dual port.
+constexpr std::array<PrimitiveShape, 6> simple_ramb18_shapes{
+    {{16384, 1}, {8192, 2}, {4096, 4}, {2048, 9}, {1024, 18}, {512, 36}}};
+constexpr std::array<PrimitiveShape, 7> simple_ramb36_shapes{
     {{32768, 1}, {16384, 2}, {8192, 4}, {4096, 9}, {2048, 18}, {1024, 36}, {512, 72}}};
-
-constexpr std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
 Primitives shift_register(std::uint64_t depth, std::uint64_t bits) {
     return {depth <= 16 ? divided_up(bits, 2) : bits * divided_up(depth, 32), 0};
@@ -29,17 +25,9 @@ Primitives distributed_ram(std::uint64_t depth, std::uint64_t bits) {
     return {(data + write_addresses) * divided_up(depth, 64), 0};
 }
 
-template <std::size_t N>
-std::uint64_t fewest(std::uint64_t depth, std::uint64_t bits, std::array<Shape, N> const& shapes) {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    for (Shape const& shape : shapes)
-        least = std::min(least, divided_up(depth, shape.words) * divided_up(bits, shape.bits));
-    return least;
-}
-
 /// Halves of RAMB36: whichever size takes less.
 Primitives block_ram(std::uint64_t depth, std::uint64_t bits) {
-    return {0, std::min(fewest(depth, bits, ramb18_shapes), 2 * fewest(depth, bits, ramb36_shapes))};
+    return {0, std::min(fewest(depth, bits, simple_ramb18_shapes), 2 * fewest(depth, bits, simple_ramb36_shapes))};
 }
 
 }  // namespace
@@ -56,4 +44,4 @@ Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, Cost
     return cost_of(block, weights) < cost_of(distributed, weights) ? block : distributed;
 }
 
-}  // namespace faster::sizing
+}  // namespace faster

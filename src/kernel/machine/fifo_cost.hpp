@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/machine/block_ram.hpp"
 #include "kernel/machine/fifo_kind.hpp"
+#include "kernel/machine/resources.hpp"
 
-namespace faster::sizing {
+namespace faster {
 
 /// What a FIFO's tokens are kept in, on an UltraScale+ device. Counters, flags and output registers are not counted.
 struct Primitives {
@@ -17,7 +17,7 @@ struct Primitives {
 /// What one thing is worth in another, so that costs can be compared.
 struct CostWeights {
     /// LUTs that a RAMB36 is worth: by default as many as the ZCU102's XCZU9EG has for each.
-    double luts_per_ramb36 = 274080.0 / ramb36_of_device;
+    double luts_per_ramb36 = xczu9eg.has.lut / xczu9eg.has.ramb36;
 };
 
 /// In LUTs.
@@ -32,4 +32,4 @@ double cost_of(Primitives const& primitives, CostWeights const& weights);
 /// Source: AMD UG574 (SLICEM), UG573 (block RAM).
 Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, CostWeights const& weights);
 
-}  // namespace faster::sizing
+}  // namespace faster

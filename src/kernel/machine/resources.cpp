@@ -1,0 +1,27 @@
+#include "kernel/machine/resources.hpp"
+
+#include <algorithm>
+
+namespace faster {
+
+std::string_view name_of(ResourceBasis basis) {
+    switch (basis) {
+        case ResourceBasis::synthesized:
+            return "synthesized";
+        case ResourceBasis::interpolated:
+            return "interpolated";
+        default:
+            return "counted";
+    }
+}
+
+ResourcePart sum_of(std::string name, std::vector<ResourcePart> const& parts) {
+    ResourcePart sum{std::move(name), {}, ResourceBasis::synthesized};
+    for (ResourcePart const& part : parts) {
+        sum.amount += part.amount;
+        sum.basis = std::max(sum.basis, part.basis);
+    }
+    return sum;
+}
+
+}  // namespace faster

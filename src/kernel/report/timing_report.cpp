@@ -1,0 +1,52 @@
+#include "kernel/report/timing_report.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/machine/machine_resources.hpp"
+
+namespace faster::report {
+
+namespace {
+
+double period_ns(Machine const& machine) { return 1e3 / machine.clock_mhz; }
+
+Json path_json(std::string const& module, UnitPath const& path) {
+    Estimate const stage = path.of_stage();
+    return {{"module", module},      {"from", path.from},
+            {"to", path.to},         {"stages", path.stages},
+            {"low_ns", stage.low},   {"typical_ns", stage.typical},
+            {"high_ns", stage.high}, {"typical_mhz", 1e3 / stage.typical}};
+}
+
+}  // namespace
+
+Json timing_json(Machine const& machine) {
+    Json modules = Json::array();
+    bool closes = true;
+    for (MachineResources::Module const& module : resources_of(machine).modules) {
+        if (!module.slowest)
+            continue;
+        modules.push_back(path_json(module.sum.name, *module.slowest));
+        closes = closes && module.slowest->of_stage().typical <= period_ns(machine);
+    }
+    if (modules.empty())
+        return nullptr;
+    return {{"clock_mhz", machine.clock_mhz}, {"closes", closes}, {"modules", std::move(modules)}};
+}
+
+std::string timing_text(Machine const& machine) {
+    std::string text;
+    for (MachineResources::Module const& module : resources_of(machine).modules) {
+        if (!module.slowest || module.slowest->of_stage().typical <= period_ns(machine))
+            continue;
+        Estimate const stage = module.slowest->of_stage();
+        text += fmt::format(
+            "  At {:g} MHz {} would not close: {:.1f} ns from {} to {} ({:.1f} to {:.1f}), {:.0f} MHz; "
+            "estimated.\n",
+            machine.clock_mhz, module.sum.name, stage.typical, module.slowest->from, module.slowest->to, stage.low,
+            stage.high, 1e3 / stage.typical);
+    }
+    return text;
+}
+
+}  // namespace faster::report

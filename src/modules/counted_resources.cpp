@@ -1,0 +1,144 @@
+#include "modules/counted_resources.hpp"
+
+#include <cmath>
+
+#include "faster/sweep_design.hpp"
+#include "faster/synthesized_units.hpp"
+
+namespace faster {
+
+namespace {
+
+constexpr Resources nothing{};
+
+double count(int number) { return static_cast<double>(number); }
+
+ResourcePart counted(std::string name, Resources const& amount) {
+    return {std::move(name), amount, ResourceBasis::counted};
+}
+
+Resources synthesized(char const* unit) { return synthesized_units().unit(unit, {}).amount; }
+
+/// Extents of a triangle are divided by its steps: six quotients of 18 bits. Where triangles are set up ahead, one
+/// enters every third cycle, so each is six stages that take three steps one after the other: a third of one with three
+/// steps in a stage. Otherwise it works 18 cycles.
+Resources span_dividers(RasterizerConfig const& rasterizer) {
+    Resources const sixth = rasterizer.setup_overlap > 0 ? Resources{synthesized("span_divider").lut / 3, 516, 0, 0}
+                                                         : Resources{60, 55, 0, 0};
+    return 6.0 * sixth;
+}
+
+bool is_power_of_two(int number) { return (number & (number - 1)) == 0; }
+
+/// Of a memory in banks or buffers: an address bit of each bank is one of two, as are two bits of its word.
+Resources choice_of_banks(MachineMemory const& memory) {
+    MemoryShape const& shape = memory.shape;
+    auto const banks = static_cast<double>(shape.partition * shape.buffers);
+    if (banks < 2 || shape.words == 0)
+        return nothing;
+    double const address_bits =
+        std::ceil(std::log2(static_cast<double>(shape.words) / static_cast<double>(shape.partition)));
+    return {banks * (address_bits + static_cast<double>(shape.bits) / 2), 0, 0, 0};
+}
+
+void add_choice_of_banks(ResourceParts& parts, Machine const& machine, std::vector<std::string> const& memories) {
+    Resources sum;
+    for (std::string const& memory : memories)
+        sum += choice_of_banks(machine.memories[machine.memory(memory)]);
+    if (sum.lut > 0)
+        parts.push_back(counted("choice of banks and buffers", sum));
+}
+
+/// Corners of the region, and their tokens' number: with lanes, two divisions.
+ResourcePart corners(AcceleratorConfig const& config) {
+    double const divisions = is_power_of_two(config.inlier_unit.sweep_lanes) ? 0 : 2;
+    return counted("corners of the touched region", {20 + divisions / 3 * 30, 36, 0, 0});
+}
+
+/// Roots of two lengths and their quotient, a stage per bit; points and squares. docs/modules/edge_extractor.md.
+ResourcePart edge_extractor(EdgeExtractionConfig const& extraction) {
+    double const roots = 2 * count(static_cast<int>(extraction.square_root_latency));
+    double const quotient = count(static_cast<int>(extraction.divider_latency));
+    double const side = extraction.neighbourhood;
+    return counted("edge extractor", {roots * 17 + quotient * 30 + 12 * side * 15,
+                                      roots * 44 + quotient * 75 + side * side * 11, 10 + side, 0});
+}
+
+}  // namespace
+
+ResourceParts counted_in_vertex_transform(AcceleratorConfig const& config) {
+    if (config.memory_placement.mesh == Placement::external)
+        return {};
+    return {counted("mesh on the chip: its counter and its loading", {60, 80, 0, 0})};
+}
+
+ResourceParts counted_in_rasterizer(AcceleratorConfig const& config) {
+    RasterizerConfig const& rasterizer = config.rasterizer;
+    ResourceParts parts;
+    if (rasterizer.setup_overlap > 0)  // 470 bits each, as shift registers
+        parts.push_back(counted("triangles set up ahead",
+                                {470 * std::ceil(static_cast<double>(rasterizer.setup_overlap) / 16), 500, 0, 0}));
+    if (rasterizer.scan == ScanPolicy::early_exit)
+        parts.push_back(counted("edge values of the row below", {90, 87, 0, 0}));
+    if (rasterizer.scan == ScanPolicy::spans) {
+        parts.push_back(counted("dividers of spans", span_dividers(rasterizer)));
+        parts.push_back(counted("quotients, remainders and ends of spans", {350, 250, 0, 0}));
+    }
+    double const more_lanes = rasterizer.lanes - 1;
+    if (more_lanes > 0)
+        parts.push_back(
+            counted("z sums and masks of lanes",
+                    more_lanes * (Resources{73, 210, 0, 0} +
+                                  (rasterizer.scan == ScanPolicy::spans ? nothing : Resources{90, 0, 0, 0}))));
+    if (config.inlier_unit.sweep_region == SweepRegion::touched)
+        parts.push_back(counted("least and greatest pixel touched", {60, 36, 0, 0}));
+    return parts;
+}
+
+ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machine const& machine) {
+    ResourceParts parts;
+    EdgeMapAlgorithm const algorithm = config.edge_map.algorithm;
+    if (algorithm != EdgeMapAlgorithm::dual_map && algorithm != EdgeMapAlgorithm::inner_border)
+        parts.push_back(counted("this algorithm, as much as dual_map", nothing));
+    add_choice_of_banks(parts, machine, {"edge_map", "object_map"});
+    if (config.inlier_unit.sweep_lanes > 1 || config.rasterizer.lanes > 1)
+        parts.push_back(
+            counted("lanes of the maps", count(config.inlier_unit.sweep_lanes - 1) * Resources{10, 10, 0, 0} +
+                                             count(config.rasterizer.lanes - 1) * Resources{2, 2, 0, 0}));
+    if (config.inlier_unit.sweep_region == SweepRegion::touched)
+        parts.push_back(corners(config));
+    return parts;
+}
+
+ResourceParts counted_in_observation_reader(AcceleratorConfig const& config) {
+    ResourceParts parts;
+    if (config.inlier_unit.sweep_region == SweepRegion::touched) {
+        parts.push_back(corners(config));
+        parts.push_back(counted("four words of the table of valid depths", {80, 50, 1, 0}));
+    }
+    return parts;
+}
+
+ResourceParts counted_in_inlier_unit(AcceleratorConfig const& config, Machine const& machine) {
+    ResourceParts parts;
+    double const more_lanes = config.rasterizer.lanes - 1;
+    if (more_lanes > 0) {  // each with its depth unit, depth test and registers of two stages; and with forwarding
+        parts.push_back(
+            counted("depths of lanes", more_lanes * (synthesized("depth_unit") + Resources{15, 134, 0, 0})));
+        parts.push_back(counted("forwarding of lanes", more_lanes * Resources{23, 56, 0, 0}));
+    }
+    double const more_pixels = config.inlier_unit.sweep_lanes - 1;
+    if (more_pixels > 0)
+        parts.push_back(counted("comparisons of sweep lanes",
+                                more_pixels * (synthesized("pixel_comparison") + Resources{12, 36, 0, 0})));
+    add_choice_of_banks(parts, machine, {"depth_buffer"});
+    if (config.inlier_unit.sweep_region == SweepRegion::touched)
+        parts.push_back(corners(config));
+    if (config.flow == Flow::fpga_grip)
+        parts.push_back(edge_extractor(config.edge_extraction));
+    return parts;
+}
+
+ResourceParts counted_in_read_out() { return {counted("control of a second buffer", {40, 130, 0, 0})}; }
+
+}  // namespace faster

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "faster/accelerator_config.hpp"
+#include "kernel/machine/machine.hpp"
+#include "kernel/machine/resources.hpp"
+
+namespace faster {
+
+/// What the register-transfer twin does not have, counted by hand; parts of a module, none where it has everything.
+/// Widths are those of the default formats; where a part repeats one that was synthesized, it counts as so many of it.
+/// docs/hardware.md tells how each number comes about.
+using ResourceParts = std::vector<ResourcePart>;
+ResourceParts counted_in_vertex_transform(AcceleratorConfig const& config);
+ResourceParts counted_in_rasterizer(AcceleratorConfig const& config);
+ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machine const& machine);
+ResourceParts counted_in_observation_reader(AcceleratorConfig const& config);
+ResourceParts counted_in_inlier_unit(AcceleratorConfig const& config, Machine const& machine);
+/// Of edge_map_output and inlier_sweep: the control that a second buffer takes.
+ResourceParts counted_in_read_out();
+
+}  // namespace faster

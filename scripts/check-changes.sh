@@ -44,12 +44,12 @@ done
 stage="$root/stage"
 rm -rf "$stage"
 mkdir "$stage"
-cp -r CMakeLists.txt CMakePresets.json cmake configs src "$stage"
+cp -r CMakeLists.txt CMakePresets.json cmake configs rtl src "$stage"
 for name in "${patches[@]}"; do
     patch="$PWD/docs/changes/$name.patch"
     quietly env GIT_CEILING_DIRECTORIES="$root" git -C "$stage" apply "$patch"
 done
-for folder in cmake configs src; do
+for folder in cmake configs rtl src; do
     [[ ! -d "$copy/$folder" ]] || (cd "$copy" && find "$folder" -type f)
 done | while IFS= read -r file; do
     [[ -e "$stage/$file" ]] || rm "$copy/$file"

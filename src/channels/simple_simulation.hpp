@@ -94,9 +94,12 @@ template <class Core> class SimpleSimulation final : public SimpleDesign, public
     CoreDescription describe(Numbers const& numbers) const override { return Core::describe(numbers); }
 
   private:
-    struct SampleCount final : Workload {
+    class SampleCount final : public Workload {
+      public:
         explicit SampleCount(std::size_t number) : samples_(number) {}
         std::size_t samples() const override { return samples_; }
+
+      private:
         std::size_t samples_;
     };
 };

@@ -14,9 +14,9 @@ Json estimate_json(Estimate const& estimate) {
     return {{"low", estimate.low}, {"typical", estimate.typical}, {"high", estimate.high}};
 }
 
-std::string line(std::string const& name, Estimate const& estimate, char const* unit) {
-    return fmt::format("  {:<25} {:>9.4g} {:>9.4g} {:>9.4g}  {}\n", name, estimate.low, estimate.typical, estimate.high,
-                       unit);
+std::string line(std::string const& name, Estimate const& estimate, char const* unit, int digits = 1) {
+    return fmt::format("  {:<25} {:>9.{digits}f} {:>9.{digits}f} {:>9.{digits}f}  {}\n", name, estimate.low,
+                       estimate.typical, estimate.high, unit, fmt::arg("digits", digits));
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ std::string power_text(RunStatistics const& run) {
     text += line("FIFOs", power.fifos.milliwatts, "mW");
     text += line("memories", power.memories.milliwatts, "mW");
     text += line("beside the cores", power.beside.milliwatts, "mW");
-    text += line("dynamic", power.dynamic_w, "W");
-    text += line("static", power.static_w, "W");
-    text += line("processing system", power.ps_w, "W");
-    text += line("in all", power.total_w, "W");
+    text += line("dynamic", power.dynamic_w, "W", 2);
+    text += line("static", power.static_w, "W", 2);
+    text += line("processing system", power.ps_w, "W", 2);
+    text += line("in all", power.total_w, "W", 2);
     return text + line("energy of the run", power.energy_mj, "mJ");
 }
 

@@ -158,7 +158,7 @@ bool CoreTimes::has_frozen(Choice const& choice, Known const& known) const {
 
 /// The relaxed machine does the same as long as nothing would freeze, and no memory is shared.
 std::optional<CoreTimes::Known> CoreTimes::known(std::size_t core, Choice const& choice) const {
-    std::optional<Known> const relaxed = is_monotone() || are_together_ ? std::nullopt : relaxed_->known(core, choice);
+    std::optional<Known> relaxed = is_monotone() || are_together_ ? std::nullopt : relaxed_->known(core, choice);
     if (relaxed && !relaxed->is_left_early && !has_frozen(choice, *relaxed))
         return relaxed;
     std::lock_guard<std::mutex> const lock(mutex_);

@@ -4,7 +4,7 @@ namespace faster::sizing {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // LUTs
+constexpr double cost_rounding = 1e-6;  // LUTs
 
 SearchOptions relaxed_options(SearchOptions options, bool is_monotone) {
     options.has_repeatable_cuts = !is_monotone;
@@ -20,7 +20,7 @@ RepairedSearch::RepairedSearch(FifoFrame const& frame, CoreTimes& times, Unbound
       exact_(frame, times, unbounded, relaxed_options(options, is_monotone_), &relaxed_) {}
 
 Found RepairedSearch::cheapest(Cycles bound) {
-    Found const found = relaxed_.cheapest(bound);
+    Found found = relaxed_.cheapest(bound);
     if (is_monotone_ || exact_.is_within(found.choice, bound))
         return found;
     Found repaired = replaced(found, exact_.cheapest(bound).choice);
@@ -30,7 +30,7 @@ Found RepairedSearch::cheapest(Cycles bound) {
 
 Found RepairedSearch::replaced(Found found, Choice const& choice) const {
     found.choice = choice;
-    found.is_proven = exact_.cost_of_choice(choice) <= found.least_cost + rounding;
+    found.is_proven = exact_.cost_of_choice(choice) <= found.least_cost + cost_rounding;
     found.is_given_up = found.is_given_up && !found.is_proven;
     return found;
 }

@@ -10,7 +10,7 @@ namespace faster::sweeps {
 namespace {
 
 std::string quoted(std::string const& value) {
-    std::string const text = printable(value);
+    std::string text = printable(value);
     if (text.find_first_of(",\"") == std::string::npos)
         return text;
     std::string cell = "\"";

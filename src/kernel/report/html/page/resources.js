@@ -7,7 +7,8 @@ function resource_columns() {
 
 function show_resources() {
   const { device, modules, fifos, memories, core, cores, beside, chip } = data.resources;
-  const name = { title: "part of a core", value: (row) => row.module || row.fifo || row.bram || row.sum };
+  const part_of = (row) => row.module || (row.fifo && `FIFO ${row.fifo}`) || (row.bram && `memory ${row.bram}`) || row.sum;
+  const name = { title: "part of a core", value: part_of };
   const basis = { title: "basis", value: (row) => row.basis || "" };
   const share = (sum, of) => ({ sum: `${sum}, % of the ${device.name}`, ...of.percent_of_device });
   const rows = [...modules, ...fifos, ...memories, { sum: "a core", ...core }, { sum: "all cores", ...cores },
@@ -22,7 +23,10 @@ function show_resources() {
 
 function show_paths() {
   const ns = (title, key) => figure(title, (row) => row[key], (row) => decimal(row[key], 2));
-  new SortableTable(by_id("resource-table"), `Longest paths, estimated; a cycle has ${decimal(1e3 / data.timing.clock_mhz, 2)} ns`, [
+  by_id("longest-paths").hidden = false;
+  by_id("longest-paths-note").textContent =
+    `Estimated from netlists, without placement. A cycle has ${decimal(1e3 / data.timing.clock_mhz, 2)} ns.`;
+  new SortableTable(by_id("longest-path-table"), "Longest paths, estimated", [
     { title: "module", value: (row) => row.module }, ns("ns, low", "low_ns"), ns("typical", "typical_ns"), ns("high", "high_ns"),
     { title: "from", value: (row) => row.from, wrap: true }, { title: "to", value: (row) => row.to, wrap: true },
   ], data.timing.modules, { row_class: (row) => (row.typical_ns > 1e3 / data.timing.clock_mhz ? "changed" : "") });
@@ -37,7 +41,8 @@ function show_power() {
     { name: "processing system", unit: "W", ...power.ps_w }, { name: "in all", unit: "W", ...power.total_w },
     { name: "energy of the run", unit: "mJ", ...power.energy_mj }];
   const column = (key) => figure(key, (row) => row[key], (row) => decimal(row[key], 3));
-  new SortableTable(by_id("resource-table"), "Power, estimated from the run's activity", [
+  by_id("power").hidden = false;
+  new SortableTable(by_id("power-table"), "Power, estimated from the run's activity", [
     { title: "of", value: (row) => row.name }, column("low"), column("typical"), column("high"),
     { title: "unit", value: (row) => row.unit }], rows);
 }

@@ -1,7 +1,6 @@
 #include "modules/core_resources.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "faster/sweep_design.hpp"
 #include "faster/synthesized_units.hpp"
@@ -34,11 +33,7 @@ struct Logic {
 Logic logic(char const* unit, UnitKeys const& keys) {
     ResourcePart part = synthesized_units().unit(unit, keys);
     part.amount.ramb36 = 0;
-    std::map<std::string, std::string> differing;
-    for (UnitKey const& key : keys)
-        if (key.value != key.standard)
-            differing[key.name] = key.value;
-    return {{part}, synthesized_paths().paths(unit, differing)};
+    return {{part}, synthesized_paths().paths(unit, differing_keys(keys))};
 }
 
 /// Stages of a delay line more or fewer than the unit was synthesized with.

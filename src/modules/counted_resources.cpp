@@ -4,6 +4,7 @@
 
 #include "faster/sweep_design.hpp"
 #include "faster/synthesized_units.hpp"
+#include "kernel/base/integer_bits.hpp"
 
 namespace faster {
 
@@ -28,8 +29,6 @@ Resources span_dividers(RasterizerConfig const& rasterizer) {
     return 6.0 * sixth;
 }
 
-bool is_power_of_two(int number) { return (number & (number - 1)) == 0; }
-
 /// Of a memory in banks or buffers: an address bit of each bank is one of two, as are two bits of its word.
 Resources choice_of_banks(MachineMemory const& memory) {
     MemoryShape const& shape = memory.shape;
@@ -51,7 +50,7 @@ void add_choice_of_banks(ResourceParts& parts, Machine const& machine, std::vect
 
 /// Corners of the region, and their tokens' number: with lanes, two divisions.
 ResourcePart corners(AcceleratorConfig const& config) {
-    double const divisions = is_power_of_two(config.inlier_unit.sweep_lanes) ? 0 : 2;
+    double const divisions = is_power_of_two(static_cast<std::uint64_t>(config.inlier_unit.sweep_lanes)) ? 0 : 2;
     return counted("corners of the touched region", {20 + divisions / 3 * 30, 36, 0, 0});
 }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "faster/accelerator_config.hpp"
+#include "kernel/base/integer_bits.hpp"
 
 namespace faster::wires {
 
@@ -15,13 +16,6 @@ constexpr unsigned buffer = 1;
 constexpr unsigned pixel = 2 * 16;  ///< row and column relative to the window, which may lie outside it
 /// A triangle's doubled area is no more than its bounding box: x range times y range, both below 2^16.
 constexpr unsigned magnitude_of_area = 2 * vertex_xy;
-
-constexpr unsigned bits_for(std::uint64_t largest) {
-    unsigned bits = 0;
-    for (; largest > 0; largest /= 2)
-        ++bits;
-    return bits;
-}
 
 inline std::uint64_t window_pixels(AcceleratorConfig const& config) {
     return static_cast<std::uint64_t>(config.window) * static_cast<std::uint64_t>(config.window);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/base/integer_bits.hpp"
+
 namespace faster {
 
 namespace {
@@ -33,13 +35,6 @@ ModuleRow module_row(Machine const& machine, std::size_t core, std::size_t i, Pr
     for (std::size_t const b : brams_of(machine))
         row.port_conflicts.push_back({machine.memories[b].name, process.port_conflicts[b]});
     return row;
-}
-
-unsigned bits_for(std::uint64_t largest) {
-    unsigned bits = 0;
-    for (; largest > 0; largest /= 2)
-        ++bits;
-    return bits;
 }
 
 }  // namespace

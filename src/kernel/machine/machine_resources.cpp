@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
+#include "kernel/base/integer_bits.hpp"
 #include "kernel/machine/fifo_cost.hpp"
 
 namespace faster {
 
 namespace {
-
-double bits_for(std::uint64_t largest) {
-    double bits = 0;
-    for (; largest > 0; largest /= 2)
-        ++bits;
-    return bits;
-}
 
 std::optional<UnitPath> slowest_of(std::vector<UnitPath> const& paths) {
     auto const slowest = std::max_element(paths.begin(), paths.end(), [](UnitPath const& a, UnitPath const& b) {

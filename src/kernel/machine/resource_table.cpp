@@ -61,6 +61,14 @@ ResourceTable::Row row_of(std::string const& line) {
 
 }  // namespace
 
+std::map<std::string, std::string> differing_keys(std::vector<UnitKey> const& keys) {
+    std::map<std::string, std::string> differing;
+    for (UnitKey const& key : keys)
+        if (key.value != key.standard)
+            differing[key.name] = key.value;
+    return differing;
+}
+
 ResourceTable::ResourceTable(std::string_view csv) {
     std::istringstream lines{std::string(csv)};
     std::string line;
@@ -102,10 +110,7 @@ Resources ResourceTable::change(std::string const& unit, UnitKey const& key) con
 }
 
 ResourcePart ResourceTable::unit(std::string const& name, std::vector<UnitKey> const& keys) const {
-    Keys differing;
-    for (UnitKey const& key : keys)
-        if (key.value != key.standard)
-            differing[key.name] = key.value;
+    Keys const differing = differing_keys(keys);
     Row const& base = nearest(name, differing);
     if (base.keys == differing)
         return {name, base.amount, ResourceBasis::synthesized};

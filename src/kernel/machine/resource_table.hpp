@@ -16,6 +16,9 @@ struct UnitKey {
     std::string standard;
 };
 
+/// Those that do not have their standard values.
+std::map<std::string, std::string> differing_keys(std::vector<UnitKey> const& keys);
+
 /// Figures of synthesized configurations of units.
 ///
 /// A row is a unit, and the keys in which its configuration differs from the unit's row `default`. A configuration that

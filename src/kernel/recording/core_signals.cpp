@@ -64,7 +64,7 @@ void CoreSignals::declare_fifo(std::size_t fifo, std::size_t domain) {
     waveform_.open_scope(fmt::format("fifo_{}", machine_.fifos[fifo].name));
     signals.write = waveform_.add({"write", 1, {}}, domain);
     signals.read = waveform_.add({"read", 1, {}}, domain);
-    signals.occupancy = waveform_.add({"occupancy", bits_for(core_.fifos[fifo].capacity), {}}, domain);
+    signals.occupancy = waveform_.add({"occupancy", signal_bits(core_.fifos[fifo].capacity), {}}, domain);
     signals.full = waveform_.add({"full", 1, {}}, domain);
     signals.empty = waveform_.add({"empty", 1, {}}, domain);
     for (TokenField const& field : core_.token_layouts[fifo])

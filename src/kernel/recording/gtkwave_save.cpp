@@ -104,7 +104,7 @@ void add_field(Save& save, std::string const& path, std::string const& fifo, Tok
 void add_fifo(Save& save, std::string const& path, RecordedCore const& core, std::size_t fifo) {
     std::string const& name = core.machine->fifos[fifo].name;
     save.open_group("fifo " + name, true);
-    save.signal(decimal, path + ".occupancy", bits_for(core.fifos[fifo].capacity));
+    save.signal(decimal, path + ".occupancy", signal_bits(core.fifos[fifo].capacity));
     for (char const* const bit : {"full", "empty", "write", "read"})
         save.signal(binary, fmt::format("{}.{}", path, bit), 1);
     for (char const* const side : {"written", "read"})

@@ -18,6 +18,6 @@ std::vector<std::string> port_names(MachineMemory const& memory) {
     return names;
 }
 
-unsigned address_bits(MachineMemory const& memory) { return bits_for(memory.words - 1); }
+unsigned address_bits(MachineMemory const& memory) { return signal_bits(memory.words - 1); }
 
 }  // namespace faster::recording

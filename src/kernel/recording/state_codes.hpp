@@ -30,7 +30,7 @@ std::vector<std::string> stall_names(Machine const& machine);
 std::vector<std::string> value_names(TokenField const& field);
 
 /// Bits of these signals: a byte, unless the machine has more loops or FIFOs than that tells apart.
-inline unsigned state_bits(Machine const& machine) { return std::max(8U, bits_for(machine.loops.size())); }
-inline unsigned stall_bits(Machine const& machine) { return std::max(8U, bits_for(2 * machine.fifos.size() + 1)); }
+inline unsigned state_bits(Machine const& machine) { return std::max(8U, signal_bits(machine.loops.size())); }
+inline unsigned stall_bits(Machine const& machine) { return std::max(8U, signal_bits(2 * machine.fifos.size() + 1)); }
 
 }  // namespace faster::recording

@@ -22,7 +22,7 @@ void put_byte(char* at, std::uint64_t byte) {
 
 /// A number's binary digits without leading zeros. Returns the end.
 char* put_binary(char* at, std::uint64_t value) {
-    unsigned const bits = bits_for(value);
+    unsigned const bits = signal_bits(value);
     value <<= 64U - bits;
     for (unsigned done = 0; done < bits; done += 8, value <<= 8)
         put_byte(at + done, value >> 56);

@@ -45,7 +45,7 @@ inline double ticks_per_cycle(double clock_mhz) {
 }
 
 /// Bits of a signal that shows numbers up to the largest.
-inline unsigned bits_for(std::uint64_t largest) {
+inline unsigned signal_bits(std::uint64_t largest) {
     return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));
 }
 

@@ -1,6 +1,8 @@
 #include "kernel/report/power_report.hpp"
 
 #include <fmt/format.h>
+#include <string_view>
+#include <vector>
 
 #include "kernel/figures/power.hpp"
 
@@ -14,9 +16,29 @@ Json estimate_json(Estimate const& estimate) {
     return {{"low", estimate.low}, {"typical", estimate.typical}, {"high", estimate.high}};
 }
 
-std::string line(std::string const& name, Estimate const& estimate, char const* unit, int digits = 1) {
+std::string line(std::string const& name, Estimate const& estimate, std::string_view unit) {
+    int const digits = unit == "W" ? 2 : 1;
     return fmt::format("  {:<25} {:>9.{digits}f} {:>9.{digits}f} {:>9.{digits}f}  {}\n", name, estimate.low,
                        estimate.typical, estimate.high, unit, fmt::arg("digits", digits));
+}
+
+/// A figure of all modules: its key in summary.json, its name for people, its unit.
+struct Total {
+    char const* key;
+    char const* name;
+    char const* unit;
+    Estimate estimate;
+};
+
+std::vector<Total> totals_of(RunPower const& power) {
+    return {{"fifos_mw", "FIFOs", "mW", power.fifos.milliwatts},
+            {"memories_mw", "memories", "mW", power.memories.milliwatts},
+            {"beside_mw", "beside the cores", "mW", power.beside.milliwatts},
+            {"dynamic_w", "dynamic", "W", power.dynamic_w},
+            {"static_w", "static", "W", power.static_w},
+            {"ps_w", "processing system", "W", power.ps_w},
+            {"total_w", "in all", "W", power.total_w},
+            {"energy_mj", "energy of the run", "mJ", power.energy_mj}};
 }
 
 }  // namespace
@@ -29,14 +51,8 @@ Json power_json(RunStatistics const& run) {
     json["modules_mw"] = Json::object();
     for (PowerRow const& module : power.modules)
         json["modules_mw"][module.name] = estimate_json(module.milliwatts);
-    json["fifos_mw"] = estimate_json(power.fifos.milliwatts);
-    json["memories_mw"] = estimate_json(power.memories.milliwatts);
-    json["beside_mw"] = estimate_json(power.beside.milliwatts);
-    json["dynamic_w"] = estimate_json(power.dynamic_w);
-    json["static_w"] = estimate_json(power.static_w);
-    json["ps_w"] = estimate_json(power.ps_w);
-    json["total_w"] = estimate_json(power.total_w);
-    json["energy_mj"] = estimate_json(power.energy_mj);
+    for (Total const& total : totals_of(power))
+        json[total.key] = estimate_json(total.estimate);
     return json;
 }
 
@@ -48,14 +64,9 @@ std::string power_text(RunStatistics const& run) {
                                    "low", "typical", "high");
     for (PowerRow const& module : power.modules)
         text += line(module.name, module.milliwatts, "mW");
-    text += line("FIFOs", power.fifos.milliwatts, "mW");
-    text += line("memories", power.memories.milliwatts, "mW");
-    text += line("beside the cores", power.beside.milliwatts, "mW");
-    text += line("dynamic", power.dynamic_w, "W", 2);
-    text += line("static", power.static_w, "W", 2);
-    text += line("processing system", power.ps_w, "W", 2);
-    text += line("in all", power.total_w, "W", 2);
-    return text + line("energy of the run", power.energy_mj, "mJ");
+    for (Total const& total : totals_of(power))
+        text += line(total.name, total.estimate, total.unit);
+    return text;
 }
 
 }  // namespace faster::report

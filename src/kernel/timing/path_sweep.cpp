@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "kernel/base/integer_bits.hpp"
+
 namespace faster::timing {
 
 namespace {
 using Kind = TrailEvent::Kind;
 using Share = PathSums::Share;
-
-bool is_power_of_two(std::uint64_t value) { return (value & (value - 1)) == 0; }
 
 /// What has decided so far when a token leaves a flushing pipeline by a port.
 PathSweep::Position decided(CoreTiming const& core, unsigned process, unsigned port,

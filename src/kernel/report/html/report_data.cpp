@@ -5,7 +5,6 @@
 #include "kernel/report/critical_path_report.hpp"
 #include "kernel/report/diagnosis_text.hpp"
 #include "kernel/report/hazard_report.hpp"
-#include "kernel/report/html/area_data.hpp"
 #include "kernel/report/html/configuration_data.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/html_text.hpp"
@@ -64,6 +63,12 @@ Json timelines(HtmlReportInput const& input) {
     return rows;
 }
 
+/// The block RAMs of a core, with the port conflicts of all cores, and what the device has.
+Json memory_area(RunStatistics const& run) {
+    return {{"memories", json_table(memory_columns, over_cores(memory_columns, memory_rows(run)))},
+            {"ramb36_of_device", ramb36_of_device}};
+}
+
 }  // namespace
 
 std::string report_data(HtmlReportInput const& input) {
@@ -89,7 +94,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["hazards"] = hazard_sums_json(input.run);
     data["latency"] = latency(input.run);
     data["external_memory"] = memory_traffic_json(input.run);
-    data["area"] = area_data(input.run);
+    data["area"] = memory_area(input.run);
     data["timelines"] = timelines(input);
     data["pictures"] = pictures(input.pictures);
     data["configuration"] = configuration_data(input.keys);

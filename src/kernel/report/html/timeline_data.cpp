@@ -43,8 +43,10 @@ std::uint64_t iterations_of(MergedSpan const& span) {
     return span.extent.kind == TimelineSpan::Kind::loop ? span.extent.count : 0;
 }
 
+namespace {
+
 /// Short rows, because there are thousands: module, kind, item, begin, end, cycles, iterations of a loop, spans.
-static Json span_rows(Machine const& machine, std::vector<MergedSpan> const& spans) {
+Json span_rows(Machine const& machine, std::vector<MergedSpan> const& spans) {
     Json rows = Json::array();
     for (MergedSpan const& span : spans) {
         rows.push_back(span_item(machine, span.extent));
@@ -54,6 +56,8 @@ static Json span_rows(Machine const& machine, std::vector<MergedSpan> const& spa
     }
     return rows;
 }
+
+}  // namespace
 
 Json occupancy_data(Machine const& machine, SampleTimeline const& timeline) {
     constexpr std::size_t parts = 120;

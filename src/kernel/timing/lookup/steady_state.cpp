@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/base/each_bit.hpp"
+#include "kernel/base/integer_bits.hpp"
 
 namespace faster::timing {
 
@@ -10,8 +11,6 @@ namespace {
 constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
 constexpr unsigned most_others = 16;        // that go on between two looks
 constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
-
-bool is_power_of_two(unsigned value) { return (value & (value - 1)) == 0; }
 }  // namespace
 
 ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {

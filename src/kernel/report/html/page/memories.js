@@ -2,8 +2,8 @@
 
 function show_memories() {
   const { ramb36_of_device } = data.area;
-  const row_of = (rows, name) => rows.find((row) => (row.bram || row.fifo) === name) || {};
-  const memories = data.area.memories.map((row) => ({ ...row, owner: row_of(data.graph.memories, row.bram).owner || "" }));
+  const in_graph = (name) => data.graph.memories.find((memory) => memory.bram === name) || {};
+  const memories = data.area.memories.map((row) => ({ ...row, owner: in_graph(row.bram).owner }));
   if (memories.length === 0) return leave_out("memories");
   const cores = Math.max(1, data.headline.cores);
   const all = memories.reduce((sum, row) => sum + row.ramb36 * cores, 0);

@@ -1,8 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 
 namespace faster::test {
@@ -37,8 +37,9 @@ class TempFolder {
 };
 
 inline std::string content_of(std::filesystem::path const& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
 }
 
 /// Number of entries directly in a folder, hidden ones included.

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/cycles.hpp"
+#include "kernel/base/zeros.hpp"
 
 namespace faster::timing {
 
@@ -14,7 +16,7 @@ class CycleRing {
     using Cycle = Cycles;
 
     /// At most so many are known at a time.
-    explicit CycleRing(std::uint64_t most) : cycles_(power_of_two_above(most), 0), mask_(cycles_.size() - 1) {}
+    explicit CycleRing(std::uint64_t most) : cycles_(power_of_two_above(most)), mask_(cycles_.size() - 1) {}
 
     std::uint64_t known() const { return appended_ - consumed_; }
     std::uint64_t consumed() const { return consumed_; }
@@ -55,7 +57,7 @@ class CycleRing {
 
     /// From now on, `count` zeros are known, however many are consumed, and what is appended is never looked at.
     void be_endless(std::uint64_t count) {
-        cycles_.assign(2 * (mask_ + 1), 0);
+        cycles_ = Zeros<Cycles>(2 * (mask_ + 1));
         appended_at_ = mask_ + 1;
         appended_ = consumed_ + count;
     }
@@ -65,7 +67,7 @@ class CycleRing {
         larger.consumed_ = larger.appended_ = consumed_;
         for (std::uint64_t i = 0; i < known(); ++i)
             larger.append((*this)[i]);
-        *this = larger;
+        *this = std::move(larger);
     }
     /// From the beginning on, so many zeros are known.
     void begin_with(std::uint64_t known) { appended_ = consumed_ + known; }
@@ -119,7 +121,7 @@ class CycleRing {
         return power;
     }
 
-    std::vector<Cycles> cycles_;
+    Zeros<Cycles> cycles_;
     std::uint64_t mask_;
     std::uint64_t appended_at_ = 0;  ///< in cycles_: where appending begins
     std::uint64_t consumed_ = 0;

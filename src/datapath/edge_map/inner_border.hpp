@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "datapath/edge_map/edge_map_policy.hpp"
+#include "datapath/edge_map/token_marks.hpp"
 
 namespace faster::datapath {
 
@@ -27,7 +28,8 @@ class InnerBorder final : public EdgeMapPolicy {
         set_run(row, first_col, end_col, object_.data());
     }
 
-    void take_edge_if(bool /*is_sent*/, int /*row*/, int /*col*/) {}
+    /// For all tokens; those of edges say nothing, and finish() writes over them.
+    TokenMarks marks() { return {edge_.data(), object_.data()}; }
 
     bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
         take_one(token, watch);

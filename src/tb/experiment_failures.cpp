@@ -58,8 +58,7 @@ std::optional<double> visible_share(WantedEstimate const& wanted) {
 
 FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResult const& result,
                         estimation::Scene const& scene, PoseDistances const& off) {
-    bool const has_window =
-        estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
+    bool const has_window = estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
     if (off.adds_m < wrong_m)
         return FailureReason::symmetry;
     if (!was_seen(scene))

@@ -42,9 +42,9 @@ Image<std::uint8_t> outline(estimation::Scene const& scene, Pose const& pose) {
     Image<std::uint8_t> outline(camera.height, camera.width);
     for (int row = 1; row + 1 < camera.height; ++row)
         for (int col = 1; col + 1 < camera.width; ++col)
-            outline.at(row, col) = depth.at(row, col) > 0 &&
-                                   (depth.at(row - 1, col) <= 0 || depth.at(row + 1, col) <= 0 ||
-                                    depth.at(row, col - 1) <= 0 || depth.at(row, col + 1) <= 0);
+            outline.at(row, col) =
+                depth.at(row, col) > 0 && (depth.at(row - 1, col) <= 0 || depth.at(row + 1, col) <= 0 ||
+                                           depth.at(row, col - 1) <= 0 || depth.at(row, col + 1) <= 0);
     return outline;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 /// Never returns. The browser reads from descriptor 3 and writes to 4.
 [[noreturn]] void become_browser(std::string const& profile, int requests, int answers) {
-    constexpr unsigned longest_life_s = 120;
+    constexpr unsigned longest_life_s = 280;
     alarm(longest_life_s);
     int const quiet = open("/dev/null", O_RDWR);
     dup2(quiet, STDOUT_FILENO);
@@ -34,6 +34,12 @@ namespace {
 }
 
 std::string quoted(std::string const& text) { return Json(text).dump(); }
+
+/// Where the thumb of a slider is, as an expression.
+std::string share_of(std::string const& selector) {
+    return "(() => { const e = document.querySelector(" + quoted(selector) +
+           "); return (e.value - e.min) / (e.max - e.min); })()";
+}
 
 }  // namespace
 
@@ -108,7 +114,8 @@ Json LiveBrowser::value(std::string const& expression) {
 }
 
 bool LiveBrowser::becomes_true(std::string const& expression) {
-    for (int tries = 0; tries < 500; ++tries) {
+    using Clock = std::chrono::steady_clock;
+    for (Clock::time_point const end = Clock::now() + std::chrono::minutes(1); Clock::now() < end;) {
         if (value(expression) == true)
             return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -137,17 +144,27 @@ void LiveBrowser::click(std::string const& selector) {
 }
 
 void LiveBrowser::drag_slider(std::string const& selector, double share) {
-    constexpr double half_thumb = 8;  // pixels
     constexpr int moves = 8;
-    Box const box = box_of(selector);
-    Json const at = value("(() => { const e = document.querySelector(" + quoted(selector) +
-                          "); return (e.value - e.min) / (e.max - e.min); })()");
-    auto const x_of = [&](double part) { return box.left + half_thumb + (box.width - 2 * half_thumb) * part; };
-    double const from = x_of(at), to = x_of(share), y = box.top + box.height / 2;
-    mouse("mousePressed", from, y, 1);
+    double const from = value(share_of(selector));
+    std::vector<double> shares;
     for (int i = 1; i <= moves; ++i)
-        mouse("mouseMoved", from + (to - from) * i / moves, y, 1);
-    mouse("mouseReleased", to, y, 0);
+        shares.push_back(from + (share - from) * i / moves);
+    drag_slider(selector, shares, [] {});
+}
+
+void LiveBrowser::drag_slider(std::string const& selector, std::vector<double> const& shares,
+                              std::function<void()> const& moved) {
+    constexpr double half_thumb = 8;  // pixels
+    Box const box = box_of(selector);
+    double const from = value(share_of(selector));
+    auto const x_of = [&](double part) { return box.left + half_thumb + (box.width - 2 * half_thumb) * part; };
+    double const y = box.top + box.height / 2;
+    mouse("mousePressed", x_of(from), y, 1);
+    for (double const share : shares) {
+        mouse("mouseMoved", x_of(share), y, 1);
+        moved();
+    }
+    mouse("mouseReleased", x_of(shares.empty() ? from : shares.back()), y, 0);
 }
 
 void LiveBrowser::wheel(std::string const& selector, double by) {

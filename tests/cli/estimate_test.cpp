@@ -223,7 +223,7 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
     }
     SECTION("what the dataset does not have") {
         check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
-        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image"});
+        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image", "such as --scene "});
     }
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <mutex>
 
 #include "faster/faster_config.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/estimate_scorers.hpp"
+#include "tool/progress_line.hpp"
 
 namespace faster {
 
@@ -83,9 +85,14 @@ std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::Esti
 std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
                                     experiments::EstimateJournal const& journal, std::size_t jobs) {
     std::vector<std::optional<Failure>> found(wanted.size());
+    ProgressLine progress("estimates looked at");
+    std::mutex mutex;
+    std::size_t done = 0;
     on_threads(wanted.size(), jobs, [&](std::size_t i) {
         if (experiments::EstimateResult const* const result = journal.find(wanted[i].id))
             found[i] = looked_at(wanted[i], *result);
+        std::lock_guard<std::mutex> const lock(mutex);
+        progress.show(++done, wanted.size());
     });
     std::vector<Failure> failures;
     for (std::optional<Failure> const& each : found)

@@ -113,9 +113,9 @@ Json LiveBrowser::value(std::string const& expression) {
     return answer["result"].value("value", Json());
 }
 
-bool LiveBrowser::becomes_true(std::string const& expression) {
+bool LiveBrowser::becomes_true(std::string const& expression, std::chrono::seconds within) {
     using Clock = std::chrono::steady_clock;
-    for (Clock::time_point const end = Clock::now() + std::chrono::minutes(1); Clock::now() < end;) {
+    for (Clock::time_point const end = Clock::now() + within; Clock::now() < end;) {
         if (value(expression) == true)
             return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -136,11 +136,29 @@ void LiveBrowser::mouse(std::string const& type, double x, double y, int buttons
          {{"type", type}, {"x", x}, {"y", y}, {"button", "left"}, {"buttons", buttons}, {"clickCount", 1}});
 }
 
+/// Presses at a place in an element's box that `place_in` chooses, and again if something pushed it away meanwhile: a
+/// busy page is still being laid out.
+LiveBrowser::Point LiveBrowser::press_on(std::string const& selector,
+                                         std::function<Point(Box const&)> const& place_in) {
+    constexpr int most_tries = 50;
+    for (int tries = 0; tries < most_tries; ++tries) {
+        value("mouse_has_hit = false; document.querySelector(" + quoted(selector) +
+              ").addEventListener('mousedown', () => { mouse_has_hit = true; }, { capture: true, once: true }); 0");
+        Point const at = place_in(box_of(selector));
+        mouse("mousePressed", at.x, at.y, 1);
+        if (value("mouse_has_hit") == true)
+            return at;
+        mouse("mouseReleased", at.x, at.y, 0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    throw std::runtime_error(selector + ": the mouse does not hit it");
+}
+
 void LiveBrowser::click(std::string const& selector) {
-    Box const box = box_of(selector);
-    double const x = box.left + box.width / 2, y = box.top + box.height / 2;
-    mouse("mousePressed", x, y, 1);
-    mouse("mouseReleased", x, y, 0);
+    Point const at = press_on(selector, [](Box const& box) {
+        return Point{box.left + box.width / 2, box.top + box.height / 2};
+    });
+    mouse("mouseReleased", at.x, at.y, 0);
 }
 
 void LiveBrowser::drag_slider(std::string const& selector, double share) {
@@ -155,16 +173,21 @@ void LiveBrowser::drag_slider(std::string const& selector, double share) {
 void LiveBrowser::drag_slider(std::string const& selector, std::vector<double> const& shares,
                               std::function<void()> const& moved) {
     constexpr double half_thumb = 8;  // pixels
-    Box const box = box_of(selector);
     double const from = value(share_of(selector));
-    auto const x_of = [&](double part) { return box.left + half_thumb + (box.width - 2 * half_thumb) * part; };
-    double const y = box.top + box.height / 2;
-    mouse("mousePressed", x_of(from), y, 1);
+    Box box{};
+    auto const at_share = [&box](double share) {
+        return Point{box.left + half_thumb + (box.width - 2 * half_thumb) * share, box.top + box.height / 2};
+    };
+    Point at = press_on(selector, [&](Box const& now) {
+        box = now;
+        return at_share(from);
+    });
     for (double const share : shares) {
-        mouse("mouseMoved", x_of(share), y, 1);
+        at = at_share(share);
+        mouse("mouseMoved", at.x, at.y, 1);
         moved();
     }
-    mouse("mouseReleased", x_of(shares.empty() ? from : shares.back()), y, 0);
+    mouse("mouseReleased", at.x, at.y, 0);
 }
 
 void LiveBrowser::wheel(std::string const& selector, double by) {

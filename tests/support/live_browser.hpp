@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,8 +22,8 @@ class LiveBrowser {
     void open(std::string const& address);
     /// The value of an expression in the page; of a promise, what it comes to. Throws std::runtime_error if it throws.
     nlohmann::json value(std::string const& expression);
-    /// Until an expression is true; false after a minute, as the host may be busy with other things.
-    bool becomes_true(std::string const& expression);
+    /// Until an expression is true; false after some time, which is long, as the host may be busy with other things.
+    bool becomes_true(std::string const& expression, std::chrono::seconds within = std::chrono::minutes(1));
     /// Where the middle of an element is; it is scrolled into view.
     struct Box {
         double left, top, width, height;
@@ -44,6 +45,10 @@ class LiveBrowser {
   private:
     nlohmann::json call(std::string const& method, nlohmann::json const& parameters);
     nlohmann::json read_message();
+    struct Point {
+        double x, y;
+    };
+    Point press_on(std::string const& selector, std::function<Point(Box const&)> const& place_in);
     void mouse(std::string const& type, double x, double y, int buttons);
 
     TempFolder profile_;

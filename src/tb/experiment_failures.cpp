@@ -33,7 +33,8 @@ bool was_seen(estimation::Scene const& scene) {
 
 /// Of the stretch [begin, begin + length), what lies in the window around `middle`.
 double stretch_in_window(double begin, double length, double middle, int window) {
-    double const first = std::max(begin, middle - window / 2), end = std::min(begin + length, middle + window / 2);
+    int const half = window / 2;
+    double const first = std::max(begin, middle - half), end = std::min(begin + length, middle + half);
     return std::max(0.0, end - first);
 }
 

@@ -137,6 +137,12 @@ std::size_t UntimedScorer::last_face_with_tokens() const {
     return stimulus_.posed.mesh.faces.size();
 }
 
+/// Whether the window has all pixels of the triangle's box.
+bool UntimedScorer::holds(TriangleSetup const& setup) const {
+    return depth_unit_.adds_up() && setup.start_row >= window_.row && setup.bottom < window_.row + window_.side &&
+           setup.left_wall >= window_.col && setup.right_wall < window_.col + window_.side;
+}
+
 void UntimedScorer::begin(TriangleSetup const& setup) {
     int const top = setup.start_row - static_cast<int>(window_.row);
     first_drawn_row_ = std::min(first_drawn_row_, top - 1);  // the contour lies one row beside
@@ -159,35 +165,48 @@ template <class Maps> void UntimedScorer::draw(TriangleSetup const& setup, Maps&
 }
 
 /// Triangles are small, and where their lines begin and end is hard to foretell: what add_tokens() asks step by step
-/// is asked without branches here.
+/// is asked without branches here. The whole box lies in the window, so nothing is compared with its sides.
 template <class Maps>
 void UntimedScorer::draw_in_any_order(TriangleSetup const& setup, Maps& maps, SampleCounters& counters) {
+    if (!holds(setup))
+        return draw(setup, maps, counters);
     std::uint64_t const reciprocal = reciprocal_of(setup.area, stimulus_.fraction);
     begin(setup);
-    bool was_inside = previous_inside_;
-    int row = previous_row_, col_before = previous_col_, row_before = previous_row_;
+    TokenMarks const marks = maps.marks();
+    std::uint8_t unread = 0;
+    auto const mark_edge_if = [&marks, &unread](bool is_sent, std::ptrdiff_t at) {
+        *(is_sent ? marks.edge + at : &unread) = 1;
+    };
+    DepthUnit const unit = depth_unit_;  // the compiler cannot know that marking leaves it alone
+    std::ptrdiff_t const side = window_.side;
     ZigzagScan lines(setup);
+    std::uint64_t const step = static_cast<std::uint64_t>(lines.z_per_column()) * reciprocal;
+    bool was_inside = setup.starts_inside();
+    std::ptrdiff_t line = previous_row_ * side + setup.left_wall - window_.col;  ///< its pixel at the left wall
+    std::ptrdiff_t before = line + setup.start_col - setup.left_wall;
     std::uint64_t drawn = 0;
     while (!lines.done()) {
-        ScanLine const line = lines.next_line();
-        int const first = line.first_col - static_cast<int>(window_.col);
-        int const run = first + (line.before * line.step);  // of its first pixel, if there is one
-        int const behind = run + (line.inside * line.step);
-        bool const covers = line.inside > 0;
-        if (covers) {
-            drawn += draw_run(line, reciprocal);
-            int const last = behind - line.step;
-            maps.take_run(row, std::min(run, last), std::max(run, last) + 1, true);
+        bool const is_last = lines.is_last();
+        CoveredRun const run = lines.next_run();
+        bool const covers = run.covers(), rightwards = run.rightwards();
+        std::int64_t const near = rightwards ? run.first - 1 : run.last + 1;
+        std::int64_t const far = rightwards ? run.last + 1 : run.first - 1;
+        bool const comes_in = !covers | (rightwards ? run.first > run.begin : run.last < run.begin);
+        bool const goes_out = rightwards ? run.last < run.end : run.first > run.end;
+        bool const ends_here = is_last & (run.first == run.last) & !goes_out;
+        mark_edge_if(was_inside & comes_in, line + run.begin);
+        mark_edge_if(covers & (comes_in | !was_inside) & !ends_here, comes_in ? line + near : before);
+        mark_edge_if(covers & goes_out, line + far);
+        std::uint64_t product =
+            static_cast<std::uint64_t>(run.z_sum) * reciprocal + static_cast<std::uint64_t>(run.first) * step;
+        std::uint16_t* const words = depth_buffer_.data() + line;
+        for (std::int64_t col = run.first; col <= run.last; ++col, product += step) {
+            drawn += unit.draw(product >> unit.shift(), words[col]) ? 1U : 0U;
+            marks.object[line + col] = 1;
         }
-        bool const comes_in = line.before > 0;
-        bool const ends_here = line.last & (line.inside == 1) & (line.after == 0);
-        maps.take_edge_if(was_inside & comes_in, row, first);
-        maps.take_edge_if(covers & !(was_inside & !comes_in) & !ends_here, comes_in ? row : row_before,
-                          comes_in ? run - line.step : col_before);
-        maps.take_edge_if(covers & (line.after > 0), row, behind);
-        was_inside = covers & (line.after == 0);
-        row_before = row++;
-        col_before = first + (line.pixels() - 1) * line.step;
+        was_inside = covers & !goes_out;
+        before = line + run.end;
+        line += side;
     }
     counters.valid_raster += drawn;
 }

@@ -44,6 +44,7 @@ class UntimedScorer {
     void clear_drawn_rows();
     TriangleSetup set_up_face(std::size_t face) const;
     std::size_t last_face_with_tokens() const;
+    bool holds(TriangleSetup const& setup) const;
     void begin(TriangleSetup const& setup);
     template <class Maps> void draw(TriangleSetup const& setup, Maps& maps, SampleCounters& counters);
     template <class Maps> void draw_in_any_order(TriangleSetup const& setup, Maps& maps, SampleCounters& counters);

@@ -23,6 +23,18 @@ struct ScanLine {
     int col(int i) const { return first_col + i * step; }
 };
 
+/// What lies inside of a line of the zigzag, from the left whichever way the line goes.
+struct CoveredRun {
+    std::int64_t first;  ///< columns counted from the left wall; none is inside if first > last
+    std::int64_t last;
+    std::int64_t begin;  ///< the line's own first and last pixel; never the same
+    std::int64_t end;
+    std::int64_t z_sum;  ///< w0*z0 + w1*z1 + w2*z2 at the left wall
+
+    bool covers() const { return first <= last; }
+    bool rightwards() const { return begin < end; }
+};
+
 /// Walks the box of a drawn triangle in the order of SPEC section 2: from the topmost vertex to a wall, then wall to
 /// wall.
 class ZigzagScan {
@@ -31,8 +43,15 @@ class ZigzagScan {
     static constexpr bool skips_outside = false;
 
     explicit ZigzagScan(TriangleSetup const& setup);
-    bool done() const { return done_; }
+    bool done() const { return row_ > bottom_; }
     ScanLine next_line();
+    /// The same line, for those who do not care for the order of its pixels.
+    CoveredRun next_run();
+
+    int row() const { return row_; }  ///< of the next line
+    bool is_last() const { return row_ == bottom_; }
+    int left_wall() const { return left_wall_; }
+    std::int64_t z_per_column() const { return z_per_column_; }
 
   private:
     /// Where an edge function changes its sign along the rows: the columns, counted from the left wall, at which it
@@ -63,17 +82,16 @@ class ZigzagScan {
     /// More columns than any box has.
     static constexpr std::int64_t widest = 0x7FFF;
 
-    int width_;  ///< of the box, less one
+    std::int64_t width_;  ///< of the box, less one
     int left_wall_;
     int bottom_;
     int row_;
-    int col_;  ///< counted from the left wall
+    std::int64_t col_;  ///< counted from the left wall
     int step_;
     Bound bound_[3];
     std::int64_t z_sum_ = 0;  ///< at the left wall
     std::int64_t z_per_column_ = 0;
     std::int64_t z_per_row_ = 0;
-    bool done_ = false;
 };
 
 // Inline: the rasterizer calls it for every few pixels.
@@ -116,34 +134,38 @@ inline ZigzagScan::ZigzagScan(TriangleSetup const& setup)
     }
 }
 
-inline ScanLine ZigzagScan::next_line() {
-    bool const rightwards = step_ > 0;
-    int const end = rightwards ? width_ : 0;
-    int const pixels = std::abs(end - col_) + 1;
-    std::int64_t const first =
-        std::max({std::int64_t{std::min(col_, end)}, bound_[0].first(), bound_[1].first(), bound_[2].first()});
-    std::int64_t const last =
-        std::min({std::int64_t{std::max(col_, end)}, bound_[0].last(), bound_[1].last(), bound_[2].last()});
-    std::int64_t const from = rightwards ? first : last;
-
-    ScanLine line;
-    line.row = row_;
-    line.first_col = left_wall_ + col_;
-    line.step = step_;
-    line.last = row_ == bottom_;
-    line.inside = last < first ? 0 : static_cast<int>(last - first) + 1;
-    line.before = last < first ? pixels : std::abs(static_cast<int>(from) - col_);
-    line.after = pixels - line.before - line.inside;
-    line.z_sum = z_sum_ + from * z_per_column_;
-    line.z_sum_per_step = rightwards ? z_per_column_ : -z_per_column_;
-
+inline CoveredRun ZigzagScan::next_run() {
+    std::int64_t const end = step_ > 0 ? width_ : 0;
+    CoveredRun run{};
+    run.first = std::max({std::min(col_, end), bound_[0].first(), bound_[1].first(), bound_[2].first()});
+    run.last = std::min({std::max(col_, end), bound_[0].last(), bound_[1].last(), bound_[2].last()});
+    run.begin = col_;
+    run.end = end;
+    run.z_sum = z_sum_;
     for (Bound& bound : bound_)
         bound.next_row();
     z_sum_ += z_per_row_;
     col_ = end;
     step_ = -step_;
     ++row_;
-    done_ = line.last;
+    return run;
+}
+
+inline ScanLine ZigzagScan::next_line() {
+    ScanLine line;
+    line.row = row_;
+    line.last = is_last();
+    CoveredRun const run = next_run();
+    bool const rightwards = run.rightwards();
+    int const pixels = static_cast<int>(std::abs(run.end - run.begin)) + 1;
+    std::int64_t const from = rightwards ? run.first : run.last;
+    line.first_col = left_wall_ + static_cast<int>(run.begin);
+    line.step = rightwards ? 1 : -1;
+    line.inside = run.covers() ? static_cast<int>(run.last - run.first) + 1 : 0;
+    line.before = run.covers() ? static_cast<int>(std::abs(from - run.begin)) : pixels;
+    line.after = pixels - line.before - line.inside;
+    line.z_sum = run.z_sum + from * z_per_column_;
+    line.z_sum_per_step = rightwards ? z_per_column_ : -z_per_column_;
     return line;
 }
 

@@ -95,14 +95,14 @@ class EstimateRun {
     bool find_times(io::AtomicFolder* folder) {
         if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
             return true;
-        IterationCycles const times =
+        IterationCosts const times =
             simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(folder), jobs_);
         if (!times.deadlock.empty()) {
             fmt::print(stderr, "{}", times.deadlock);
             return false;
         }
         for (std::size_t i = 0; i < rows_.size(); ++i)
-            set_time(rows_[i], times.cycles[i]);
+            set_cost(rows_[i], times.costs[i]);
         return true;
     }
 
@@ -163,11 +163,15 @@ class EstimateRun {
     /// Of the frame of the scene's mesh.
     Pose estimated_pose() const { return pose_of(estimate_.particle, scene_.size); }
 
-    void set_time(IterationRow& row, std::uint64_t cycles) const {
+    void set_cost(IterationRow& row, IterationCost const& cost) const {
         HostConfig const& host = host_of(loaded_.config);
-        row.cycles = cycles;
-        row.accelerator_ms = static_cast<double>(cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
-        row.iteration_ms = *row.accelerator_ms + (host.start_us + host.collect_us + host.resample_us) / 1000;
+        double const host_ms = (host.start_us + host.collect_us + host.resample_us) / 1000;
+        row.cycles = cost.cycles;
+        row.accelerator_ms = static_cast<double>(cost.cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
+        row.iteration_ms = *row.accelerator_ms + host_ms;
+        row.energy_mj = Estimate{cost.energy_mj.low + cost.idle_w.low * host_ms,
+                                 cost.energy_mj.typical + cost.idle_w.typical * host_ms,
+                                 cost.energy_mj.high + cost.idle_w.high * host_ms};
     }
 
     bop::PoseEstimate bop_estimate(EstimateReport const& report) const {

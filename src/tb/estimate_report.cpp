@@ -68,6 +68,15 @@ template <class Number> Json number_or_null(std::optional<Number> const& value) 
     return value ? Json(*value) : Json(nullptr);
 }
 
+Json estimate_or_null(std::optional<Estimate> const& estimate) {
+    return estimate ? Json{{"low", estimate->low}, {"typical", estimate->typical}, {"high", estimate->high}}
+                    : Json(nullptr);
+}
+
+std::string estimate_cells(std::optional<Estimate> const& estimate) {
+    return estimate ? fmt::format("{:.4f},{:.4f},{:.4f}", estimate->low, estimate->typical, estimate->high) : ",,";
+}
+
 Json iteration_json(IterationRow const& row) {
     return {{"iteration", row.number},
             {"best_sample", row.best_sample},
@@ -82,7 +91,8 @@ Json iteration_json(IterationRow const& row) {
             {"best_adds_mm", number_or_null(adds_mm(row))},
             {"cycles", number_or_null(row.cycles)},
             {"accelerator_ms", number_or_null(row.accelerator_ms)},
-            {"iteration_ms", number_or_null(row.iteration_ms)}};
+            {"iteration_ms", number_or_null(row.iteration_ms)},
+            {"energy_mj", estimate_or_null(row.energy_mj)}};
 }
 
 Json boxes_json(std::vector<DetectionConfig> const& boxes) {
@@ -127,6 +137,18 @@ std::optional<double> EstimateReport::total_ms() const {
     return total;
 }
 
+std::optional<Estimate> EstimateReport::total_mj() const {
+    Estimate total;
+    for (IterationRow const& row : iterations) {
+        if (!row.energy_mj)
+            return std::nullopt;
+        total.low += row.energy_mj->low;
+        total.typical += row.energy_mj->typical;
+        total.high += row.energy_mj->high;
+    }
+    return total;
+}
+
 std::string estimate_text(EstimateReport const& report) {
     std::string text = fmt::format("Pose of {}: {} iterations of {} samples, scored by {}\n\n", report.object,
                                    report.iterations.size(), report.samples, report.scorer);
@@ -144,20 +166,24 @@ std::string estimate_text(EstimateReport const& report) {
         text += fmt::format("  time             {:.3f} ms, of which the host {:.3f} ms\n", *total,
                             static_cast<double>(report.iterations.size()) *
                                 (report.host.start_us + report.host.collect_us + report.host.resample_us) / 1000);
+    if (std::optional<Estimate> const total = report.total_mj())
+        text += fmt::format("  energy           {:.2f} J ({:.2f} to {:.2f}), processing system included\n",
+                            total->typical / 1000, total->low / 1000, total->high / 1000);
     return text;
 }
 
 std::string estimate_csv(EstimateReport const& report) {
     std::string text =
         "iteration,best_sample,best_weight,mean_weight,effective_samples,spread_mm,spread_deg,translation_sigma_mm,"
-        "rotation_sigma_deg,best_add_mm,best_adds_mm,cycles,accelerator_ms,iteration_ms\n";
+        "rotation_sigma_deg,best_add_mm,best_adds_mm,cycles,accelerator_ms,iteration_ms,energy_low_mj,"
+        "energy_mj,energy_high_mj\n";
     for (IterationRow const& row : report.iterations)
         fmt::format_to(std::back_inserter(text),
-                       "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{}\n", row.number,
+                       "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{}\n", row.number,
                        row.best_sample, row.best_weight, row.mean_weight, row.effective_samples, row.spread_mm,
                        row.spread_deg, row.translation_sigma_mm, row.rotation_sigma_deg, cell(add_mm(row), "{:.4f}"),
                        cell(adds_mm(row), "{:.4f}"), cell(row.cycles, "{}"), cell(row.accelerator_ms, "{:.6f}"),
-                       cell(row.iteration_ms, "{:.6f}"));
+                       cell(row.iteration_ms, "{:.6f}"), estimate_cells(row.energy_mj));
     return text;
 }
 
@@ -178,6 +204,7 @@ std::string estimate_json(EstimateReport const& report) {
     json["add_mm"] = report.distances ? Json(1000 * report.distances->add_m) : Json(nullptr);
     json["adds_mm"] = report.distances ? Json(1000 * report.distances->adds_m) : Json(nullptr);
     json["total_ms"] = number_or_null(report.total_ms());
+    json["total_mj"] = estimate_or_null(report.total_mj());
     json["iterations"] = Json::array();
     for (IterationRow const& row : report.iterations)
         json["iterations"].push_back(iteration_json(row));

@@ -7,6 +7,7 @@
 #include "common/mesh.hpp"
 #include "faster/estimator_config.hpp"
 #include "kernel/config/resolved_config.hpp"
+#include "kernel/machine/path_table.hpp"
 
 namespace faster {
 
@@ -31,6 +32,7 @@ struct IterationRow {
     std::optional<std::uint64_t> cycles;  ///< of the accelerator, if it was simulated
     std::optional<double> accelerator_ms;
     std::optional<double> iteration_ms;  ///< with the host's part
+    std::optional<Estimate> energy_mj;   ///< the same
 };
 
 /// How an estimate ended.
@@ -61,6 +63,7 @@ struct EstimateReport {
     std::vector<ResolvedKey> keys;
 
     std::optional<double> total_ms() const;  ///< if all iterations have a time
+    std::optional<Estimate> total_mj() const;
 };
 
 /// For people.

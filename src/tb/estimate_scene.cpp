@@ -62,8 +62,12 @@ namespace {
 bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const& request) {
     bop::DatasetImage const* const image = dataset.find({request.scene_id, request.im_id});
     if (image == nullptr)
-        throw InputError(fmt::format("--scene {} --image {}: no such image in {}, expected one of its {} images",
-                                     request.scene_id, request.im_id, request.folder, dataset.images.size()));
+        throw InputError(fmt::format(
+            "--scene {} --image {}: no such image in {}, expected one of its {} images{}", request.scene_id,
+            request.im_id, request.folder, dataset.images.size(),
+            dataset.images.empty() ? ""
+                                   : fmt::format(", such as --scene {} --image {}", dataset.images.front().id.scene_id,
+                                                 dataset.images.front().id.im_id)));
     return *image;
 }
 

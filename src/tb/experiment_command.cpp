@@ -16,6 +16,8 @@
 #include "tb/estimate_scene.hpp"
 #include "tb/evaluate_command.hpp"
 #include "tb/experiment_estimates.hpp"
+#include "tb/experiment_failures.hpp"
+#include "tb/failure_pictures.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -24,6 +26,7 @@
 #include "workload/experiments/boxes_of_detector.hpp"
 #include "workload/experiments/experiment_file.hpp"
 #include "workload/experiments/made_dataset.hpp"
+#include "workload/files/colour_png.hpp"
 
 namespace faster {
 
@@ -277,6 +280,21 @@ void write_results(fs::path const& out, std::vector<WantedEstimate> const& wante
     io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal));
 }
 
+/// Which estimates are wrong, why, and what the worst look like.
+void write_failures(fs::path const& out, std::vector<Failure> const& failures, std::vector<SettingData> const& settings,
+                    std::size_t pictures) {
+    io::write_file_atomically(out / "failures.csv", failures_csv(failures));
+    fs::create_directories(out / "failures");
+    for (SettingData const& setting : settings) {
+        fs::path const file = out / "failures" / (setting.name + ".png");
+        std::vector<Failure> const worst = worst_of(failures, setting, pictures);
+        if (worst.empty())
+            fs::remove(file);
+        else
+            io::write_file_atomically(file, io::colour_png(failure_sheet(worst)));
+    }
+}
+
 }  // namespace
 
 int experiment(ExperimentRequest const& request) {
@@ -296,7 +314,9 @@ int experiment(ExperimentRequest const& request) {
     write_results(out, wanted, journal, settings, methods);
     for (SettingData const& setting : settings)
         judge(out, setting, methods, jobs);
-    fmt::print("\nwritten: {}\n", request.out);
+    std::vector<Failure> const failures = failures_among(wanted, journal, jobs);
+    write_failures(out, failures, settings, request.failures);
+    fmt::print("\n# failures by reason\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods), request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;
 }
 
@@ -309,6 +329,10 @@ Subcommand experiment_command() {
                     ->required()
                     ->type_name("EXPERIMENT");
                 command.add_option("--out", request->out, "Folder of scenes and results")->required()->type_name("DIR");
+                command
+                    .add_option("--failures", request->failures,
+                                "Pictures of the worst estimates of a setting, a sheet for each (8)")
+                    ->type_name("N");
                 add_jobs(command, request->jobs, "Processes at once");
                 return [request] { return experiment(*request); };
             }};

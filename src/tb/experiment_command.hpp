@@ -10,7 +10,8 @@ namespace faster {
 struct ExperimentRequest {
     std::string file;
     std::string out;
-    std::int64_t jobs = 0;  ///< processes at once; 0: the host's cores
+    std::int64_t jobs = 0;     ///< processes at once; 0: the host's cores
+    std::size_t failures = 8;  ///< pictures of a setting
 };
 
 /// Makes the scenes of an experiment file, looks for every object with every method, and judges what came out. Goes on

@@ -113,13 +113,17 @@ std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& set
     return wanted;
 }
 
+estimation::Scene scene_of(WantedEstimate const& wanted) {
+    SettingData const& setting = *wanted.setting;
+    return dataset_scene(wanted.method->loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
+                         wanted.target.obj_id, setting.boxes_of(wanted.target));
+}
+
 experiments::EstimateResult estimated(WantedEstimate const& wanted) {
     auto const start = std::chrono::steady_clock::now();
     LoadedConfig const& loaded = wanted.method->loaded;
     EstimatorConfig const& config = estimator_of(loaded.config);
-    SettingData const& setting = *wanted.setting;
-    estimation::Scene scene = dataset_scene(loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
-                                            wanted.target.obj_id, setting.boxes_of(wanted.target));
+    estimation::Scene scene = scene_of(wanted);
     std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded.config, scene, 1);
     experiments::EstimateResult result;
     estimation::Estimate const estimate = estimation::estimate(

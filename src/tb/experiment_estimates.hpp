@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "estimation/scene.hpp"
 #include "kernel/config/load_config.hpp"
 #include "workload/bop/dataset.hpp"
 #include "workload/bop/detections.hpp"
@@ -39,6 +40,9 @@ struct WantedEstimate {
 /// the same share of everything. Throws InputError for a file that is not there.
 std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
                                              std::vector<MethodData> const& methods);
+
+/// What one looks at.
+estimation::Scene scene_of(WantedEstimate const& wanted);
 
 /// Does one, on this thread.
 experiments::EstimateResult estimated(WantedEstimate const& wanted);

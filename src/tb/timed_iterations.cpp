@@ -1,6 +1,7 @@
 #include "tb/timed_iterations.hpp"
 
 #include <fmt/format.h>
+#include <sstream>
 #include <stdexcept>
 
 #include "faster/faster_config.hpp"
@@ -8,6 +9,7 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/config/design.hpp"
+#include "kernel/figures/power.hpp"
 #include "kernel/report/text_report.hpp"
 #include "modules/faster_simulation.hpp"
 #include "tool/progress_line.hpp"
@@ -20,7 +22,7 @@ namespace faster {
 namespace {
 
 constexpr double time_limit_s = 3600;
-constexpr char cycles_mark = 'c';
+constexpr char cost_mark = 'c';
 constexpr char deadlock_mark = 'd';
 constexpr char difference_mark = 'x';
 constexpr char input_error_mark = 'i';
@@ -31,6 +33,27 @@ std::string first_difference(RunStatistics const& run, std::vector<SampleCounter
         if (!(counters_from(run.samples[i].counters) == expected[i]))
             return fmt::format("sample {}", i);
     return {};
+}
+
+Estimate sum(Estimate const& a, Estimate const& b) { return {a.low + b.low, a.typical + b.typical, a.high + b.high}; }
+
+/// For the way from one process to another: every number comes back as it was.
+std::string text_of(Estimate const& estimate) {
+    return fmt::format(" {} {} {}", estimate.low, estimate.typical, estimate.high);
+}
+
+std::string cost_text(RunStatistics const& run) {
+    RunPower const power = power_of(run);
+    return std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(sum(power.static_w, power.ps_w));
+}
+
+IterationCost cost_from(std::string const& text) {
+    IterationCost cost;
+    std::istringstream numbers(text);
+    numbers >> cost.cycles;
+    for (Estimate* const estimate : {&cost.energy_mj, &cost.idle_w})
+        numbers >> estimate->low >> estimate->typical >> estimate->high;
+    return cost;
 }
 
 /// What one process does: an iteration of all.
@@ -66,7 +89,7 @@ class IterationSimulation {
         if (events)
             write_events(*events, loaded_, recorded, run);
         std::string const difference = first_difference(run, iteration.counters);
-        return difference.empty() ? cycles_mark + std::to_string(run.total_cycles) : difference_mark + difference;
+        return difference.empty() ? cost_mark + cost_text(run) : difference_mark + difference;
     }
 
     LoadedConfig const& loaded_;
@@ -99,12 +122,12 @@ void announce_waveform(IterationRecording const& recording, LoadedConfig const& 
 
 }  // namespace
 
-IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
-                                    std::vector<ScoredPoses> const& iterations,
-                                    std::optional<IterationRecording> const& recording, std::size_t jobs) {
+IterationCosts simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
+                                   std::vector<ScoredPoses> const& iterations,
+                                   std::optional<IterationRecording> const& recording, std::size_t jobs) {
     if (recording)
         announce_waveform(*recording, loaded, observed, iterations.at(recording->iteration));
-    IterationCycles result;
+    IterationCosts result;
     IterationSimulation const simulation(loaded, observed, recording);
     std::vector<processes::Outcome> const outcomes = simulate_all(simulation, iterations, jobs);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -121,7 +144,7 @@ IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& 
             result.deadlock = output.substr(1);
             return result;
         }
-        result.cycles.push_back(std::stoull(output.substr(1)));
+        result.costs.push_back(cost_from(output.substr(1)));
     }
     return result;
 }

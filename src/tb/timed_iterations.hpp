@@ -6,6 +6,7 @@
 
 #include "common/stimulus.hpp"
 #include "kernel/config/load_config.hpp"
+#include "kernel/machine/path_table.hpp"
 #include "tool/recording_options.hpp"
 
 namespace faster {
@@ -16,9 +17,16 @@ struct ScoredPoses {
     std::vector<SampleCounters> counters;
 };
 
-/// Cycles of all iterations, or what went wrong.
-struct IterationCycles {
-    std::vector<std::uint64_t> cycles;
+/// What an iteration costs on the accelerator.
+struct IterationCost {
+    std::uint64_t cycles = 0;
+    Estimate energy_mj;  ///< of these cycles
+    Estimate idle_w;     ///< while the accelerator waits for the host
+};
+
+/// Of all iterations, or what went wrong.
+struct IterationCosts {
+    std::vector<IterationCost> costs;
     std::string deadlock;  ///< the report of the first that got stuck; empty if none
 };
 
@@ -33,8 +41,8 @@ struct IterationRecording {
 /// Simulates every iteration on the configured accelerator, each in a process of its own, as the SystemC kernel
 /// elaborates once; `jobs` at once. A model whose counters are not those that the loop went by is a std::runtime_error.
 /// Throws InputError for a recording that cannot be written, and for a simulation that crashes.
-IterationCycles simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
-                                    std::vector<ScoredPoses> const& iterations,
-                                    std::optional<IterationRecording> const& recording, std::size_t jobs);
+IterationCosts simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
+                                   std::vector<ScoredPoses> const& iterations,
+                                   std::optional<IterationRecording> const& recording, std::size_t jobs);
 
 }  // namespace faster

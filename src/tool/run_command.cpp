@@ -93,10 +93,11 @@ int give_up(RunRequest const& request, std::vector<std::string> const& overrides
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
-    if (!outputs.report)
-        return exit_deadlock;
-    write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
-    warn("\nwritten: {}\n", request.report);
+    if (outputs.report)
+        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
+    for (std::string const& written : {request.out, request.report, written_files(request.recording)})
+        if (!written.empty())
+            warn("\nwritten: {}\n", written);
     return exit_deadlock;
 }
 

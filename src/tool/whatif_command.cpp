@@ -54,8 +54,10 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
         warn("{}", report::deadlock_report(run));
-        if (folder)
+        if (folder) {
             folder->write_deadlock(changed.config, run);
+            warn("\nwritten: {}\n", request.out);
+        }
         return exit_deadlock;
     }
     if (run.samples.size() != recorded.samples.size() || !leftover_tokens(run).empty())

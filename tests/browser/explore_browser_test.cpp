@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 #include "support/browser.hpp"
 #include "support/explore_process.hpp"
@@ -66,6 +69,9 @@ Words words_of(std::string const& text) {
     std::istringstream stream(text);
     return {std::istream_iterator<std::string>(stream), {}};
 }
+
+/// What the server does in the background gives way to everything else on the host.
+constexpr std::chrono::seconds background{200};
 
 std::string button(std::string const& text) {
     return "[...document.querySelectorAll('button')].find((b) => b.textContent == '" + text + "')";
@@ -153,7 +159,7 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
         return;
     Page page(390);
     page.browser().value(button("size FIFOs") + ".click()");
-    REQUIRE(page.browser().becomes_true("Boolean(document.getElementById('take-sizing'))"));
+    REQUIRE(page.browser().becomes_true("Boolean(document.getElementById('take-sizing'))", background));
     page.browser().click("#take-sizing");
     REQUIRE(page.browser().becomes_true("location.hash.includes('depth')"));
     page.browser().value(button("copy --set") + ".click()");
@@ -162,7 +168,7 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
     CHECK(page.cycles() == page.cycles_of_tool(words));
     CHECK(page.browser().becomes_true("document.querySelectorAll('#tried tbody tr').length > 3"));
     CHECK(page.browser().becomes_true(
-        "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))"));
+        "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))", background));
     page.browser().click("#graph-box .fifo");  // shows its keys alone
     CHECK(page.browser().becomes_true("document.querySelectorAll('#key-list .key').length <= 4"));
     page.check_soundness();
@@ -184,8 +190,51 @@ TEST_CASE("Behind an external memory the page shows a sample's timeline, and say
     page.browser().value(button("size FIFOs") + ".click()");
     CHECK(page.browser().becomes_true(
         "document.getElementById('sizing-note').textContent.includes('so depths are not searched') || "
-        "Boolean(document.getElementById('take-sizing'))"));
+        "Boolean(document.getElementById('take-sizing'))",
+        background));
     page.check_soundness();
+}
+
+// faster_browser_tests "[latency]": a measurement, and no test, as it depends on the host and on what else it does.
+TEST_CASE("How long the new total of the main job takes from the mouse to the screen", "[.latency]") {
+    if (browser_is_missing())
+        return;
+    TempFolder const folder;
+    require_done(run_command(FASTER_SIM_BINARY,
+                             {"run", FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml", "--events", "events"},
+                             folder.path()));
+    ExploreProcess const process(FASTER_SIM_BINARY, {"events"}, folder.path());
+    LiveBrowser browser(1280, 900);
+    browser.open(process.address());
+    REQUIRE(browser.becomes_true("[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))",
+                                 background));
+    // From the mouse's event to the frame in which the headline is new.
+    browser.value(
+        "delays = []; asked = 0; addEventListener('input', (event) => { moved_at = event.timeStamp; }, true);"
+        "ask = fetch; fetch = (what, how) => { asked += what == 'retime' ? 1 : 0; return ask(what, how); };"
+        "headline = document.getElementById('headline');"
+        "new MutationObserver(() => { const since = moved_at; requestAnimationFrame(() => setTimeout(() => "
+        "delays.push([performance.now() - since, Number(headline.dataset.milliseconds)]))); })"
+        ".observe(headline, { childList: true }); 0");
+    std::vector<double> shares;
+    for (int i = 1; i <= 20; ++i)
+        shares.push_back(i / 20.0);
+    for (char const* key : {"accelerator.fifos.edge_token.depth", "accelerator.fifos.command.depth",
+                            "accelerator.loops.rasterizer.setup.depth"})
+        browser.drag_slider(Page::slider(key), shares, [&] {
+            REQUIRE(browser.becomes_true("delays.length == asked"));
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the rest of the page is drawn meanwhile
+        });
+    REQUIRE(browser.value("asked") >= 30);
+    for (int column : {0, 1}) {
+        std::vector<double> delays;
+        for (Json const& row : browser.value("delays"))
+            delays.push_back(row[static_cast<std::size_t>(column)]);
+        std::sort(delays.begin(), delays.end());
+        WARN((column == 0 ? "mouse to screen: " : "question to answer: ")
+             << delays.size() << " changes, median " << delays[delays.size() / 2] << " ms, nine tenths below "
+             << delays[delays.size() * 9 / 10] << " ms, most " << delays.back() << " ms");
+    }
 }
 
 }  // namespace explore_browser_test

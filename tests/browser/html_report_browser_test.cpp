@@ -180,6 +180,7 @@ TEST_CASE("The page of a deadlock draws the circle, and says what frees it, on a
     CHECK(texts("#commands")[0] == "faster-sim run a.yaml --set b=1 --set " + key +
                                        "=4096 --set accelerator.fifos.edge_map.depth=4096 --events "
                                        "deep.events\nfaster-sim size-fifos deep.events --within 5 --points 0");
+    CHECK(texts("#before")[0] == "faster-sim run a.yaml --set " + key + "=2 --set b=1 --fst stuck.fst --vcd-from 0");
     CHECK(browser.value("document.querySelectorAll('#graph-box .process.stuck').length") == 3);
     CHECK(browser.value("document.querySelectorAll('#graph-box .process.waiting:not(.stuck)').length") == 1);
     CHECK(browser.value("document.querySelectorAll('h1 *, td *:not(.tag)').length") == 0);

@@ -69,11 +69,11 @@ TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]")
     CHECK(found["iterations"][24]["best_weight"] == found["weight"]);
     Words const rows = lines_of(workspace.text("out/iterations.csv"));
     REQUIRE(rows.size() == 26);
-    CHECK(cells_of(rows[0]).size() == 14);
+    CHECK(cells_of(rows[0]).size() == 17);
     double weight = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         Words const row = cells_of(rows[i]);
-        REQUIRE(row.size() == 14);
+        REQUIRE(row.size() == 17);
         CHECK(std::stod(row[2]) >= weight);
         CHECK(std::stod(row[4]) <= 200);
         CHECK(row[11].empty());  // cycles
@@ -119,9 +119,19 @@ TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's
             continue;
         std::string const trace = "out/traces/iteration_000" + std::to_string(k);
         require_done(workspace.run({"run", "config.yaml", "--trace", trace, "--out", "run"}));
-        CHECK(workspace.json("run/summary.json")["total_cycles"] == iteration["cycles"]);
+        Json const summary = workspace.json("run/summary.json");
+        CHECK(summary["total_cycles"] == iteration["cycles"]);
+        for (char const* const bound : {"low", "typical", "high"}) {
+            auto const of_run = [&](char const* key) { return summary["power"][key][bound].get<double>(); };
+            CHECK(iteration["energy_mj"][bound].get<double>() ==
+                  Approx(of_run("energy_mj") + (of_run("static_w") + of_run("ps_w")) * 1));  // a millisecond of host
+        }
     }
     CHECK(found["total_ms"].get<double>() == Approx(total));
+    CHECK(found["total_mj"]["typical"].get<double>() ==
+          Approx(found["iterations"][0]["energy_mj"]["typical"].get<double>() +
+                 found["iterations"][1]["energy_mj"]["typical"].get<double>() +
+                 found["iterations"][2]["energy_mj"]["typical"].get<double>()));
     CHECK_FALSE(workspace.has("out/traces/iteration_0001"));
     // The loop goes by the same counters, timed or not.
     require_done(workspace.estimate({"--out", "untimed", "--set", "estimator.iterations=3", "--untimed"}));
@@ -213,7 +223,7 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
     }
     SECTION("what the dataset does not have") {
         check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
-        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image"});
+        check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image", "such as --scene "});
     }
 }
 

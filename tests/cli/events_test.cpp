@@ -92,11 +92,12 @@ TEST_CASE("whatif refuses keys that decide about more than time, by name") {
 TEST_CASE("whatif reports a deadlock as a run does") {
     Workspace const workspace;
     Words const setting{"--set", "accelerator.fifos.fragment_depth.depth=1"};
-    CommandResult const run = workspace.tool({"run", "config.yaml", "--out", "run", setting[0], setting[1]});
-    CommandResult const whatif = workspace.whatif({"--out", "whatif", setting[0], setting[1]});
+    CommandResult const run = workspace.tool({"run", "config.yaml", "--out", "out", setting[0], setting[1]});
+    auto const summary = workspace.summary("out");
+    CommandResult const whatif = workspace.whatif({"--out", "out", setting[0], setting[1]});
     CHECK(whatif.exit_code == 3);
     CHECK(whatif.err == run.err);
-    CHECK(workspace.summary("whatif") == workspace.summary("run"));
+    CHECK(workspace.summary("out") == summary);
 }
 
 TEST_CASE("A run that deadlocks writes no event file") {

@@ -16,14 +16,14 @@ class Workspace {
   public:
     Workspace() { write("methods: {faster: {}, grip: {estimator.backend: grip}}\n"); }
 
-    void write(std::string const& methods) const {
+    void write(std::string const& methods, std::string const& boxes = "shift: 0.1, wrong: 0.5") const {
         folder_.write("experiment.yaml",
                       "format: faster-experiment\n"
                       "version: 1\n"
                       "set: {workload.samples.count: 12, estimator.iterations: 2, workload.max_triangles: 200}\n"
                       "scenes:\n"
-                      "  dark: {objects: [banana], images: 2, visible: [0.8, 1], boxes: {shift: 0.1, wrong: 0.5}}\n" +
-                          methods);
+                      "  dark: {objects: [banana], images: 2, visible: [0.8, 1], boxes: {" +
+                          boxes + "}}\n" + methods);
     }
     CommandResult experiment(Words words) const {
         words.insert(words.begin(), {"experiment", "experiment.yaml"});
@@ -59,6 +59,35 @@ TEST_CASE("An experiment makes scenes, looks for objects, judges, and goes on wh
     CHECK_THAT(more.out, Contains("6 estimates, 3 of them done already"));
     for (std::string const& line : lines_of(estimates))
         CHECK_THAT(workspace.text("out/estimates.csv"), Contains(line));
+}
+
+TEST_CASE("Every estimate that is 2 cm off has a reason that its row of failures.csv bears out", "[experiment]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.experiment({"--out", "out", "--failures", "3"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("failures by reason"));
+    std::vector<std::string> const rows = lines_of(workspace.text("out/failures.csv"));
+    REQUIRE(rows.size() > 1);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        CAPTURE(rows[i]);
+        std::vector<std::string> const cells = cells_of(rows[i]);
+        REQUIRE(cells.size() == 11);
+        double const weight = std::stod(cells[6]), truth_weight = std::stod(cells[7]);
+        double const add_mm = std::stod(cells[8]), adds_mm = std::stod(cells[9]);
+        std::string const reason = cells[10];
+        CHECK(add_mm >= 20);
+        CHECK((reason == "symmetry") == (adds_mm < 20));
+        if (reason == "score" || reason == "search")
+            CHECK((reason == "score") == (weight >= truth_weight));
+    }
+    CHECK(std::filesystem::exists(workspace.folder() / "out/failures/dark.png"));
+
+    workspace.write("methods: {faster: {}}\n", "missing: 1");
+    require_done(workspace.experiment({"--out", "out", "--failures", "0"}));
+    CHECK_FALSE(std::filesystem::exists(workspace.folder() / "out/failures/dark.png"));
+    for (std::string const& row : lines_of(workspace.text("out/failures.csv")))
+        if (cells_of(row).front() == "dark" && std::stod(cells_of(row)[9]) >= 20)
+            CHECK(cells_of(row).back() == "box");
 }
 
 TEST_CASE("An experiment refuses in one line what it cannot use", "[experiment]") {

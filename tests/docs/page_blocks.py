@@ -13,7 +13,7 @@ import textwrap
 from dataclasses import dataclass, field
 from pathlib import Path
 
-COMMANDS = re.compile(r"\(?(?:[A-Z_]+=\S+ )*(?:\S*/)?(?:faster-sim|faster_\w+_bench|python3|pipeline|bash|sh|cmake|ctest|cd|export|git|apt|apt-get|diff|printf|time|parallel|"
+COMMANDS = re.compile(r"\(?(?:[A-Z_]+=\S+ )*(?:\S*/)?(?:faster-sim|faster_\w+_(?:bench|tests)|python3|pipeline|bash|sh|cmake|ctest|cd|export|git|apt|apt-get|diff|printf|time|parallel|"
                       r"sbatch|gtkwave|source|setup\.sh)(?!\S)")
 FILE = re.compile(r"# ([\w.-]+\.(?:yaml|csv|json))$")
 

@@ -50,6 +50,7 @@ NOT_RUN = {
     "build/lto": "another build",
     "_bench": "a benchmark: minutes, and its figures are the host's",
     "bench/from_python.py": "a benchmark",
+    "[latency]": "a measurement",
     "faster-sim explore": "serves until it is interrupted; tests/cli/explore_test.cpp",
     "gtkwave": "a program with a window",
     "/usr/bin/python3": "interactive; python.the_package_does_what_the_program_does runs the page",

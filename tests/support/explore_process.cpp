@@ -33,7 +33,7 @@ ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string>
     std::string const out = output_ / "stdout";
     process_ = fork();
     if (process_ == 0) {
-        constexpr unsigned longest_life_s = 120;
+        constexpr unsigned longest_life_s = 280;
         std::signal(SIGINT, SIG_DFL);
         alarm(longest_life_s);
         int const file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -41,7 +41,7 @@ ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string>
             execv(pointers.front(), pointers.data());
         _exit(127);
     }
-    for (int tries = 0; tries < 3000 && address_.empty(); ++tries) {
+    for (int tries = 0; tries < 6000 && address_.empty(); ++tries) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         address_ = first_line(out);
     }

@@ -18,7 +18,7 @@ namespace {
 
 /// Never returns. The browser reads from descriptor 3 and writes to 4.
 [[noreturn]] void become_browser(std::string const& profile, int requests, int answers) {
-    constexpr unsigned longest_life_s = 120;
+    constexpr unsigned longest_life_s = 280;
     alarm(longest_life_s);
     int const quiet = open("/dev/null", O_RDWR);
     dup2(quiet, STDOUT_FILENO);
@@ -34,6 +34,12 @@ namespace {
 }
 
 std::string quoted(std::string const& text) { return Json(text).dump(); }
+
+/// Where the thumb of a slider is, as an expression.
+std::string share_of(std::string const& selector) {
+    return "(() => { const e = document.querySelector(" + quoted(selector) +
+           "); return (e.value - e.min) / (e.max - e.min); })()";
+}
 
 }  // namespace
 
@@ -107,8 +113,9 @@ Json LiveBrowser::value(std::string const& expression) {
     return answer["result"].value("value", Json());
 }
 
-bool LiveBrowser::becomes_true(std::string const& expression) {
-    for (int tries = 0; tries < 500; ++tries) {
+bool LiveBrowser::becomes_true(std::string const& expression, std::chrono::seconds within) {
+    using Clock = std::chrono::steady_clock;
+    for (Clock::time_point const end = Clock::now() + within; Clock::now() < end;) {
         if (value(expression) == true)
             return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -129,25 +136,58 @@ void LiveBrowser::mouse(std::string const& type, double x, double y, int buttons
          {{"type", type}, {"x", x}, {"y", y}, {"button", "left"}, {"buttons", buttons}, {"clickCount", 1}});
 }
 
+/// Presses at a place in an element's box that `place_in` chooses, and again if something pushed it away meanwhile: a
+/// busy page is still being laid out.
+LiveBrowser::Point LiveBrowser::press_on(std::string const& selector,
+                                         std::function<Point(Box const&)> const& place_in) {
+    constexpr int most_tries = 50;
+    for (int tries = 0; tries < most_tries; ++tries) {
+        value("mouse_has_hit = false; document.querySelector(" + quoted(selector) +
+              ").addEventListener('mousedown', () => { mouse_has_hit = true; }, { capture: true, once: true }); 0");
+        Point const at = place_in(box_of(selector));
+        mouse("mousePressed", at.x, at.y, 1);
+        if (value("mouse_has_hit") == true)
+            return at;
+        mouse("mouseReleased", at.x, at.y, 0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    throw std::runtime_error(selector + ": the mouse does not hit it");
+}
+
 void LiveBrowser::click(std::string const& selector) {
-    Box const box = box_of(selector);
-    double const x = box.left + box.width / 2, y = box.top + box.height / 2;
-    mouse("mousePressed", x, y, 1);
-    mouse("mouseReleased", x, y, 0);
+    Point const at = press_on(selector, [](Box const& box) {
+        return Point{box.left + box.width / 2, box.top + box.height / 2};
+    });
+    mouse("mouseReleased", at.x, at.y, 0);
 }
 
 void LiveBrowser::drag_slider(std::string const& selector, double share) {
-    constexpr double half_thumb = 8;  // pixels
     constexpr int moves = 8;
-    Box const box = box_of(selector);
-    Json const at = value("(() => { const e = document.querySelector(" + quoted(selector) +
-                          "); return (e.value - e.min) / (e.max - e.min); })()");
-    auto const x_of = [&](double part) { return box.left + half_thumb + (box.width - 2 * half_thumb) * part; };
-    double const from = x_of(at), to = x_of(share), y = box.top + box.height / 2;
-    mouse("mousePressed", from, y, 1);
+    double const from = value(share_of(selector));
+    std::vector<double> shares;
     for (int i = 1; i <= moves; ++i)
-        mouse("mouseMoved", from + (to - from) * i / moves, y, 1);
-    mouse("mouseReleased", to, y, 0);
+        shares.push_back(from + (share - from) * i / moves);
+    drag_slider(selector, shares, [] {});
+}
+
+void LiveBrowser::drag_slider(std::string const& selector, std::vector<double> const& shares,
+                              std::function<void()> const& moved) {
+    constexpr double half_thumb = 8;  // pixels
+    double const from = value(share_of(selector));
+    Box box{};
+    auto const at_share = [&box](double share) {
+        return Point{box.left + half_thumb + (box.width - 2 * half_thumb) * share, box.top + box.height / 2};
+    };
+    Point at = press_on(selector, [&](Box const& now) {
+        box = now;
+        return at_share(from);
+    });
+    for (double const share : shares) {
+        at = at_share(share);
+        mouse("mouseMoved", at.x, at.y, 1);
+        moved();
+    }
+    mouse("mouseReleased", at.x, at.y, 0);
 }
 
 void LiveBrowser::wheel(std::string const& selector, double by) {

@@ -1,7 +1,10 @@
 #pragma once
+#include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 #include "support/temp_folder.hpp"
 
@@ -19,8 +22,8 @@ class LiveBrowser {
     void open(std::string const& address);
     /// The value of an expression in the page; of a promise, what it comes to. Throws std::runtime_error if it throws.
     nlohmann::json value(std::string const& expression);
-    /// Until an expression is true; false after ten seconds.
-    bool becomes_true(std::string const& expression);
+    /// Until an expression is true; false after some time, which is long, as the host may be busy with other things.
+    bool becomes_true(std::string const& expression, std::chrono::seconds within = std::chrono::minutes(1));
     /// Where the middle of an element is; it is scrolled into view.
     struct Box {
         double left, top, width, height;
@@ -29,6 +32,9 @@ class LiveBrowser {
     void click(std::string const& selector);
     /// Takes the thumb of a slider to a share of its length, in several moves of the mouse.
     void drag_slider(std::string const& selector, double share);
+    /// To one share after the other; `moved` is called before the next.
+    void drag_slider(std::string const& selector, std::vector<double> const& shares,
+                     std::function<void()> const& moved);
     /// Turns the wheel over the middle of an element; away from the user is negative.
     void wheel(std::string const& selector, double by);
     void press_with_control(char letter);
@@ -39,6 +45,10 @@ class LiveBrowser {
   private:
     nlohmann::json call(std::string const& method, nlohmann::json const& parameters);
     nlohmann::json read_message();
+    struct Point {
+        double x, y;
+    };
+    Point press_on(std::string const& selector, std::function<Point(Box const&)> const& place_in);
     void mouse(std::string const& type, double x, double y, int buttons);
 
     TempFolder profile_;

@@ -17,11 +17,11 @@ class DualMap final : public EdgeMapPolicy {
     }
 
     void take_run(int row, int first_col, int end_col, bool /*rightwards*/) override {
-        set_run(row, first_col, end_col, maps_.marked_objects());
+        set_run(row, first_col, end_col, maps_.marks().object);
     }
 
-    /// take() of an edge token if `is_sent`.
-    void take_edge_if(bool is_sent, int row, int col) { maps_.mark_edge_if(is_sent, row, col); }
+    /// For all tokens but the last.
+    TokenMarks marks() { return maps_.marks(); }
 
     bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
         maps_.take(token, watch);

@@ -4,6 +4,7 @@
 
 #include "common/tokens.hpp"
 #include "datapath/edge_map/map_watch.hpp"
+#include "datapath/edge_map/token_marks.hpp"
 
 namespace faster::datapath {
 
@@ -38,14 +39,8 @@ class EdgeMaps {
         return is_object;
     }
 
-    /// Where mark() marks object tokens, W x W: for many at once.
-    std::uint8_t* marked_objects() { return map_[1] + side_; }
-
-    /// mark() of an edge token if `is_sent`, without a branch: otherwise a byte is set that nobody reads.
-    void mark_edge_if(bool is_sent, int row, int col) {
-        bool const counts = is_sent & is_inside(row) & is_inside(col);
-        map_[0][counts ? index(row, col) : 0] = 1;
-    }
+    /// Where mark() marks tokens, for those who have many.
+    TokenMarks marks() { return {map_[0] + side_, map_[1] + side_}; }
 
     /// Makes the edge map what it is after all tokens marked since clear(), before anything else looks at the maps.
     void settle();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "datapath/edge_map/edge_map_policy.hpp"
+#include "datapath/edge_map/token_marks.hpp"
 
 namespace faster::datapath {
 
@@ -27,7 +28,8 @@ class InnerBorder final : public EdgeMapPolicy {
         set_run(row, first_col, end_col, object_.data());
     }
 
-    void take_edge_if(bool /*is_sent*/, int /*row*/, int /*col*/) {}
+    /// For all tokens; those of edges say nothing, and finish() writes over them.
+    TokenMarks marks() { return {edge_.data(), object_.data()}; }
 
     bool take_watched(EdgeToken const& token, MapWatch const& watch) override {
         take_one(token, watch);
@@ -40,8 +42,7 @@ class InnerBorder final : public EdgeMapPolicy {
 
     void finish() override {
         for (int row = 0; row < side(); ++row)
-            for (int col = 0; col < side(); ++col)
-                edge_[index(row, col)] = is_border(row, col) ? 1 : 0;
+            find_border_in(row);
     }
 
     std::size_t rows_read_ahead() const override { return 1; }
@@ -57,12 +58,21 @@ class InnerBorder final : public EdgeMapPolicy {
         watch.writes_object(index(token.row, token.col));
     }
 
-    bool is_border(int row, int col) const {
-        return is_covered(row, col) && !(is_covered(row - 1, col) && is_covered(row + 1, col) &&
-                                         is_covered(row, col - 1) && is_covered(row, col + 1));
-    }
-    bool is_covered(int row, int col) const {
-        return !is_inside(row) || !is_inside(col) || object_[index(row, col)] != 0;
+    /// A pixel that stands for a neighbour outside the window is covered wherever it could be border.
+    void find_border_in(int row) {
+        int const last = side() - 1;
+        std::uint8_t const* const here = &object_[index(row, 0)];
+        std::uint8_t const* const above = row > 0 ? here - side() : here;
+        std::uint8_t const* const below = row < last ? here + side() : here;
+        std::uint8_t* const edge = &edge_[index(row, 0)];
+        auto const find = [=](int col, int left, int right) {
+            auto const inner = static_cast<unsigned>(above[col] & below[col] & here[left] & here[right]);
+            edge[col] = static_cast<std::uint8_t>(here[col] & (inner ^ 1U));
+        };
+        find(0, 0, std::min(1, last));
+        for (int col = 1; col < last; ++col)
+            find(col, col - 1, col + 1);
+        find(last, std::max(0, last - 1), last);
     }
 
     std::vector<std::uint8_t> edge_;

@@ -12,6 +12,13 @@ function show_headline() {
   ]);
 }
 
+const cycles_before = 2000;
+
+function show_command_for_before() {
+  const settings = data.settings.map((setting) => ` --set ${setting}`).join("");
+  by_id("before").textContent = `${data.command}${settings} --fst stuck.fst --vcd-from ${Math.max(0, deadlock.cycle - cycles_before)}`;
+}
+
 function show_commands() {
   const deeper = deadlock.deeper.map(({ key }) => key);
   if (deeper.length === 0) return by_id("how-deep").remove();
@@ -63,6 +70,7 @@ function show_fifos() {
 show_headline();
 show_deadlock(by_id("deadlock"), deadlock);
 show_commands();
+show_command_for_before();
 show_graph();
 show_stuck();
 show_fifos();

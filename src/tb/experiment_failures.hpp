@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/experiment_estimates.hpp"
+
+namespace faster {
+
+/// Why an estimate is not where the object is: the first of these that holds (docs/poses.md).
+enum class FailureReason {
+    box,       ///< no box of the first stage, or none that has a tenth in common with the object's
+    size,      ///< more than a tenth of the object's box lies outside of the accelerator's window
+    hidden,    ///< less than a tenth of the object can be seen, says the annotation
+    symmetry,  ///< turned, but the points lie right: ADD is 2 cm or more, ADD-S is less
+    score,     ///< the estimate weighs no less than the true pose
+    search,    ///< the true pose weighs more, and no sample found it
+};
+constexpr std::array<char const*, 6> failure_reasons{"box", "size", "hidden", "symmetry", "score", "search"};
+
+/// An estimate with an ADD of 2 cm or more.
+struct Failure {
+    WantedEstimate const* wanted = nullptr;
+    experiments::EstimateResult const* result = nullptr;
+    double add_mm = 0;
+    double adds_mm = 0;
+    FailureReason reason = FailureReason::search;
+
+    char const* reason_name() const { return failure_reasons[static_cast<std::size_t>(reason)]; }
+};
+
+/// Of all estimates that are there, in their order. Those whose truth is not known are none.
+std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
+                                    experiments::EstimateJournal const& journal, std::size_t jobs);
+
+/// A row per failure.
+std::string failures_csv(std::vector<Failure> const& failures);
+
+/// How many of each reason, a line per setting and method; Markdown.
+std::string failures_table(std::vector<Failure> const& failures, std::vector<SettingData> const& settings,
+                           std::vector<MethodData> const& methods);
+
+}  // namespace faster

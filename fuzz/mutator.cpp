@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t most_bytes = 65536, longest_part = 64;
 
 /// Numbers and marks on which readers have stumbled.
-constexpr std::array<char const*, 24> words{"0",   "-1", "1",  "2147483648", "4294967296", "9223372036854775808",
-                                            "1e999", "-0", "nan", "inf",     "1e-320",     "null",
-                                            "true", "[]", "{}", "[[[[[[",     "{a: ",       "&a [*a, *a]",
-                                            "\"",   "\n", ",",  ": ",         "\x1b[2J",    "\xff\xfe"};
+constexpr std::array<char const*, 24> words{"0",     "-1", "1",   "2147483648", "4294967296", "9223372036854775808",
+                                            "1e999", "-0", "nan", "inf",        "1e-320",     "null",
+                                            "true",  "[]", "{}",  "[[[[[[",     "{a: ",       "&a [*a, *a]",
+                                            "\"",    "\n", ",",   ": ",         "\x1b[2J",    "\xff\xfe"};
 
 bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '.'; }
 
@@ -52,16 +52,26 @@ std::string Mutator::any_part() {
 void Mutator::change(std::string& bytes) {
     std::size_t const place = below(bytes.size());
     switch (below(7)) {
-        case 0: bytes.insert(place, any_part()); break;
-        case 1: bytes.erase(place, 1 + below(longest_part)); break;
-        case 2: bytes.insert(place, words[below(words.size())]); break;
-        case 3: bytes.replace(place, 1 + below(longest_part), any_part()); break;
+        case 0:
+            bytes.insert(place, any_part());
+            break;
+        case 1:
+            bytes.erase(place, 1 + below(longest_part));
+            break;
+        case 2:
+            bytes.insert(place, words[below(words.size())]);
+            break;
+        case 3:
+            bytes.replace(place, 1 + below(longest_part), any_part());
+            break;
         case 4: {
             auto const [begin, end] = number_at(bytes, place);
             bytes.replace(begin, end - begin, words[below(words.size())]);
             break;
         }
-        case 5: bytes.resize(place); break;  // a cut
+        case 5:
+            bytes.resize(place);
+            break;  // a cut
         default:
             if (!bytes.empty())
                 bytes[place] = static_cast<char>(static_cast<unsigned char>(bytes[place]) ^ (1U << below(8)));

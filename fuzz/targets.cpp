@@ -1,6 +1,7 @@
 #include "fuzz/targets.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
@@ -31,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for the files that readers get: in memory if the host has such a place.
+/// A folder for the files that readers get: in memory if the host has such a place, and nobody says where.
 class Folder {
   public:
     Folder() : path_(root() / ("faster-fuzz-" + std::to_string(getpid()))) { fs::create_directories(path_); }
@@ -50,7 +51,10 @@ class Folder {
     }
 
   private:
-    static fs::path root() { return fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path(); }
+    static fs::path root() {
+        bool const is_told = std::getenv("TMPDIR") != nullptr;
+        return !is_told && fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
+    }
 
     fs::path path_;
 };

@@ -32,12 +32,14 @@ mkdir -p build/fuzz/found build/fuzz/logs
 fuzz_one() { # TARGET: new inputs are kept in build/fuzz/corpus, beside the ones of the tree
     local work=build/fuzz/corpus/$1
     mkdir -p "$work"
-    local log=build/fuzz/logs/$1.log status=0
+    local log=build/fuzz/logs/$1.log status=0 files
+    files=$(mktemp -d -p "$in_memory") # what readers get; the fuzzer ends without removing anything
     # The readers of meshes and the engine fork; what a killed child leaks is not theirs.
-    ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
+    TMPDIR=$files ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
         "$program" --target="$1" "$work" "fuzz/corpus/$1" -max_total_time="$seconds" -timeout=10 \
         -rss_limit_mb=2048 -max_len=65536 -artifact_prefix="build/fuzz/found/$1-" -print_final_stats=1 \
         > "$log" 2>&1 || status=$?
+    rm -rf "$files"
     local tried new
     tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1)
     new=$(sed -n 's/^stat::new_units_added: *//p' "$log" | tail -n 1)
@@ -48,5 +50,6 @@ fuzz_one() { # TARGET: new inputs are kept in build/fuzz/corpus, beside the ones
     return "$status"
 }
 export -f fuzz_one
-export program seconds
+in_memory=$(test -d /dev/shm && echo /dev/shm || echo "${TMPDIR:-/tmp}")
+export program seconds in_memory
 printf '%s\n' "${targets[@]}" | xargs -P "$jobs" -I{} bash -c 'fuzz_one {}' || exit 1

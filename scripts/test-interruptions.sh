@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Interrupts all commands that write at random moments, 200 times, and looks for what is left, half-written or lost; prints
-# the seed. A test of CI does it 20 times.
+# Interrupts all commands that write at random moments, 200 times, and lets the disk fill up under each of them 20 times;
+# looks for what is left, half-written or lost, and repeats each in surroundings of any kind, whose bytes have to be the
+# same. Prints the seeds. Tests of CI do it 20 times, and once for each command.
 #   scripts/test-interruptions.sh [COUNT [PRESET]]    with the tests of PRESET (release)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -8,5 +9,5 @@ count=${1:-200}
 preset=${2:-release}
 cmake --preset "$preset" > /dev/null
 cmake --build --preset "$preset" --target faster_cli_tests
-FASTER_INTERRUPTIONS=$count exec "build/$preset/bin/faster_cli_tests" \
-    "Interruptions at random moments leave the older results or the new ones*"
+FASTER_INTERRUPTIONS=$count FASTER_DISKS=20 exec "build/$preset/bin/faster_cli_tests" \
+    "Interruptions at random moments leave the older results or the new ones*","A disk that fills up at any moment*"

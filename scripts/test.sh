@@ -2,8 +2,8 @@
 # Installs what is missing, builds and runs all tests but the long ones and those that want a cluster, and checks the format.
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
-#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, the changes of docs/changing-the-design.md; a
-#                              missing clang-format is an error
+#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, the changes of docs/changing-the-design.md, a
+#                              minute of fuzzing; a missing clang-format is an error
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -25,6 +25,7 @@ done
 if [[ "${CI:-}" == true ]]; then
     preset=ci
     tidy=true
+    export FASTER_FUZZ_SECONDS=60 # of mutation of the kept inputs, on one core
 fi
 
 setup_options=()

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "channels/own_stack.hpp"
+
 namespace faster {
 
 DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
@@ -82,6 +84,7 @@ void DataflowAccelerator::run() {
         cores_[next - 1]->end_turn();
         sc_core::sc_start();
     }
+    back_on_own_stack();
 }
 
 }  // namespace faster

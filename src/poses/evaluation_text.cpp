@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "kernel/base/csv_cell.hpp"
+
 namespace faster::poses {
 namespace {
 
@@ -77,8 +79,8 @@ std::string known(double metres) { return std::isfinite(metres) ? fmt::format("{
 std::string steps(AccuracyCurve const& curve, char const* error, std::vector<double> const& errors_m) {
     std::string text;
     for (std::size_t i = 0; i < errors_m.size(); ++i)
-        text += fmt::format("{},{},{},{:.6f},{:.4f}\n", curve.method, curve.object, error, errors_m[i],
-                            100 * static_cast<double>(i + 1) / static_cast<double>(curve.instances));
+        text += fmt::format("{},{},{},{:.6f},{:.4f}\n", csv_cell(curve.method), csv_cell(curve.object), error,
+                            errors_m[i], 100 * static_cast<double>(i + 1) / static_cast<double>(curve.instances));
     return text;
 }
 
@@ -103,8 +105,8 @@ std::string scores_csv(Evaluation const& evaluation) {
         text += fmt::format(",{0},{0}_low,{0}_high,{0}_more,{0}_more_low,{0}_more_high", score.name);
     text += "\n";
     for (ScoreRow const& row : evaluation.rows) {
-        text += fmt::format("{},{},{},{},{},{}", row.method, row.object, row.obj_id, row.images, row.instances,
-                            row.estimated);
+        text += fmt::format("{},{},{},{},{},{}", csv_cell(row.method), csv_cell(row.object), row.obj_id, row.images,
+                            row.instances, row.estimated);
         for (std::size_t score = 0; score < score_count; ++score) {
             for (Interval const& interval : {row.scores[score], row.more_than_first[score]})
                 text += fmt::format(",{:.4f},{:.4f},{:.4f}", interval.value, interval.low, interval.high);
@@ -119,7 +121,7 @@ std::string errors_csv(Evaluation const& evaluation) {
     for (JudgedMethod const& method : evaluation.methods) {
         for (InstanceErrors const& instance : method.judgement.instances)
             text += fmt::format(
-                "{},{},{},{},{},{},{},{},{}\n", method.name, instance.image.scene_id, instance.image.im_id,
+                "{},{},{},{},{},{},{},{},{}\n", csv_cell(method.name), instance.image.scene_id, instance.image.im_id,
                 instance.obj_id, instance.visible_share ? fmt::format("{:.4f}", *instance.visible_share) : "",
                 known(instance.add_m), known(instance.add_s_m), known(instance.mssd_m), instance.mssd_hits);
     }

@@ -7,12 +7,12 @@
 namespace faster {
 
 void write_events(io::OutputFile const& file, LoadedConfig const& loaded, replay::RecordedRun const& recorded,
-                  RunStatistics run) {
+                  RunStatistics run, std::string const& function) {
     run.sensitivities.clear();
     run.alternatives.clear();
     run.critical_path.reset();
     events::write_event_file(file, loaded.config, recorded, run,
-                             report::summary_json(resolved_keys(loaded.config), run, report::HostTime{}));
+                             report::summary_json(resolved_keys(loaded.config), run, report::HostTime{}), function);
 }
 
 }  // namespace faster

@@ -59,10 +59,16 @@ RecordingWindow waveform_window(RecordingRequest const& request, Machine const& 
     return window;
 }
 
-/// Before the work whose results would be lost.
-void require_writable(std::string const& file) {
-    if (!file.empty() && !io::is_device(file))
+/// Before the work whose results would be lost. Pipes and devices are refused.
+void require_regular(std::string const& file) {
+    if (!file.empty())
         io::OutputFile const probe(file);
+}
+
+/// The same, but for pipes and devices.
+void require_writable(std::string const& file) {
+    if (!io::is_device(file))
+        require_regular(file);
 }
 
 /// What a timeline may hold: about 100 MB of JSON.
@@ -87,7 +93,7 @@ Recording timeline_recording(std::size_t core, CoreShare const& share, std::int6
 
 std::vector<Recording> timeline_recordings(RecordingRequest const& request, Machine const& machine, std::size_t samples,
                                            PlaceOf const& place_of) {
-    require_writable(request.timeline);
+    require_regular(request.timeline);
     auto const timeline = std::make_shared<Timeline>();
     std::vector<Recording> recordings;
     for (std::size_t core = 0; core < machine.cores; ++core) {
@@ -164,7 +170,7 @@ RecordingRequest placed(RecordingRequest request, PlaceOf const& place_of) {
 Recording waveform_recording(RecordingRequest const& request, Machine const& machine, std::size_t samples,
                              PlaceOf const& place_of) {
     require_writable(request.vcd);
-    require_writable(request.fst);
+    require_regular(request.fst);
     Recording recording;
     recording.window = waveform_window(request, machine, samples);
     recording::SignalFilter const filter(request.vcd_modules, machine);

@@ -115,8 +115,8 @@ Subcommand sweep_command() {
                 ->type_name("DIR");
             merge_command->add_option("--out", merge->out, "Folder of the whole sweep")->required()->type_name("DIR");
             std::string const tool = command.get_parent()->get_name();
-            return [request, merge, merge_command, tool] {
-                if (merge_command->parsed())
+            return [request, merge, tool] {  // the parser is gone by then
+                if (!merge->folders.empty())
                     return merge_sweeps(*merge);
                 if (request->sweep.empty() || request->out.empty())
                     throw InputError(

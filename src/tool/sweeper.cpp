@@ -59,8 +59,9 @@ std::optional<processes::Task> Sweeper::next(std::size_t number) {
         return std::nullopt;
     at_work_[number] = *assignment;
     std::filesystem::path const events = folder_.events(assignment->function);
-    return processes::Task{[this, given = *assignment, events] { return to_text(work_on(given, sweep_, events)); },
-                           request_.time_limit_s};
+    return processes::Task{
+        [this, given = *assignment, events] { return to_text(work_on(given, sweep_, identities_, events)); },
+        request_.time_limit_s};
 }
 
 void Sweeper::ended(std::size_t number, processes::Outcome const& outcome) {

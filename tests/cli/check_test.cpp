@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
@@ -20,12 +21,6 @@ using namespace faster::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool is_instrumented = true;
-#else
-constexpr bool is_instrumented = false;
-#endif
 
 std::string const source = FASTER_SOURCE_DIR;
 

@@ -63,6 +63,15 @@ TEST_CASE("A configuration in a folder of any name runs, and its outputs are sou
     CHECK(workspace.text("r.html").find('\x1B') == std::string::npos);
 }
 
+TEST_CASE("A table keeps its columns and its lines whatever names are in it") {
+    SmallWorkspace const workspace;
+    std::string const name = "a,\"b\x1B.yaml";
+    fs::copy_file(workspace.folder() / "config.yaml", workspace.folder() / name);
+    faster::test::require_done(
+        tool(workspace, {"compare-architectures", "faster", "--workloads", name, "--csv", "t.csv"}));
+    CHECK_THAT(workspace.text("t.csv"), Contains("\nfaster,\"a,\"\"b\\x1b\",finished,"));
+}
+
 TEST_CASE("A loop of links is said to be one, wherever a path may stand") {
     SmallWorkspace const workspace;
     fs::create_symlink("loop", workspace.folder() / "loop");

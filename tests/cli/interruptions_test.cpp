@@ -1,8 +1,10 @@
 // Whenever a command is told to end, is killed, or a call of the system fails: nothing half-written, nothing of the
-// user's lost, and a repeat of the command ends as if nothing had been.
+// user's lost, and a repeat of the command ends as if nothing had been. Repeats are made in surroundings of any kind
+// (locale, time zone, umask, layout of memory, number of processes): the same command writes the same bytes.
 //   FASTER_SEED           of what is random
 //   FASTER_INTERRUPTIONS  how many (20)                          scripts/test-interruptions.sh
 //   FASTER_FAULTS         how many (20), or all                  scripts/test-faults.sh
+//   FASTER_DISKS          how many full disks for each command (1)
 //   FASTER_COMMANDS       only those whose name contains it
 #include <algorithm>
 #include <array>
@@ -68,9 +70,44 @@ class Scenes {
     std::vector<std::unique_ptr<WritingScene>> scenes_;
 };
 
-void check_repeat(WritingScene const& scene, TempFolder const& folder) {
-    CommandResult const repeat = run_command(FASTER_SIM_BINARY, scene.command().words, folder.path());
-    CAPTURE(repeat.err);
+/// A locale that writes decimal commas, where the host has what it is made of.
+Words words_of_german() {
+    static TempFolder const folder;
+    static bool const is_there =
+        std::filesystem::exists("/usr/share/i18n/locales/de_DE") &&
+        run_command("/usr/bin/localedef", {"-f", "UTF-8", "-i", "de_DE", folder / "de_DE.UTF-8"}, "/").exit_code == 0;
+    return is_there ? Words{"LC_ALL=de_DE.UTF-8", "LOCPATH=" + folder.path().string()} : Words{};
+}
+
+bool may_place_addresses() {
+    static bool const may = run_command("/usr/bin/setarch", {"-R", "true"}, "/").exit_code == 0;
+    return may;
+}
+
+/// A command with what must not matter chosen at random: locale, time zone, umask, where the system places memory, and
+/// the number of processes or threads.
+Words in_any_surroundings(Words words, std::mt19937& random) {
+    auto const any = [&](Words const& choices) { return choices[random() % choices.size()]; };
+    if (auto const jobs = std::find(words.begin(), words.end(), "-j"); jobs != words.end())
+        *std::next(jobs) = any({"1", "2", "3", "4"});
+    Words around{"-c",           "umask $1; shift; exec \"$@\"",
+                 "sh",           any({"000", "022", "077"}),
+                 "/usr/bin/env", "TZ=" + any({"UTC", "Asia/Kathmandu", "America/St_Johns", "nonsense"})};
+    if (random() % 2 == 0) {
+        Words const german = words_of_german();
+        around.insert(around.end(), german.begin(), german.end());
+    }
+    if (random() % 2 == 0 && may_place_addresses())
+        around.insert(around.end(), {"/usr/bin/setarch", "-R"});
+    around.push_back(FASTER_SIM_BINARY);
+    around.insert(around.end(), words.begin(), words.end());
+    return around;
+}
+
+void check_repeat(WritingScene const& scene, TempFolder const& folder, std::mt19937& random) {
+    Words const words = in_any_surroundings(scene.command().words, random);
+    CommandResult const repeat = run_command("/bin/sh", words, folder.path());
+    CAPTURE(words, repeat.err);
     CHECK(repeat.exit_code == 0);
     CHECK(scene.complaint_after_repeat(folder.path()) == "");
 }
@@ -190,7 +227,7 @@ std::vector<Fault> faults_of(WritingScene const& scene) {
     return faults;
 }
 
-void check_fault(WritingScene const& scene, Fault const& fault, Words const& more = {}) {
+void check_fault(WritingScene const& scene, Fault const& fault, std::mt19937& random, Words const& more = {}) {
     TempFolder const folder;
     scene.lay_out(folder.path());
     CAPTURE(scene.command().name, fault.option(), fault.line);
@@ -219,7 +256,7 @@ void check_fault(WritingScene const& scene, Fault const& fault, Words const& mor
     CHECK(scene.complaint(folder.path(), fault.may_be_left, fault.may_be_missing, exit_code != 0) == "");
     if (exit_code == 0 && !fault.may_be_left)
         CHECK(scene.complaint_after_repeat(folder.path()) == "");
-    check_repeat(scene, folder);
+    check_repeat(scene, folder, random);
 }
 
 TEST_CASE("Interruptions at random moments leave the older results or the new ones, and nothing else") {
@@ -240,7 +277,7 @@ TEST_CASE("Interruptions at random moments leave the older results or the new on
         CHECK((ended_by == 0 || ended_by == signal));
         stopped += ended_by != 0 ? 1 : 0;
         CHECK(scene.complaint(folder.path(), signal == SIGKILL) == "");
-        check_repeat(scene, folder);
+        check_repeat(scene, folder, random);
     }
     std::cout << stopped << " of " << count << " commands were stopped\n";
     CHECK(stopped > count / 4);
@@ -258,7 +295,7 @@ TEST_CASE("A call of the system that fails leaves the older results or the new o
             std::vector<Fault> const faults = faults_of(scenes.at(which));
             std::cout << scenes.at(which).command().name << ": " << faults.size() << " faults" << std::endl;
             for (Fault const& fault : faults)
-                check_fault(scenes.at(which), fault);
+                check_fault(scenes.at(which), fault, random);
         }
         return;
     }
@@ -267,7 +304,7 @@ TEST_CASE("A call of the system that fails leaves the older results or the new o
         WritingScene const& scene = scenes.at((seed + i) % scenes.count());
         std::vector<Fault> const faults = faults_of(scene);
         for (unsigned long j = 0; j < std::stoul(wanted) / commands; ++j)
-            check_fault(scene, faults[random() % faults.size()]);
+            check_fault(scene, faults[random() % faults.size()], random);
     }
 }
 
@@ -277,10 +314,66 @@ TEST_CASE("A folder is replaced in two steps where the file system cannot do it 
     std::vector<WritingCommand> const commands = writing_commands();
     WritingScene const scene(commands.front());
     Words const without_exchange{"-e", "inject=renameat2:error=EINVAL"};
-    check_fault(scene, {"renameat2", 1, "EINVAL", false, ""});
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed_of_test()));
+    check_fault(scene, {"renameat2", 1, "EINVAL", false, ""}, random);
     for (unsigned const number : {5U, 6U, 7U})
         for (std::string const how : {"KILL", "EIO"})
-            check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, without_exchange);
+            check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, random, without_exchange);
+}
+
+/// Runs `$4...` on a file system of its own, which has $3 kilobytes of room beside the content of $2, and moves what is
+/// there in the end to $2.
+constexpr char const* on_small_disk = R"(disk=$1 folder=$2 room=$3; shift 3
+mount -t tmpfs -o size=64m none "$disk" && cp -a "$folder"/. "$disk" && cd "$disk" || exit 125
+mount -o remount,size=$(($(df --output=used -k . | tail -n 1) + room))k "$disk" || exit 125
+TMPDIR=$disk "$@"; code=$?
+find "$folder" -mindepth 1 -delete && cp -a "$disk"/. "$folder" || exit 125
+exit $code)";
+
+bool file_systems_may_not_be_mounted() {
+    TempFolder const folder;
+    CommandResult const result =
+        run_command("/usr/bin/unshare", {"-rm", "mount", "-t", "tmpfs", "none", folder.path()}, folder.path());
+    if (result.exit_code != 0)
+        WARN("skipped: no file system may be mounted here: " << result.err);
+    return result.exit_code != 0;
+}
+
+TEST_CASE("A disk that fills up at any moment leaves the older results or the new ones, and nothing else") {
+    if (file_systems_may_not_be_mounted())
+        return;
+    unsigned long const disks = number_from("FASTER_DISKS", 1), seed = seed_of_test();
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    Scenes scenes(chosen_commands());
+    unsigned long full = 0;
+    for (unsigned long i = 0; i < disks * scenes.count(); ++i) {
+        WritingScene const& scene = scenes.at(i % scenes.count());
+        TempFolder const folder, disk;
+        scene.lay_out(folder.path());
+        unsigned long const room = 4 * std::uniform_int_distribution<unsigned long>(0, scene.pages())(random);
+        Words words{"-rm",
+                    "sh",
+                    "-c",
+                    on_small_disk,
+                    "sh",
+                    disk.path(),
+                    folder.path(),
+                    std::to_string(room),
+                    FASTER_SIM_BINARY};
+        words.insert(words.end(), scene.command().words.begin(), scene.command().words.end());
+        CommandResult const result = run_command("/usr/bin/unshare", words, folder.path());
+        CAPTURE(scene.command().name, room, result.exit_code, result.err);
+        if (result.exit_code != 0) {
+            CHECK(result.exit_code == 2);
+            CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+            CHECK_THAT(result.err, Catch::Matchers::Contains("No space left on device"));
+        }
+        full += result.exit_code != 0 ? 1 : 0;
+        CHECK(scene.complaint(folder.path(), false, false, result.exit_code != 0) == "");
+        check_repeat(scene, folder, random);
+    }
+    std::cout << full << " of " << disks * scenes.count() << " disks were full\n";
+    CHECK(full > disks * scenes.count() / 2);
 }
 
 }  // namespace interruptions_test

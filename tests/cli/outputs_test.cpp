@@ -129,4 +129,14 @@ TEST_CASE("A dump into a pipe has nothing beside it") {
     CHECK(workspace.small().files_in("") == 5);
 }
 
+TEST_CASE("An FST is no pipe and no device, and removes none") {
+    Workspace const workspace;
+    run_command("/bin/sh", {"-c", "mkfifo w.fst"}, workspace.folder().path());
+    std::size_t const files = workspace.small().files_in("");
+    check_bad_input(run_command(FASTER_SIM_BINARY, {"run", "config.yaml", "--fst", "w.fst"}, workspace.folder().path()),
+                    {"w.fst: is no regular file, expected a new file or one to replace"});
+    CHECK(fs::is_fifo(workspace.folder() / "w.fst"));
+    CHECK(workspace.small().files_in("") == files);
+}
+
 }  // namespace outputs_test

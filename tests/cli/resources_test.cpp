@@ -4,18 +4,13 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
 namespace resources_test {
 
 using namespace faster::test;
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool is_instrumented = true;  // by a sanitizer, whose memory and time are not ours
-#else
-constexpr bool is_instrumented = false;
-#endif
 
 TEST_CASE("The tool starts in less than 0.2 seconds", "[resources]") {
     TempFolder const folder;

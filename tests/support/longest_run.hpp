@@ -1,8 +1,9 @@
 #pragma once
+#include "support/is_instrumented.hpp"
 
 namespace faster::test {
 
 /// A process that a test starts is ended by SIGALRM after so long, so that a hang is a failure of that test alone.
-inline constexpr unsigned longest_run_seconds = 120;
+inline constexpr unsigned longest_run_seconds = is_instrumented ? 600 : 120;
 
 }  // namespace faster::test

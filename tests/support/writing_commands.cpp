@@ -162,8 +162,8 @@ std::vector<WritingCommand> writing_commands() {
         {"run into a folder",
          {"run", "config.yaml", "--out", "o", "--images", "1", "--vcd", "o/w.vcd", "--timeline", "o/t.json"}},
         {"run into files",
-         {"run", "config.yaml", "--report", "r.html", "--events", "e.events", "--vcd", "w.vcd", "--timeline",
-          "t.json"}},
+         {"run", "config.yaml", "--report", "r.html", "--events", "e.events", "--vcd", "w.vcd", "--fst", "f.fst",
+          "--timeline", "t.json"}},
         {"record", {"record", "config.yaml", "--out", "t"}},
         {"whatif", {"whatif", "in.events", "--set", "accelerator.fifos.vertex.depth=9", "--out", "w"}},
         {"whatif of a matrix", {"whatif", "in.events", "--matrix", "matrix.yaml", "--csv", "m.csv"}},
@@ -228,6 +228,14 @@ WritingScene::WritingScene(WritingCommand const& command) : command_(command) {
     lay_out(after.path());
     seconds_ = tool(after.path(), command_.words).seconds;
     newer_ = tree_of(after.path());
+}
+
+std::size_t WritingScene::pages() const {
+    std::size_t count = 0;
+    for (auto const& [file, content] : newer_)
+        if (content != content_in(older_, file))
+            count += content.size() / 4096 + 1;
+    return count;
 }
 
 void WritingScene::lay_out(fs::path const& folder) const { copy_over(before_.path(), folder); }

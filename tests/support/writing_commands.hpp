@@ -33,6 +33,7 @@ class WritingScene {
 
     WritingCommand const& command() const { return command_; }
     double seconds() const { return seconds_; }  ///< of the command, undisturbed
+    std::size_t pages() const;                   ///< of 4096 bytes, of all files that it writes
     /// A copy of the folder before the command.
     void lay_out(std::filesystem::path const& folder) const;
     /// What is wrong with a folder in which the command was stopped; empty if nothing is: every output is the older

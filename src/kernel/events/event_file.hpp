@@ -16,12 +16,13 @@ struct EventFile {
     replay::RecordedRun run;
     std::string summary;  ///< the recorded run's summary.json, without host times
     std::vector<SampleStatistics> samples;
+    std::string function;  ///< what it was recorded as: the hash that a sweep knows it by; empty if it is no sweep's
 };
 
 /// Writes the file: complete or not at all, the operations of one sample after the other. `summary` is the summary.json
-/// of a run that did not deadlock. Both engines write the same bytes.
+/// of a run that did not deadlock. Both engines write the same bytes. `function`: see EventFile.
 void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
-                      RunStatistics const& statistics, std::string const& summary);
+                      RunStatistics const& statistics, std::string const& summary, std::string const& function = "");
 
 /// Reads all but the operations, which stay in the file until they are needed. Throws InputError for what is no event
 /// file, of another version, cut off or damaged.

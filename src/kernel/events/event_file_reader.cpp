@@ -45,6 +45,7 @@ class Reader {
             read_samples(index.at("samples"), file);
             read_memory(index, machine_of(file.loaded.config), file.samples.size(), file.run);
             file.summary = index.at("summary").dump();
+            file.function = header.value("function", "");
         } catch (Json::exception const& error) {
             fail_version(error.what());
         } catch (std::invalid_argument const& error) {

@@ -21,10 +21,12 @@ Json configuration_json(RunConfig const& config) {
     return keys;
 }
 
-std::string header_of(RunConfig const& config, replay::RecordedRun const& run) {
+std::string header_of(RunConfig const& config, replay::RecordedRun const& run, std::string const& function) {
     Json header;
     header["format"] = "faster-events";
     header["version"] = format_version;
+    if (!function.empty())
+        header["function"] = function;
     header["configuration"] = configuration_json(config);
     header["machine"] = machine_json(*run.blueprint);
     return io::text_of(header);
@@ -61,10 +63,10 @@ void put(std::string_view bytes, std::ostream& stream) {
 }  // namespace
 
 void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
-                      RunStatistics const& statistics, std::string const& summary) {
+                      RunStatistics const& statistics, std::string const& summary, std::string const& function) {
     file.commit([&](std::ostream& stream) {
         io::ZstdPress press;
-        std::string const header = press.frame(header_of(config, run));
+        std::string const header = press.frame(header_of(config, run, function));
         put(std::string(opening_mark) + little_endian(format_version), stream);
         put(little_endian(static_cast<std::uint32_t>(header.size())) + header, stream);
         std::uint64_t at = opening_bytes + header.size();

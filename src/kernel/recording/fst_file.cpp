@@ -1,7 +1,10 @@
 #include "kernel/recording/fst_file.hpp"
 
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstapi.h>
+
+#include "kernel/base/files/output_file.hpp"
 
 namespace faster::recording {
 
@@ -15,12 +18,18 @@ Digits digits_of(std::optional<std::uint64_t> value, unsigned bits) {
         digits[i] = !value ? 'x' : ((*value >> (bits - 1 - i)) & 1U) != 0 ? '1' : '0';
     return digits;
 }
+
+/// GTKWave's code removes what is there, and for root that may be /dev/null.
+std::filesystem::path const& no_device(std::filesystem::path const& file) {
+    io::OutputFile const probe(file);
+    return file;
+}
 }  // namespace
 
 void FstFile::Closer::operator()(void* writer) const { fstWriterClose(writer); }
 
 FstFile::FstFile(std::filesystem::path const& file, double clock_mhz)
-    : target_(file), writer_(fstWriterCreate(target_.path().c_str(), 1)) {
+    : target_(no_device(file)), writer_(fstWriterCreate(target_.path().c_str(), 1)) {
     if (writer_ == nullptr)
         target_.fail();
     fstWriterSetPackType(writer_.get(), FST_WR_PT_ZLIB);
@@ -74,16 +83,21 @@ void FstFile::change(std::size_t number, std::optional<std::uint64_t> value) {
     fstWriterEmitValueChange(writer_.get(), signal.handle, digits_of(value, signal.bits).data());
 }
 
-/// The writer tells of nothing that goes wrong on its way, so the file is opened once more.
+/// The writer tells of nothing that goes wrong on its way, so the file is opened once more. What the system said is
+/// what it said to the writer: to open what is incomplete says nothing.
 void FstFile::finish() {
+    errno = 0;
     writer_.reset();
+    int const reason = errno == 0 ? EIO : errno;
     std::unique_ptr<void, void (*)(void*)> const reader(fstReaderOpen(target_.path().c_str()), fstReaderClose);
     bool const is_complete = reader != nullptr && fstReaderGetMaxHandle(reader.get()) == signals_.size() &&
                              fstReaderGetEndTime(reader.get()) == last_ticks_;
     std::error_code error;
     bytes_ = std::filesystem::file_size(target_.path(), error);
-    if (error || !is_complete)
+    if (error || !is_complete) {
+        errno = reason;
         target_.fail();
+    }
     target_.finish();
 }
 

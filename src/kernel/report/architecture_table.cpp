@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "kernel/base/csv_cell.hpp"
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/machine/machine_resources.hpp"
 #include "kernel/report/summary.hpp"
@@ -119,7 +120,7 @@ std::string architecture_csv(Rows const& rows) {
         "architecture,workload,outcome,total_cycles,milliseconds,empty_stall_cycles,full_stall_cycles,"
         "port_conflict_cycles,ramb36,judged_samples,precision,recall,closed,thin,lut,ff,dsp\n";
     for (ArchitectureRow const& row : rows) {
-        fmt::format_to(std::back_inserter(text), "{},{},{},", row.architecture, row.workload,
+        fmt::format_to(std::back_inserter(text), "{},{},{},", csv_cell(row.architecture), csv_cell(row.workload),
                        row.deadlocked ? "deadlock" : "finished");
         if (row.deadlocked)
             text += ",,,,";

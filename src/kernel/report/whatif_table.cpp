@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "kernel/base/csv_cell.hpp"
+
 namespace faster::report {
 
 WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples) {
@@ -54,10 +56,10 @@ std::string WhatifTable::csv() const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row const& row = rows_[i];
         if (row.deadlocks)
-            fmt::format_to(std::back_inserter(text), "{},{},deadlock,,,\n", i, row.settings);
+            fmt::format_to(std::back_inserter(text), "{},{},deadlock,,,\n", i, csv_cell(row.settings));
         else
-            fmt::format_to(std::back_inserter(text), "{},{},finished,{},{},{}\n", i, row.settings, row.total_cycles,
-                           row.milliseconds(), change_of(row));
+            fmt::format_to(std::back_inserter(text), "{},{},finished,{},{},{}\n", i, csv_cell(row.settings),
+                           row.total_cycles, row.milliseconds(), change_of(row));
     }
     return text;
 }

@@ -3,21 +3,11 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/printable.hpp"
+#include "kernel/base/csv_cell.hpp"
 
 namespace faster::sweeps {
 
 namespace {
-
-std::string quoted(std::string const& value) {
-    std::string text = printable(value);
-    if (text.find_first_of(",\"") == std::string::npos)
-        return text;
-    std::string cell = "\"";
-    for (char const letter : text)
-        cell += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return cell + '"';
-}
 
 std::string figures(PointResult const& result) {
     if (result.status == PointResult::Status::failed)
@@ -62,9 +52,9 @@ std::string results_csv(Manifest const& manifest, Results const& results) {
             continue;
         text += std::to_string(i);
         for (std::string const& value : manifest.points[i].values)
-            text += "," + quoted(value);
+            text += "," + csv_cell(value);
         fmt::format_to(std::back_inserter(text), ",{},{},{}\n", name_of(found->second.status), figures(found->second),
-                       quoted(found->second.message));
+                       csv_cell(found->second.message));
     }
     return text;
 }

@@ -1,5 +1,6 @@
 #include "kernel/base/files/text_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -17,7 +18,10 @@ namespace {
     fail(path, fmt::format("is longer than {} MiB, expected {}", most >> 20U, expected));
 }
 
-/// What a pipe or a device brings, which has no size that could be asked for.
+/// A pipe or a device may bring bytes without end, which memory is not to be filled with.
+constexpr std::uint64_t most_stream_bytes = std::uint64_t{1} << 28U;
+
+/// What a pipe or a device brings, which has no size that could be asked for, and files of the kernel's, which say 0.
 std::string read_stream(std::ifstream& stream, std::uint64_t most_bytes) {
     std::string content;
     std::array<char, 1U << 16U> buffer;
@@ -47,11 +51,13 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
     require_file(path, expected);
     std::error_code no_size;
     auto const size = std::filesystem::file_size(path, no_size);
+    bool const is_stream = no_size || size == 0;
+    most_bytes = is_stream ? std::min(most_bytes, most_stream_bytes) : most_bytes;
     if (!no_size && size > most_bytes)
         fail_length(path, expected, most_bytes);
     std::ifstream stream(path, std::ios::binary);
     std::string content;
-    if (stream && no_size) {
+    if (stream && is_stream) {
         content = read_stream(stream, most_bytes);
     } else if (stream) {
         content.resize(static_cast<std::size_t>(size));

@@ -178,7 +178,7 @@ std::vector<Mutation> mutations() {
                                    "edge_map.algorithm=transition",
                                    "edge_map.algorithm=bounded",
                                    "edge_map.algorithm=dual_map_4_1_2",
-                                   "modules.area_reciprocal.interval=9"})
+                                   "modules.area_reciprocal.interval=64"})
         all.push_back({std::string("accelerator.") + more});
     all.push_back({"accelerator.fifos.fragment_depth.kind=memory", "accelerator.fifos.fragment_index.kind=memory"});
     all.push_back({"accelerator.fifos.observed_depth.kind=memory", "accelerator.fifos.observed_edge.kind=memory"});

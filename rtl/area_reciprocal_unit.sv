@@ -1,15 +1,18 @@
 // 1 / area of every triangle that is drawn: a pipeline that flushes, one step per cycle. A step takes an area if there
 // is one, else a bubble; what it took leaves `stages` steps later. A result without room freezes the unit, bubbles and
-// all. Areas of zero or less yield nothing.
+// all. Areas of zero or less yield nothing. With an `interval` above 1 so many steps less one behind a drawn triangle's
+// area take bubbles only.
 module area_reciprocal_unit #(
     parameter int AREA_BITS = 36,
     parameter int RECIPROCAL_BITS = 64,
     // Stages of the divider itself, at most `stages`; 0: it divides at once, and the delay line carries the quotient
-    parameter int DIVIDER_STAGES = 0
+    parameter int DIVIDER_STAGES = 0,
+    parameter int DIVIDER_INTERVAL = 1  // as `interval`; above 1 needs DIVIDER_STAGES
 ) (
     input  logic                        clock,
     input  logic                        reset,
     input  faster_pkg::stage_t          stages,
+    input  faster_pkg::cycles_t         interval,
     input  logic                        squeezes,
     input  logic [11:0]                 capacity,                // of the FIFO behind it
     input  logic                        area_reciprocal_is_read,  // from that FIFO
@@ -26,15 +29,19 @@ module area_reciprocal_unit #(
     wire is_drawn = area > 0;
     wire advance = !reset && (!leaves || area_reciprocal_has_room);
     logic [11:0] taken;  // results in the unit and in the FIFO
-    wire takes = area_has_token && (!squeezes || !is_drawn || taken < capacity);
+    faster_pkg::cycles_t busy;  // steps in which no area is taken
+    localparam bit IS_NEVER_BUSY = DIVIDER_STAGES > 0 && DIVIDER_INTERVAL == 1;
+    wire takes = area_has_token && (IS_NEVER_BUSY || busy == '0) && (!squeezes || !is_drawn || taken < capacity);
     logic [RECIPROCAL_BITS-1:0] quotient;
 
     divider #(
         .DIVIDEND_BITS(RECIPROCAL_BITS),
         .DIVISOR_BITS (AREA_BITS - 1),
-        .STAGES       (DIVIDER_STAGES)
+        .STAGES       (DIVIDER_STAGES),
+        .INTERVAL     (DIVIDER_INTERVAL)
     ) divide (
-        .clock, .advance, .dividend(RECIPROCAL_BITS'(1) << one), .divisor(area[AREA_BITS-2:0]), .quotient
+        .clock, .advance, .begins(takes && is_drawn), .dividend(RECIPROCAL_BITS'(1) << one),
+        .divisor(area[AREA_BITS-2:0]), .quotient
     );
     delay_line valid_line (
         .clock, .advance, .stages, .in(takes && is_drawn), .out(leaves)
@@ -51,5 +58,7 @@ module area_reciprocal_unit #(
     always_ff @(posedge clock) begin
         if (reset) taken <= '0;
         else taken <= taken + 12'(area_read && is_drawn) - 12'(area_reciprocal_is_read);
+        if (reset) busy <= '0;
+        else if (advance) busy <= takes && is_drawn ? interval - 8'd1 : busy - 8'(busy != '0);
     end
 endmodule

@@ -23,6 +23,7 @@ module cosimulated_core (
     input  logic               fragment_loop_is_flattened,
     input  logic               forwards_depth_buffer,
     input  logic               reciprocals_squeeze,
+    input  logic [7:0]         area_reciprocal_interval,
     input  logic [7:0]         edge_map_ports,
     input  logic [7:0]         object_map_ports,
     input  logic [7:0]         depth_buffer_ports,
@@ -133,6 +134,7 @@ module cosimulated_core (
         settings_asked_for.fragment_loop_is_flattened = fragment_loop_is_flattened;
         settings_asked_for.forwards_depth_buffer = forwards_depth_buffer;
         settings_asked_for.reciprocals_squeeze = reciprocals_squeeze;
+        settings_asked_for.area_reciprocal_interval = area_reciprocal_interval;
         settings_asked_for.depth_buffer_ports = depth_buffer_ports > 8'd6 ? 3'd6 : depth_buffer_ports[2:0];
         settings_asked_for.setup_cycles = setup_cycles;
         settings_asked_for.vertex_loop = scheduled(VERTEX, 8'd1);

@@ -1,12 +1,15 @@
 // Restoring division of unsigned numbers, an equal share of the quotient's bits in each stage; a divisor of 0 yields
-// nonsense. With 0 stages the quotient is there at once.
+// nonsense. With 0 stages the quotient is there at once. With an interval above 1 a divisor comes every INTERVAL steps at
+// most, and the dividend is 2^(DIVIDEND_BITS - 1).
 module divider #(
     parameter int DIVIDEND_BITS = 39,
     parameter int DIVISOR_BITS = 28,
-    parameter int STAGES = 0
+    parameter int STAGES = 0,
+    parameter int INTERVAL = 1  // above 1: at most STAGES
 ) (
     input  logic                     clock,
     input  logic                     advance,
+    input  logic                     begins,  // with this divisor; only looked at with an interval above 1
     input  logic [DIVIDEND_BITS-1:0] dividend,
     input  logic [DIVISOR_BITS-1:0]  divisor,
     output logic [DIVIDEND_BITS-1:0] quotient
@@ -14,8 +17,31 @@ module divider #(
     if (STAGES == 0) begin : g_at_once
         wire [DIVISOR_BITS-1:0] not_zero = divisor == '0 ? DIVISOR_BITS'(1) : divisor;
         assign quotient = dividend / DIVIDEND_BITS'(not_zero);
-        wire unused = &{1'b0, clock, advance};
-    end else begin : g_pipeline
+        wire unused = &{1'b0, clock, advance, begins};
+    end
+    if (INTERVAL > 1) begin : g_iterative
+        // As few bits a step as the stages allow
+        localparam int STEPS = STAGES - STAGES % INTERVAL;
+        localparam int BITS = (DIVIDEND_BITS + STEPS - 1) / STEPS;
+        localparam int TURNS = (DIVIDEND_BITS + BITS * INTERVAL - 1) / (BITS * INTERVAL);
+        logic [DIVIDEND_BITS-1:0] worked_out;
+        iterative_divider #(
+            .QUOTIENT_BITS(DIVIDEND_BITS),
+            .DIVISOR_BITS (DIVISOR_BITS),
+            .BITS         (BITS),
+            .INTERVAL     (INTERVAL),
+            .STAGES       (TURNS)
+        ) turns (
+            .clock, .advance, .begins, .divisor, .quotient(worked_out)
+        );
+        delay_line #(
+            .BITS(DIVIDEND_BITS)
+        ) rest_of_stages (
+            .clock, .advance, .stages(6'(STAGES - TURNS * INTERVAL)), .in(worked_out), .out(quotient)
+        );
+        wire unused = &{1'b0, dividend};
+    end
+    if (STAGES > 0 && INTERVAL == 1) begin : g_pipeline
         localparam int BITS_PER_STAGE = (DIVIDEND_BITS + STAGES - 1) / STAGES;
         // Dividend bits leave `rest` at the top while quotient bits enter at the bottom.
         logic [DIVIDEND_BITS-1:0] rest[STAGES+1];
@@ -52,5 +78,6 @@ module divider #(
             end
         end
         assign quotient = rest[STAGES];
+        wire unused = begins;
     end
 endmodule

@@ -54,6 +54,7 @@ package faster_pkg;
         logic        fragment_loop_is_flattened;
         logic        forwards_depth_buffer;
         logic        reciprocals_squeeze;
+        cycles_t     area_reciprocal_interval;
         logic [2:0]  depth_buffer_ports;
         cycles_t     setup_cycles;
         loop_t       vertex_loop;

@@ -207,6 +207,7 @@ module raster_core #(
         .AREA_BITS(EDGE_BITS), .RECIPROCAL_BITS(RECIPROCAL_BITS), .DIVIDER_STAGES(DIVIDER_STAGES)
     ) reciprocal (
         .clock, .reset, .stages(settings.area_reciprocal_latency), .squeezes(settings.reciprocals_squeeze),
+        .interval(settings.area_reciprocal_interval),
         .capacity(settings.area_reciprocal.capacity), .area_reciprocal_is_read(area_reciprocal_read),
         .one(settings.fraction.area_reciprocal + (6'(settings.fraction.vertex_xy) << 1)),
         .area_has_token, .area_read, .area(area_out),

@@ -141,13 +141,13 @@ cmp -s "$out/after/samples.csv" "$out/loop/samples.csv" && complain "pipeline de
 echo "new_loop: $((4 * samples)) iterations; what-if with depth 9 as a run"
 
 # new_key
-key=accelerator.modules.area_reciprocal.interval
+key=accelerator.modules.inlier_unit.triangle_cycles
 has_key "$key"
 run "$after" key --set "$key=64"
 run "$after" key_lockstep --set "$key=64" --set simulation.engine=lockstep
 [[ "$(sum after/samples.csv latency_cycles)" != "$(sum key/samples.csv latency_cycles)" ]] ||
     complain "$key changes no latency"
-expect_same "both engines, interval 64" key/samples.csv key_lockstep/samples.csv
+expect_same "both engines, 64 cycles" key/samples.csv key_lockstep/samples.csv
 [[ "$(scores after)" == "$(scores key)" ]] || complain "$key changes what samples score"
 "$after" whatif "$out/events" --set "$key=64" >"$log" 2>&1 && complain "what-if accepts $key, which it cannot work out"
 grep -q "decides which operations there are" "$log" || complain "what-if does not say why it refuses $key"

@@ -18,7 +18,7 @@ log2() { # bits of a count
 reset_keys() {
     window=200 vertex_xy=4 area_reciprocal=30 fragment_depth=18 vertex_z=14 depth_buffer=9 width=640 height=480
     write_latency= ports=2 algorithm=dual_map clearing=loop neighbour_access=direct fragment_loop=per_triangle
-    flush_last=false when_full=freeze edge_tokens=all depth=
+    flush_last=false when_full=freeze interval=1 edge_tokens=all depth=
 }
 # with KEYS COMMAND...: `default` or keys with their values, for a unit; a configuration's name may begin with `check.`
 apply() {
@@ -54,9 +54,9 @@ area_reciprocal_unit() {
     apply "$1"
     local latency=${write_latency:-36} bits
     bits=$(reciprocal_bits)
-    unit "${2:-}area_reciprocal" "$1" area_reciprocal_unit "divider.sv area_reciprocal_unit.sv" \
-        "AREA_BITS=$(edge_bits) RECIPROCAL_BITS=$bits DIVIDER_STAGES=$latency" \
-        "stages=6'd$latency squeezes=$(truth $when_full squeeze) capacity=12'd$((2 + latency)) one=6'd$((bits - 1))"
+    unit "${2:-}area_reciprocal" "$1" area_reciprocal_unit "divider.sv iterative_divider.sv area_reciprocal_unit.sv" \
+        "AREA_BITS=$(edge_bits) RECIPROCAL_BITS=$bits DIVIDER_STAGES=$latency DIVIDER_INTERVAL=$interval" \
+        "interval=8'd$interval stages=6'd$latency squeezes=$(truth $when_full squeeze) capacity=12'd$((2 + latency)) one=6'd$((bits - 1))"
 }
 edge_map_builder() {
     apply "$1"
@@ -100,7 +100,8 @@ for keys in default edge_tokens=object vertex_xy=2 vertex_xy=6 window=50 window=
     rasterizer "$keys"
 done
 for keys in default write_latency=12 write_latency=18 write_latency=24 write_latency=39 write_latency=48 \
-    write_latency=63 area_reciprocal=22 area_reciprocal=34 vertex_xy=2 vertex_xy=6 when_full=squeeze; do
+    write_latency=63 area_reciprocal=22 area_reciprocal=34 vertex_xy=2 vertex_xy=6 when_full=squeeze interval=3 interval=5 interval=6 \
+    interval=12 interval=20 interval=36; do
     area_reciprocal_unit "$keys"
 done
 for keys in default clearing=on_read_out algorithm=inner_border flush_last=true \
@@ -119,7 +120,7 @@ unit result_collector default result_collector result_collector.sv "" ""
 reset_keys
 unit depth_unit default depth_unit depth_unit.sv "RECIPROCAL_BITS=39 DEPTH_BITS=20" "fraction=$(fractions)"
 unit pixel_comparison default pixel_comparison pixel_comparison.sv "" "fraction=4'd9 has_own_depth=1'b1"
-unit span_divider default divider divider.sv "DIVIDEND_BITS=18 DIVISOR_BITS=18 STAGES=6" ""
+unit span_divider default divider "divider.sv iterative_divider.sv" "DIVIDEND_BITS=18 DIVISOR_BITS=18 STAGES=6" ""
 for depth in 1 2 3 4 8 16 17 32 33 64; do
     for bits in 1 128; do fifo shift_register $depth $bits; done
 done
@@ -134,7 +135,9 @@ done
 # What interpolation is checked against
 vertex_transform write_latency=10 check.
 for keys in "vertex_xy=3 window=120" "edge_tokens=object vertex_xy=5 window=80"; do rasterizer "$keys" check.; done
-for keys in write_latency=30 "area_reciprocal=28 vertex_xy=3" "vertex_xy=5 write_latency=45"; do area_reciprocal_unit "$keys" check.; done
+for keys in write_latency=30 "area_reciprocal=28 vertex_xy=3" "vertex_xy=5 write_latency=45" interval=4 interval=9; do
+    area_reciprocal_unit "$keys" check.
+done
 for keys in window=80 "clearing=on_read_out window=128" "algorithm=inner_border clearing=on_read_out window=120"; do
     edge_map_builder "$keys" check.
 done

@@ -14,6 +14,13 @@ ModuleDescription AreaReciprocal::describe(AcceleratorConfig const& config) {
         .of_bits(static_cast<unsigned>(fraction.area_reciprocal + 2 * fraction.vertex_xy) +
                  1)  // that of an area of code 1
         .flushes_after(36, "Pipeline stages from the read of an area to the write of its reciprocal.");
+    module.number("interval")
+        .means(
+            "Cycles from the area of a drawn triangle to the next area; so long each stage of the divider works at one "
+            "quotient, and there are that many times fewer of them.")
+        .in("cycles")
+        .is(1)
+        .within(1, 64);
     return module;
 }
 
@@ -30,11 +37,12 @@ void AreaReciprocal::run() {
         for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
             clock_.here();
             std::int64_t const area = area_in.read();
-            if (area > 0) {
+            bool const is_drawn = area > 0;
+            if (is_drawn) {
                 clock_.here();
                 area_reciprocal_out.write(datapath::reciprocal_of(area, core_.stimulus.fraction));
             }
-            clock_.advance(1);
+            clock_.advance(is_drawn ? clock_.number("interval") : 1);
         }
     }
 }

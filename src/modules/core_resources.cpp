@@ -115,9 +115,11 @@ class CoreCount {
     }
     Logic area_reciprocal() const {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];
-        return logic("area_reciprocal",
-                     {vertex_xy(), reciprocal_bits(), number("write_latency", fifo.write_latency, 36),
-                      choice("when_full", fifo.when_full == WhenFull::squeeze, "squeeze")});
+        return logic(
+            "area_reciprocal",
+            {vertex_xy(), reciprocal_bits(), number("write_latency", fifo.write_latency, 36),
+             number("interval", machine_.processes[machine_.process("area_reciprocal")].numbers.at("interval"), 1),
+             choice("when_full", fifo.when_full == WhenFull::squeeze, "squeeze")});
     }
     Logic edge_map_builder() const {
         EdgeMapConfig const& map = config_.edge_map;

@@ -58,8 +58,8 @@ TEST_CASE("Our own designs hold with the FIFOs of every generation", "[architect
                                 folder.path()));
                 nlohmann::json const summary = nlohmann::json::parse(content_of(folder / "out" / "summary.json"));
                 totals[rules] = summary["total_cycles"];
-                bool const is_spec = rules == "spec";
-                CHECK(row_of(summary["fifos"], "fifo", "vertex")["kind"] == (is_spec ? "memory" : "shift_register"));
+                bool const is_memory = rules == "spec" && preset != "next_zcu102";  // which has depths of 2 there
+                CHECK(row_of(summary["fifos"], "fifo", "vertex")["kind"] == (is_memory ? "memory" : "shift_register"));
             }
             CAPTURE(totals["spec"], totals["vivado_hls"], totals["vitis_hls"]);
             CHECK(std::abs(totals["vivado_hls"] - totals["spec"]) * 100 <= totals["spec"]);

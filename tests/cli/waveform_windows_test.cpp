@@ -105,7 +105,23 @@ TEST_CASE("A window shows what the whole waveform shows, from its first cycle on
 }
 
 TEST_CASE("Engines write the same bytes where they tell of a cycle in another order", "[vcd]") {
-    Windows const windows({"architectures/next_zcu102.yaml", "edge_heavy", {}});
+    // What made them do so once: eight cores, ten lanes, deep FIFOs.
+    std::vector<std::string> settings{"raster_cores=8",
+                                      "rasterizer.lanes=10",
+                                      "inlier_unit.sweep_lanes=5",
+                                      "brams.object_map.partition.factor=10",
+                                      "brams.depth_buffer.partition.factor=10",
+                                      "modules.area_reciprocal.interval=1",
+                                      "fifos.vertex.depth=16",
+                                      "fifos.area.depth=16",
+                                      "fifos.area.kind=auto",
+                                      "fifos.area_reciprocal.depth=32",
+                                      "fifos.edge_token.depth=64"};
+    for (std::string const fifo : {"command", "fragment_depth", "fragment_index"}) {
+        settings.push_back("fifos." + fifo + ".depth=64");
+        settings.push_back("fifos." + fifo + ".kind=auto");
+    }
+    Windows const windows({"architectures/next_zcu102.yaml", "edge_heavy", with(settings)});
     windows.part({"--vcd-from", "757", "--vcd-to", "1057"});
 }
 

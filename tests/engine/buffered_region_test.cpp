@@ -178,6 +178,7 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
             config.inlier_unit = recorded.config.inlier_unit;
             config.rasterizer = recorded.config.rasterizer;
             config.window = recorded.config.window;
+            config.numbers = recorded.config.numbers;
             for (BramId const bram : bram_ids)
                 config.memory(bram).partition = recorded.config.memory(bram).partition;
             RunStatistics const run = run_forked(config, recorded.stimulus, Engine::decoupled).statistics;

@@ -59,6 +59,7 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
     config.edge_map = recorded.edge_map;
     config.inlier_unit = recorded.inlier_unit;
     config.rasterizer = recorded.rasterizer;
+    config.numbers = recorded.numbers;
     return config;
 }
 

@@ -159,14 +159,26 @@ std::vector<Mutation> mutations() {
         all.push_back({loop + (is_slow ? ".ii=4" : ".ii=2")});
         all.push_back({loop + ".depth=" + std::to_string(default_depth(id) + 1)});
     }
-    for (char const* const more :
-         {"loops.rasterizer.setup.depth=11", "brams.edge_map.ports=1", "brams.object_map.ports=1",
-          "brams.depth_buffer.ports=1", "brams.depth_buffer.ports=3", "fifos.command.depth=3",
-          "fifos.fragment_depth.depth=1", "fifos.fragment_index.depth=1", "fifos.edge_token.depth=1",
-          "edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "inlier_unit.clearing=on_read_out",
-          "inlier_unit.neighbour_access=window", "rasterizer.scan=early_exit", "rasterizer.setup_overlap=1",
-          "inlier_unit.fragment_loop=flattened", "edge_map.algorithm=transition", "edge_map.algorithm=bounded",
-          "edge_map.algorithm=dual_map_4_1_2"})
+    for (char const* const more : {"loops.rasterizer.setup.depth=11",
+                                   "brams.edge_map.ports=1",
+                                   "brams.object_map.ports=1",
+                                   "brams.depth_buffer.ports=1",
+                                   "brams.depth_buffer.ports=3",
+                                   "fifos.command.depth=3",
+                                   "fifos.fragment_depth.depth=1",
+                                   "fifos.fragment_index.depth=1",
+                                   "fifos.edge_token.depth=1",
+                                   "edge_map.algorithm=inner_border",
+                                   "edge_map.clearing=on_read_out",
+                                   "inlier_unit.clearing=on_read_out",
+                                   "inlier_unit.neighbour_access=window",
+                                   "rasterizer.scan=early_exit",
+                                   "rasterizer.setup_overlap=1",
+                                   "inlier_unit.fragment_loop=flattened",
+                                   "edge_map.algorithm=transition",
+                                   "edge_map.algorithm=bounded",
+                                   "edge_map.algorithm=dual_map_4_1_2",
+                                   "modules.area_reciprocal.interval=64"})
         all.push_back({std::string("accelerator.") + more});
     all.push_back({"accelerator.fifos.fragment_depth.kind=memory", "accelerator.fifos.fragment_index.kind=memory"});
     all.push_back({"accelerator.fifos.observed_depth.kind=memory", "accelerator.fifos.observed_edge.kind=memory"});

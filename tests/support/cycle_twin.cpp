@@ -642,6 +642,7 @@ class FlushingModel {
   public:
     FlushingModel(AcceleratorConfig const& config, TwinProgram const& program, Fifos& fifos)
         : stages_(fifo_of(config, FifoId::area_reciprocal).write_latency),
+          interval_(reciprocal_interval(config)),
           area_(fifos[index_of(FifoId::area)]),
           reciprocal_(fifos[index_of(FifoId::area_reciprocal)]) {
         for (TwinState const& state : program) {
@@ -653,7 +654,7 @@ class FlushingModel {
         }
     }
 
-    bool is_finished() const { return next_ == areas_.size() && !holds_results(); }
+    bool is_finished() const { return next_ == areas_.size() && busy_steps_ == 0 && !holds_results(); }
 
     void run_cycle(Cycles cycle) {
         if (is_finished()) {
@@ -678,7 +679,7 @@ class FlushingModel {
         if (stages_.back()) {
             return reciprocal_.legal_from(AccessKind::Write) == never;
         }
-        return !is_finished() && !holds_results() && area_.legal_from(AccessKind::Read) == never;
+        return !is_finished() && busy_steps_ == 0 && !holds_results() && area_.legal_from(AccessKind::Read) == never;
     }
 
     Cycles local_time() const { return local_time_; }
@@ -694,6 +695,11 @@ class FlushingModel {
 
     /// Whether there is something to divide by: not in a bubble, nor of a triangle that is not drawn.
     bool read(Cycles cycle) {
+        if (busy_steps_ > 0) {
+            --busy_steps_;
+            local_time_ = cycle + 1;
+            return false;
+        }
         if (next_ == areas_.size()) {
             return false;
         }
@@ -703,11 +709,14 @@ class FlushingModel {
             return false;
         }
         area_.access(AccessKind::Read, cycle);
+        busy_steps_ = areas_[next_] ? interval_ - 1 : 0;
         local_time_ = cycle + 1;
         return areas_[next_++];
     }
 
     std::deque<bool> stages_;
+    Cycles const interval_;
+    Cycles busy_steps_ = 0;  ///< with the last area, in which no other is taken in
     FifoModel& area_;
     FifoModel& reciprocal_;
     std::vector<bool> areas_;  ///< by triangle: is drawn

@@ -68,6 +68,11 @@ inline BramConfig bram_of(AcceleratorConfig const& config, BramId id) {
     return asked == config.memories.end() ? BramConfig{} : BramConfig{asked->second.ports, asked->second.partition};
 }
 
+/// Cycles from the area of a drawn triangle to the next area.
+inline Cycles reciprocal_interval(AcceleratorConfig const& config) {
+    return config.number("area_reciprocal.interval").value_or(1);
+}
+
 /// Cycles of the rasterizer's triangle setup, without those that spans take besides.
 inline Cycles setup_depth_of(AcceleratorConfig const& config) { return config.setup("rasterizer").value_or(12); }
 

@@ -450,7 +450,9 @@ AcceleratorConfig random_config(std::uint64_t seed, RandomConfigOptions const& o
         }
         make_room(config, {FifoId::observed_depth, FifoId::observed_edge}, 0);
     }
-    config.fifo_rules = static_cast<FifoGeneration>(Dice(~seed).between(0, 2));  // changes nothing else that is drawn
+    Dice more(~seed);  // changes nothing else that is drawn
+    config.fifo_rules = static_cast<FifoGeneration>(more.between(0, 2));
+    config.number("area_reciprocal.interval") = static_cast<std::uint64_t>(more.one_in(2) ? 1 : more.between(2, 9));
     return config;
 }
 

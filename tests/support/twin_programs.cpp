@@ -184,12 +184,12 @@ TwinProgram rasterizer(TwinSampleFunction const& sample, AcceleratorConfig const
 
 /// The write is a step of its own that may fall in the cycle of the read; that it enters a pipeline of Lw stages is a
 /// property of the FIFO model.
-TwinProgram area_reciprocal(TwinSampleFunction const& sample) {
+TwinProgram area_reciprocal(AcceleratorConfig const& config, TwinSampleFunction const& sample) {
     TwinProgram program;
     for (TwinTriangle const& triangle : sample.triangles) {
         if (triangle.area_code > 0) {
             step(program, {read_of(FifoId::area)}, 0);
-            step(program, {write_of(FifoId::area_reciprocal)});
+            step(program, {write_of(FifoId::area_reciprocal)}, reciprocal_interval(config));
         } else {
             step(program, {read_of(FifoId::area)});
         }
@@ -463,7 +463,7 @@ TwinSamplePrograms programs_of_sample(AcceleratorConfig const& config, Stimulus 
     set(ModuleId::sample_dispatcher, sample_dispatcher());
     set(ModuleId::vertex_transform, vertex_transform(function));
     set(ModuleId::rasterizer, rasterizer(function, config));
-    set(ModuleId::area_reciprocal, area_reciprocal(function));
+    set(ModuleId::area_reciprocal, area_reciprocal(config, function));
     if (config.flow == Flow::faster)
         set(ModuleId::edge_map_builder, edge_map_builder(function, config, side));
     if (config.flow == Flow::faster && config.edge_map.buffers == 2)

@@ -233,7 +233,7 @@ TEST_CASE("An unknown key names the nearest valid one", "[config][errors]") {
           "test.yaml:2: accelerator.cheese: unknown key, expected in accelerator one of architecture, raster_cores, "
           "window, clock_mhz, fifo_rules, flow, fraction_bits, edge_map, rasterizer, inlier_unit, edge_extraction, "
           "memory, fifos, area_reciprocal, loops, "
-          "brams");
+          "brams, modules");
     CHECK(file_error("accelerator.window: 3\n") ==
           "test.yaml:1: accelerator.window: not a name, expected one map inside the other for a.b.c");
 }

@@ -7,7 +7,7 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/machine/core_share.hpp"
 #include "kernel/replay/collect.hpp"
-#include "kernel/timing/path_sweep.hpp"
+#include "kernel/sizing/cut_members.hpp"
 
 namespace faster::sizing {
 
@@ -40,15 +40,6 @@ Cycles stalls_of(timing::ProcessTiming const& process) {
     return process.empty_stall_cycles() + process.full_stall_cycles();
 }
 
-/// How often a path turns at a port of a process, wherever in its program.
-std::uint64_t turns_at(timing::ProcessTiming const& process, unsigned port, timing::PathSums const& path) {
-    auto const loops = static_cast<unsigned>(process.loops().size());
-    std::uint64_t turns = 0;
-    for (unsigned number = 0; number < timing::Region::count(loops); ++number)
-        turns += path.turns(process.index(), timing::Region::numbered(number), port);
-    return turns;
-}
-
 /// Leaves a core once nobody needs it any more, and knows that it did.
 class GivenUp {
   public:
@@ -65,65 +56,6 @@ class GivenUp {
     CoreTimes::IsObsolete is_obsolete_;
     bool is_given_up_ = false;
 };
-
-/// By FIFO.
-using Members = std::vector<Cut::Member>;
-
-/// Of the path to the last result of a process.
-Members members_of_path(timing::CoreTiming const& core, std::size_t collector) {
-    std::vector<Cycles> const& results = core.processes()[collector].stamps();
-    timing::PathSums const path = critical_path(core, static_cast<unsigned>(collector), results.back());
-    Members members(core.fifos().size());
-    for (timing::ProcessTiming const& process : core.processes())
-        for (unsigned port = 0; port < process.port_count(); ++port) {
-            timing::FifoTiming const& fifo = process.fifo(port);
-            if (fifo.is_memory() || turns_at(process, port, path) == 0)
-                continue;
-            Cut::Member& member = members[core.number_of(fifo)];
-            if (process.writes(port))
-                member.capacity = fifo.shape().capacity;
-            else
-                member.is_slow = fifo.shape().read_latency > 1;
-        }
-    return members;
-}
-
-/// The processes that wait for each other in a circle; others may only wait for these.
-std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
-    std::vector<timing::Wait> chain;
-    for (std::string next = waits.front().process;;) {
-        auto const waits_there = [&next](timing::Wait const& wait) { return wait.process == next; };
-        auto const seen = std::find_if(chain.begin(), chain.end(), waits_there);
-        if (seen != chain.end())
-            return {seen, chain.end()};
-        auto const wait = std::find_if(waits.begin(), waits.end(), waits_there);
-        if (wait == waits.end())
-            return waits;
-        chain.push_back(*wait);
-        next = wait->other;
-    }
-}
-
-/// Everything else could have all the room it wants: what is full would be as full.
-Members members_of_deadlock(timing::CoreTiming& core) {
-    Members members(core.fifos().size());
-    for (timing::Wait const& wait : circle_of(core.waits()))
-        for (std::size_t i = 0; i < members.size(); ++i)
-            if (wait.to_write && wait.fifo == core.fifos()[i].name())
-                members[i].capacity = wait.capacity;
-    return members;
-}
-
-/// Those that hold anybody up.
-std::vector<Cut::Member> members_of(Members const& members) {
-    std::vector<Cut::Member> kept;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        if (members[i].capacity > 0 || members[i].is_slow) {
-            kept.push_back(members[i]);
-            kept.back().fifo = i;
-        }
-    return kept;
-}
 
 /// No FIFO changes it.
 Cycles load_of(replay::RecordedRun const& run, Machine const& machine) {
@@ -443,7 +375,7 @@ Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_
     timing::CoreTiming const& timing = *timings[are_together_ ? core : 0];
     if (results_of(timing).empty())
         return {};
-    return {members_of(members_of_path(timing, machine_.ends)), results_of(timing).back() + 1};
+    return {members_of_path(timing, machine_.ends), results_of(timing).back() + 1};
 }
 
 std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
@@ -459,7 +391,7 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
     Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
     Members const members =
         cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing, machine_.ends);
-    return Cut{members_of(members), cycles};
+    return Cut{members, cycles};
 }
 
 }  // namespace faster::sizing

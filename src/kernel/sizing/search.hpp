@@ -5,30 +5,9 @@
 #include "kernel/sizing/cheapest_choice.hpp"
 #include "kernel/sizing/core_times.hpp"
 #include "kernel/sizing/last_that_holds.hpp"
+#include "kernel/sizing/unbounded.hpp"
 
 namespace faster::sizing {
-
-/// The FIFOs as they are configured: how they may be built.
-struct FifoFrame {
-    std::vector<std::size_t> freezing;  ///< numbers, see freezing_fifos()
-    Freedoms freedoms;
-    CostWeights weights;
-
-    FifoFrame(Machine const& machine, CostWeights const& weights);
-    std::size_t fifos() const { return freedoms.size(); }
-};
-
-/// Depths beyond which nothing gets faster, and what they take: the reference of all bounds.
-struct Unbounded {
-    Choice choice;
-    Cycles total_cycles = 0;
-    std::size_t last_core = 0;  ///< which takes as long
-};
-
-/// Deepens FIFOs of the configured kinds, `auto` ones as memories, until the critical path of the core that ends last
-/// waits for no room, and no pipeline ever freezes. Then no depth whatsoever is faster (unless `most_depth` is
-/// reached, or cores share a memory: then some other may be).
-Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 
 /// The cheapest choice within a bound, and how sure that is.
 struct Found {

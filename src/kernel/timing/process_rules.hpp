@@ -22,6 +22,7 @@ struct PipelinePosition {
     Cycles offset = 0;           ///< steps since the iteration's first
     std::uint32_t gap_left = 0;  ///< silent iterations behind one with accesses
     std::uint64_t drain_left = 0;
+    std::uint64_t alike = 0;  ///< of the last iterations begun, at least so many have accessed the same ports
 };
 
 /// Where a process stands. With the operations that it has yet to do and the FIFOs around it, all that decides when it
@@ -443,13 +444,10 @@ template <class Process, class Port> class ProcessRules {
         PipelinePosition const& pipeline = state_.pipeline;
         if (!shape_->loops[state_.loop].uses_memory || plan_->phases.size() != 1 || plan_->phases.front().offset > 0 ||
             self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 || operation.gap() > 0 ||
-            operation.ports() == 0 || operation.count() < 2 || pipeline.iteration < plan_->longest_lag ||
-            !are_in_one_step(operation.ports()))
+            operation.ports() == 0 || operation.count() < 2 || pipeline.alike < plan_->longest_lag)
             return false;
-        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
-            if (state_.delayed(lag) != operation.ports())
-                return false;
-        return true;
+        bool const goes_on = plan_->longest_lag == 0 || state_.delayed(1) == operation.ports();
+        return goes_on && are_in_one_step(operation.ports());
     }
 
     /// Of a loop with one step.
@@ -471,7 +469,8 @@ template <class Process, class Port> class ProcessRules {
             return false;
         Ports::Number const ports = operation.ports();
         state_.pipeline.iteration += done;
-        for (std::uint64_t lag = 1; lag <= plan_->longest_lag; ++lag)
+        state_.pipeline.alike += done;
+        for (std::uint64_t lag = std::min<std::uint64_t>(done, plan_->longest_lag); lag > 0; --lag)
             state_.delayed(lag) = ports;
         count(done);
         take_off(operation, done);
@@ -485,6 +484,8 @@ template <class Process, class Port> class ProcessRules {
         if (!pipeline.open) {
             if (is_counted)
                 self().iterates(state_.iterations, 1);
+            bool const is_like_last = pipeline.iteration > 0 && state_.delayed(1) == ports;
+            pipeline.alike = is_like_last ? pipeline.alike + 1 : 1;
             state_.delayed(0) = ports;
             pipeline.open = true;
             pipeline.phase = 0;

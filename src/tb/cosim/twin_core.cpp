@@ -26,6 +26,7 @@ void set(Vcosimulated_core& core, TwinSettings const& settings) {
     core.inlier_unit_clears_on_read_out = settings.inlier_unit_clears_on_read_out;
     core.has_line_buffers = settings.has_line_buffers;
     core.reciprocals_squeeze = settings.reciprocals_squeeze;
+    core.area_reciprocal_interval = settings.area_reciprocal_interval;
     core.edge_map_ports = settings.ports[0];
     core.object_map_ports = settings.ports[1];
     core.depth_buffer_ports = settings.ports[2];

@@ -114,6 +114,8 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     settings.has_line_buffers = config.inlier_unit.neighbour_access == NeighbourAccess::window;
     settings.is_flattened = config.inlier_unit.fragment_loop == FragmentLoop::flattened;
     settings.reciprocals_squeeze = machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::squeeze;
+    settings.area_reciprocal_interval =
+        static_cast<std::uint8_t>(machine.processes[machine.process("area_reciprocal")].numbers.at("interval"));
     std::array<char const*, 3> const memories{"edge_map", "object_map", "depth_buffer"};
     for (std::size_t i = 0; i < memories.size(); ++i)
         settings.ports[i] = static_cast<std::uint8_t>(

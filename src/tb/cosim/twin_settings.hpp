@@ -44,6 +44,7 @@ struct TwinSettings {
     bool has_line_buffers = false;
     bool is_flattened = false;  ///< the loop `fragment`
     bool reciprocals_squeeze = false;
+    std::uint8_t area_reciprocal_interval = 1;
     std::array<std::uint8_t, 3> ports{2, 2, 2};  ///< of edge_map, object_map, depth_buffer
     std::uint8_t setup_cycles = 12;
     std::uint8_t fifo_rules = 0;  ///< spec, vivado_hls, vitis_hls

@@ -10,6 +10,7 @@
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
+#include "support/temp_folder.hpp"
 #include "tb/cosim/comparison.hpp"
 #include "workload/files/trace.hpp"
 
@@ -209,10 +210,11 @@ TEST_CASE("Without forwarding the twin is wrong only where the model reports haz
 }
 
 TEST_CASE("The command says where model and twin differ first, and with which values", "[rtl]") {
-    auto const cosim = [](std::vector<std::string> arguments) {
+    test::TempFolder const folder;
+    auto const cosim = [&folder](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(),
                          {"cosim", source + "/traces/one_triangle", "--set", "accelerator.raster_cores=1"});
-        return test::run_command(FASTER_SIM_BINARY, arguments, source);
+        return test::run_command(FASTER_SIM_BINARY, arguments, folder.path());
     };
     auto const same = cosim({});
     CHECK(same.exit_code == 0);

@@ -68,8 +68,7 @@ void RecentTokens::write_vcd(std::filesystem::path const& file, recording::Recor
     window.cores.push_back(shown);
     recording::WaveformFiles files;
     files.push_back(std::make_unique<recording::VcdFile>(file, core.machine->clock_mhz));
-    recording::write_waveform(files, *core.machine, window,
-                              recording::SignalFilter::fifos(*core.machine));
+    recording::write_waveform(files, *core.machine, window, recording::SignalFilter::fifos(*core.machine));
 }
 
 }  // namespace faster::rtl

@@ -98,10 +98,10 @@ def copy_sources():
     return source
 
 
-def build(source, jobs):
+def build(source, jobs, is_first=False):
     """Little optimization: compiling takes longer than simulating."""
     folder = WORK / "build"
-    if not (folder / "CMakeCache.txt").exists():
+    if is_first:  # also if it was configured before: files may have come
         subprocess.run(["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_UNITY_BUILD=ON", "-DFASTER_BUILD_TESTS=OFF", "-DFASTER_BUILD_EXAMPLES=OFF",
                         "-DFASTER_BUILD_PYTHON=OFF", "-DFASTER_BUILD_BENCHMARKS=OFF"],
@@ -120,13 +120,13 @@ def first_difference(faster_sim):
         overrides = [word for key in ["raster_cores=1"] + keys for word in ("--set", "accelerator." + key)]
         try:
             run = subprocess.run([faster_sim, "cosim", ROOT / "traces" / trace, "--out", WORK / "waveforms"] + overrides,
-                                 capture_output=True, text=True, timeout=300)
+                                 capture_output=True, text=True, timeout=60)
         except subprocess.TimeoutExpired:
             return number, "the model does not come to an end"
         if run.returncode == 2:
             sys.exit(f"trial {number}: {run.stderr}")
         if run.returncode != 0:
-            return number, ((run.stdout or run.stderr).strip().split("\n") or [""])[0]
+            return number, (run.stdout or run.stderr or f"the model ends with {run.returncode}").strip().split("\n")[0]
     return None
 
 
@@ -157,9 +157,9 @@ def main():
     if arguments.check:
         print(f"{len(mutations)} mutations can be made")
         return 0
-    os.nice(10)
+    os.nice(5)
     source = copy_sources()
-    built = build(source, arguments.jobs)
+    built = build(source, arguments.jobs, is_first=True)
     if built.returncode != 0:
         sys.exit(built.stdout)
     found = first_difference(program())

@@ -29,18 +29,21 @@ module banked_buffers #(
     typedef logic [ADDRESS_BITS-1:0] address_t;
     typedef logic [3:0] part_t;
 
-    wire [8:0] bank_cols = (window + 9'(banks) - 9'd1) / 9'(banks);
+    wire [8:0] bank_cols = 9'(lane_pkg::divided({7'b0, window} + {12'b0, banks} - 16'd1, banks));
     // Groups go round a lane's banks.
     part_t parts[2], read_part[2], write_part[2], part_was_read[2];
+    logic [8:0] read_round[2], write_round[2];
     address_t read_address[2], write_address[2];
     for (genvar s = 0; s < 2; s = s + 1) begin : g_side
-        assign parts[s] = banks / lanes[s];
-        assign read_part[s] = part_t'(read_group[s] % 9'(parts[s]));
-        assign write_part[s] = part_t'(write_group[s] % 9'(parts[s]));
+        assign parts[s] = 4'(lane_pkg::divided({12'b0, banks}, lanes[s]));
+        assign read_round[s] = 9'(lane_pkg::divided({7'b0, read_group[s]}, parts[s]));
+        assign write_round[s] = 9'(lane_pkg::divided({7'b0, write_group[s]}, parts[s]));
+        assign read_part[s] = 4'(read_group[s] - read_round[s] * 9'(parts[s]));
+        assign write_part[s] = 4'(write_group[s] - write_round[s] * 9'(parts[s]));
         assign read_address[s] = ADDRESS_BITS'(read_row[s]) * ADDRESS_BITS'(bank_cols) +
-                                 ADDRESS_BITS'(read_group[s]) / ADDRESS_BITS'(parts[s]);
+                                 ADDRESS_BITS'(read_round[s]);
         assign write_address[s] = ADDRESS_BITS'(write_row[s]) * ADDRESS_BITS'(bank_cols) +
-                                  ADDRESS_BITS'(write_group[s]) / ADDRESS_BITS'(parts[s]);
+                                  ADDRESS_BITS'(write_round[s]);
         always_ff @(posedge clock) if (read[s] != '0) part_was_read[s] <= read_part[s];
     end
 
@@ -50,8 +53,8 @@ module banked_buffers #(
         wire is_drawn = buffer[0] == 1'(f) && (read[0] != '0 || write[0] != '0);
         wire of_side = side && !is_drawn;
         for (genvar b = 0; b < BANKS; b = b + 1) begin : g_bank
-            wire lane_pkg::lanes_t lane = 4'(b) % lanes[of_side];
-            wire part_t part = 4'(b) / lanes[of_side];
+            wire part_t part = 4'(lane_pkg::divided(16'(b), lanes[of_side]));
+            wire lane_pkg::lanes_t lane = 4'(b) - part * lanes[of_side];
             wire owns = buffer[of_side] == 1'(f) && 4'(b) < banks;
             logic [2*BITS-1:0] read_words;  // the upper: of the port that writes
             block_ram #(

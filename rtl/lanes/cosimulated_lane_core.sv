@@ -106,7 +106,7 @@ module cosimulated_lane_core (
     endfunction
 
     // Taken over at the reset.
-    lane_pkg::settings_t settings, asked_for;
+    lane_settings_pkg::settings_t settings, asked_for;
     always_ff @(posedge clock) if (reset) settings <= asked_for;
     always_comb begin
         asked_for = '0;
@@ -283,17 +283,17 @@ module cosimulated_lane_core (
         field[F_REGION][1] = 64'(core.region_in.col);
         field[F_VALID_DEPTH][0] = 64'(core.valid_depth_in);
         field[F_MAP_FULL][0] = 64'(core.map_full_in.number);
-        field[F_MAP_FULL][1] = 64'(core.map_full_in.region.first.row);
-        field[F_MAP_FULL][2] = 64'(core.map_full_in.region.first.col);
-        field[F_MAP_FULL][3] = 64'(core.map_full_in.region.last.row);
-        field[F_MAP_FULL][4] = 64'(core.map_full_in.region.last.col);
+        field[F_MAP_FULL][1] = 64'(core.map_full_in.region.first_row);
+        field[F_MAP_FULL][2] = 64'(core.map_full_in.region.first_col);
+        field[F_MAP_FULL][3] = 64'(core.map_full_in.region.last_row);
+        field[F_MAP_FULL][4] = 64'(core.map_full_in.region.last_col);
         field[F_MAP_FREE][0] = 64'(core.map_free_in);
         field[F_DEPTH_FULL][0] = 64'(core.depth_full_in.number);
         field[F_DEPTH_FULL][1] = 64'(core.depth_full_in.valid_raster);
-        field[F_DEPTH_FULL][2] = 64'(core.depth_full_in.region.first.row);
-        field[F_DEPTH_FULL][3] = 64'(core.depth_full_in.region.first.col);
-        field[F_DEPTH_FULL][4] = 64'(core.depth_full_in.region.last.row);
-        field[F_DEPTH_FULL][5] = 64'(core.depth_full_in.region.last.col);
+        field[F_DEPTH_FULL][2] = 64'(core.depth_full_in.region.first_row);
+        field[F_DEPTH_FULL][3] = 64'(core.depth_full_in.region.first_col);
+        field[F_DEPTH_FULL][4] = 64'(core.depth_full_in.region.last_row);
+        field[F_DEPTH_FULL][5] = 64'(core.depth_full_in.region.last_col);
         field[F_DEPTH_FREE][0] = 64'(core.depth_free_in);
     end
 

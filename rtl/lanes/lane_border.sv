@@ -22,7 +22,7 @@ module lane_border #(
 );
     localparam int INDEX_BITS = $clog2(PLACES);
     typedef logic [INDEX_BITS-1:0] index_t;
-    wire index_t behind = index_t'(row_tokens) - index_t'(1);
+    wire index_t behind = INDEX_BITS'(row_tokens) - INDEX_BITS'(1);
     logic [LANES-1:0] judged, above, left;
     logic right;  // the next token's first pixel
     wire is_alone = row_tokens == 9'd1;
@@ -30,22 +30,21 @@ module lane_border #(
         logic [PLACES-1:0] history;  // bit i: i + 1 tokens before
         always_ff @(posedge clock) if (advance) history <= {history[PLACES-2:0], covered[k]};
         assign judged[k] = history[behind];
-        assign above[k] = history[behind+index_t'(row_tokens)];
-        assign left[k] = history[behind+index_t'(1)];
-        if (k == 0) assign right = history[behind-index_t'(1)];
+        assign above[k] = history[behind+INDEX_BITS'(row_tokens)];
+        assign left[k] = history[behind+INDEX_BITS'(1)];
+        if (k == 0) assign right = history[behind-INDEX_BITS'(1)];
     end
 
     wire [8:0] last = window - 9'd1;
     wire [8:0] first_col = token * 9'(lanes);
     wire lane_pkg::lanes_t last_lane = lanes - 4'd1;
-    always_comb
-        for (int k = 0; k < LANES; k = k + 1) begin
-            automatic logic [8:0] col = first_col + 9'(k);
-            automatic logic to_left = k == 0 ? !is_first_token && left[last_lane] : judged[k == 0 ? 0 : k-1];
-            automatic logic to_right = 4'(k) == last_lane ? !is_last_token && !is_alone && right :
-                                                            judged[k == LANES - 1 ? k : k+1];
-            edge_bits[k] = 4'(k) < lanes && judged[k] &&
-                           !((row == '0 || (!is_first_row && above[k])) && (row == last || (!is_last_row && covered[k])) &&
-                             (col == '0 || to_left) && (col == last || to_right));
-        end
+    for (genvar k = 0; k < LANES; k = k + 1) begin : g_pixel
+        wire [8:0] col = first_col + 9'(k);
+        wire to_left = k == 0 ? !is_first_token && left[last_lane] : judged[k == 0 ? 0 : k-1];
+        wire to_right = 4'(k) == last_lane ? !is_last_token && !is_alone && right : judged[k == LANES - 1 ? k : k+1];
+        assign edge_bits[k] =
+            4'(k) < lanes && judged[k] &&
+            !((row == '0 || (!is_first_row && above[k])) && (row == last || (!is_last_row && covered[k])) &&
+              (col == '0 || to_left) && (col == last || to_right));
+    end
 endmodule

@@ -13,7 +13,7 @@ module lane_core #(
 ) (
     input  logic                    clock,
     input  logic                    reset,
-    input  lane_pkg::settings_t     settings,
+    input  lane_settings_pkg::settings_t     settings,
     input  logic [31:0]             samples,
     output logic [31:0]             sample_number,
     input  faster_pkg::header_t     header,

@@ -82,7 +82,7 @@ module lane_inlier_unit #(
     wire faster_pkg::stage_t read_stage = fragment_loop.depth >= 8'd10 ? 6'd7 : 6'(fragment_loop.depth - 8'd3);
     wire logic signed [15:0] side = $signed({7'b0, window});
     wire is_row_inside = fragment_index.row >= 0 && fragment_index.row < side;
-    wire [8:0] group = 9'(16'(fragment_index.col) / 16'(lanes));
+    wire [8:0] group = 9'(lane_pkg::divided({7'b0, fragment_index.col[8:0]}, lanes));
     logic [ADDRESS_BITS-1:0] reading_address, comparing_address, writing_address;
     delay_line #(
         .BITS(ADDRESS_BITS)

@@ -60,7 +60,7 @@ module lane_map_builder (
             write[k] = advance && is_writing && writing.mask[k] && writing.row >= 0 && writing.row < side &&
                        writing.col + 16'(k) >= 0 && writing.col + 16'(k) < side;
     assign write_row = 9'(writing.row);
-    assign write_group = 9'(16'(writing.col) / 16'(lanes));
+    assign write_group = 9'(lane_pkg::divided({7'b0, writing.col[8:0]}, lanes));
 
     wire lane_pkg::region_t whole_window = {32'd0, side - 16'sd1, side - 16'sd1};
     wire is_turning = state == BUILT;  // to the output, without a region

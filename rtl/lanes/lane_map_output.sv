@@ -1,7 +1,9 @@
 // Reads the object map out and sends its border, a token per iteration, a row of tokens later; clears what it has read.
 // With one map lane_map_builder starts it. With two it is a process: (read map_full, write map_free); T += 1. Then loop
 // `output`; T += 1 instead, if there is nothing to go over.
-module lane_map_output (
+module lane_map_output #(
+    parameter int PLACES = 512  // tokens of two rows
+) (
     input  logic                       clock,
     input  logic                       reset,
     input  faster_pkg::loop_t          output_loop,
@@ -72,7 +74,9 @@ module lane_map_output (
     assign write = advance && was_read ? lanes_read : '0;
 
     logic [lane_pkg::LANES-1:0] edge_bits;
-    lane_border border (
+    lane_border #(
+        .PLACES(PLACES)
+    ) border (
         .clock, .advance(advance && was_begun), .lanes, .window, .row_tokens, .covered(words & lanes_read),
         .row, .token, .is_first_row, .is_last_row, .is_first_token, .is_last_token, .edge_bits
     );
@@ -88,8 +92,8 @@ module lane_map_output (
     assign map_free = !map_full.number;
     assign is_over = state == NOTHING || (advance && ends);
 
-    wire [8:0] new_rows = 9'(new_region.last.row - new_region.first.row + 16'sd1);
-    wire [8:0] new_tokens = 9'(16'(new_region.last.col) / 16'(lanes) - 16'(new_region.first.col) / 16'(lanes) + 16'd1);
+    wire [8:0] new_rows = 9'(new_region.last_row - new_region.first_row + 16'sd1);
+    wire [8:0] new_tokens = 9'(lane_pkg::divided(new_region.last_col, lanes) - lane_pkg::divided(new_region.first_col, lanes) + 16'd1);
     always_ff @(posedge clock) begin
         if (reset) begin
             state <= WAIT;

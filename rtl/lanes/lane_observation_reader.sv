@@ -37,6 +37,7 @@ module lane_observation_reader (
     output logic [lane_pkg::LANES-1:0]                       observed_edge
 );
     localparam int DEPTH_BITS = faster_pkg::DEPTH_BITS;
+    localparam int LANES = lane_pkg::LANES;
     typedef enum logic [2:0] {TAKE_SAMPLE, TABLE, VALID_DEPTH, FIRST_CORNER, LAST_CORNER, READ, NOTHING} state_t;
     state_t state;
     logic [2:0] table_reads_left;
@@ -72,16 +73,14 @@ module lane_observation_reader (
 
     logic [LANES*DEPTH_BITS-1:0] depths;
     logic [LANES-1:0] edge_bits;
-    localparam int LANES = lane_pkg::LANES;
     wire is_row_in_image = $signed(image_row) >= 0 && $signed(image_row) < $signed({16'b0, height});
-    always_comb
-        for (int k = 0; k < LANES; k = k + 1) begin
-            automatic logic signed [31:0] at = $signed(image_col) + k;
-            automatic logic is_there = is_row_in_image && at >= 0 && at < $signed({16'b0, width}) &&
-                                       col + 12'(k) < 12'(window) && 4'(k) < lanes;
-            depths[k*DEPTH_BITS+:DEPTH_BITS] = is_there ? image_depths[k*DEPTH_BITS+:DEPTH_BITS] : '0;
-            edge_bits[k] = is_there && image_edges[k];
-        end
+    for (genvar k = 0; k < LANES; k = k + 1) begin : g_lane
+        wire logic signed [31:0] at = $signed(image_col) + k;
+        wire is_there = is_row_in_image && at >= 0 && at < $signed({16'b0, width}) && col + 12'(k) < 12'(window) &&
+                        4'(k) < lanes;
+        assign depths[k*DEPTH_BITS+:DEPTH_BITS] = is_there ? image_depths[k*DEPTH_BITS+:DEPTH_BITS] : '0;
+        assign edge_bits[k] = is_there && image_edges[k];
+    end
     wire sends = state == READ && begins;
     delay_line #(
         .BITS(1 + LANES * DEPTH_BITS)

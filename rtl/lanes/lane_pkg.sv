@@ -16,9 +16,22 @@ package lane_pkg;
 
     // The pixels that a sample has drawn lie in this box; (0, 0) and (-1, -1): there are none.
     typedef struct packed {
-        faster_pkg::pixel_t first;
-        faster_pkg::pixel_t last;
+        logic signed [15:0] first_row;
+        logic signed [15:0] first_col;
+        logic signed [15:0] last_row;
+        logic signed [15:0] last_col;
     } region_t;
+
+    // Rounded down. A step per bit, so that a constant makes little of it.
+    function automatic logic [15:0] divided(input logic [15:0] value, input lanes_t by);
+        logic [4:0] rest;
+        rest = '0;
+        for (int b = 15; b >= 0; b = b - 1) begin
+            rest = {rest[3:0], value[b]};
+            divided[b] = rest >= {1'b0, by};
+            if (rest >= {1'b0, by}) rest = rest - {1'b0, by};
+        end
+    endfunction
 
     // A buffer that is drawn.
     typedef struct packed {
@@ -26,23 +39,4 @@ package lane_pkg;
         logic [31:0] valid_raster;
         region_t     region;
     } full_t;
-
-    // Everything that a core is configured by. Loops and FIFOs are those of faster_pkg::settings_t.
-    typedef struct packed {
-        faster_pkg::settings_t common;
-        lanes_t                scan_lanes;
-        lanes_t                sweep_lanes;
-        lanes_t                object_map_banks;  // cyclic, of columns: multiples of both kinds of lanes
-        lanes_t                depth_buffer_banks;
-        logic [4:0]            setups_ahead;  // at least 1
-        logic                  sweeps_touched;  // the region only
-        logic                  has_two_maps;
-        logic                  has_two_depth_buffers;
-        faster_pkg::fifo_t     region;
-        faster_pkg::fifo_t     valid_depth;
-        faster_pkg::fifo_t     map_full;
-        faster_pkg::fifo_t     map_free;
-        faster_pkg::fifo_t     depth_full;
-        faster_pkg::fifo_t     depth_free;
-    } settings_t;
 endpackage

@@ -99,6 +99,19 @@ module lane_rasterizer #(
         .start_z_sum, .z_sum_per_col, .z_sum_per_row
     );
 
+    logic [3*EDGE_BITS-1:0] quotients, remainders, quotient_steps, remainder_steps, divisors;
+    for (genvar i = 0; i < 3; i = i + 1) begin : g_edge
+        span_division #(
+            .EDGE_BITS(EDGE_BITS)
+        ) division (
+            .at_start(start_edges[i*EDGE_BITS+:EDGE_BITS]), .from_left(17'(start_col) - 17'(col_min)),
+            .per_col(edges_per_col[i*EDGE_BITS+:EDGE_BITS]), .per_row(edges_per_row[i*EDGE_BITS+:EDGE_BITS]),
+            .quotient(quotients[i*EDGE_BITS+:EDGE_BITS]), .remainder(remainders[i*EDGE_BITS+:EDGE_BITS]),
+            .quotient_step(quotient_steps[i*EDGE_BITS+:EDGE_BITS]),
+            .remainder_step(remainder_steps[i*EDGE_BITS+:EDGE_BITS]), .divisor(divisors[i*EDGE_BITS+:EDGE_BITS])
+        );
+    end
+
     // Iterations
     wire announces = begins && work == ANNOUNCE;
     wire is_drawn = area > 0;
@@ -111,7 +124,8 @@ module lane_rasterizer #(
     ) scan (
         .clock, .load(announces && advance), .iterate(begins && work == VISIT && advance), .lanes,
         .origin_row, .origin_col, .col_min, .col_max, .row_max, .start_row, .start_col,
-        .start_edges, .edges_per_col, .edges_per_row, .start_z_sum,
+        .edges_per_col, .new_quotients(quotients), .new_remainders(remainders), .new_quotient_steps(quotient_steps),
+        .new_remainder_steps(remainder_steps), .new_divisors(divisors), .start_z_sum,
         .new_z_sum_per_col(z_sum_per_col), .new_z_sum_per_row(z_sum_per_row),
         .is_last(scan_is_last), .group, .z_sum, .z_sum_per_col(z_step)
     );
@@ -158,12 +172,12 @@ module lane_rasterizer #(
         is_group_inside = 1'b0;
         for (int k = lane_pkg::LANES - 1; k >= 0; k = k - 1)
             if (group.mask[k] && group.col + 16'(k) >= 0 && group.col + 16'(k) < $signed({7'b0, window})) begin
-                if (!is_group_inside) of_group.last.col = group.col + 16'(k);
-                of_group.first.col = group.col + 16'(k);
+                if (!is_group_inside) of_group.last_col = group.col + 16'(k);
+                of_group.first_col = group.col + 16'(k);
                 is_group_inside = 1'b1;
             end
-        of_group.first.row = group.row;
-        of_group.last.row = group.row;
+        of_group.first_row = group.row;
+        of_group.last_row = group.row;
         if (group.row < 0 || group.row >= $signed({7'b0, window})) is_group_inside = 1'b0;
     end
     always_ff @(posedge clock) begin
@@ -172,15 +186,15 @@ module lane_rasterizer #(
             has_touched <= 1'b1;
             if (!has_touched) touched <= of_group;
             else begin
-                if (of_group.first.row < touched.first.row) touched.first.row <= of_group.first.row;
-                if (of_group.first.col < touched.first.col) touched.first.col <= of_group.first.col;
-                if (of_group.last.row > touched.last.row) touched.last.row <= of_group.last.row;
-                if (of_group.last.col > touched.last.col) touched.last.col <= of_group.last.col;
+                if (of_group.first_row < touched.first_row) touched.first_row <= of_group.first_row;
+                if (of_group.first_col < touched.first_col) touched.first_col <= of_group.first_col;
+                if (of_group.last_row > touched.last_row) touched.last_row <= of_group.last_row;
+                if (of_group.last_col > touched.last_col) touched.last_col <= of_group.last_col;
             end
         end
     end
-    wire faster_pkg::pixel_t corner = state == FIRST_CORNER ? (has_touched ? touched.first : '0) :
-                                                              (has_touched ? touched.last : '1);
+    wire faster_pkg::pixel_t corner = state == FIRST_CORNER ? (has_touched ? {touched.first_row, touched.first_col} : '0) :
+                                                              (has_touched ? {touched.last_row, touched.last_col} : '1);
 
     // Steps outside of the loop
     wire ends_sample = state == END_SAMPLE && command_has_room && edge_token_has_room;

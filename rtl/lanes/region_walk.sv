@@ -15,9 +15,7 @@ module region_walk (
     output logic              is_last_row
 );
     logic [8:0] first_row, last_row, first_token, last_token;
-    wire [15:0] size = 16'(lanes);
-
-    assign is_empty = region.last.row < region.first.row;
+    assign is_empty = region.last_row < region.first_row;
     assign is_first_row = row == first_row;
     assign is_first_token = token == first_token;
     assign is_last_token = token == last_token;
@@ -26,12 +24,12 @@ module region_walk (
 
     always_ff @(posedge clock) begin
         if (starts) begin
-            first_row <= 9'(region.first.row);
-            last_row <= 9'(region.last.row);
-            first_token <= 9'(16'(region.first.col) / size);
-            last_token <= 9'(16'(region.last.col) / size);
-            row <= 9'(region.first.row);
-            token <= 9'(16'(region.first.col) / size);
+            first_row <= 9'(region.first_row);
+            last_row <= 9'(region.last_row);
+            first_token <= 9'(lane_pkg::divided(region.first_col, lanes));
+            last_token <= 9'(lane_pkg::divided(region.last_col, lanes));
+            row <= 9'(region.first_row);
+            token <= 9'(lane_pkg::divided(region.first_col, lanes));
         end else if (advance) begin
             token <= is_last_token ? first_token : token + 9'd1;
             if (is_last_token) row <= row + 9'd1;

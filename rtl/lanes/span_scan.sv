@@ -1,7 +1,7 @@
 // Goes over the rows of a triangle in the order and directions of the zigzag, and in each over the groups of `lanes`
 // pixels that have a covered one; a row without takes one iteration. Groups begin at multiples of `lanes` from the
 // window's first column on. Where an edge crosses a row follows from where it crossed the row before: a quotient and a
-// remainder, with what a row adds to them, which the setup divides for.
+// remainder, with what a row adds to them, from span_division.
 module span_scan #(
     parameter int EDGE_BITS = 36,
     parameter int Z_SUM_BITS = 56
@@ -17,9 +17,13 @@ module span_scan #(
     input  logic signed [15:0]           row_max,
     input  logic signed [15:0]           start_row,
     input  logic signed [15:0]           start_col,
-    input  logic [3*EDGE_BITS-1:0]       start_edges,
+    // Of three edges, one behind the other
     input  logic [3*EDGE_BITS-1:0]       edges_per_col,
-    input  logic [3*EDGE_BITS-1:0]       edges_per_row,
+    input  logic [3*EDGE_BITS-1:0]       new_quotients,
+    input  logic [3*EDGE_BITS-1:0]       new_remainders,
+    input  logic [3*EDGE_BITS-1:0]       new_quotient_steps,
+    input  logic [3*EDGE_BITS-1:0]       new_remainder_steps,
+    input  logic [3*EDGE_BITS-1:0]       new_divisors,
     input  logic signed [Z_SUM_BITS-1:0] start_z_sum,
     input  logic signed [Z_SUM_BITS-1:0] new_z_sum_per_col,
     input  logic signed [Z_SUM_BITS-1:0] new_z_sum_per_row,
@@ -34,12 +38,9 @@ module span_scan #(
     typedef logic signed [16:0] place_t;
     typedef enum logic [1:0] {FROM_LEFT, FROM_RIGHT, FLAT} side_t;  // where an edge bounds a row
 
-    function automatic edge_t floored(input edge_t value, input edge_t by);  // by > 0
-        floored = value < 0 ? -((by - edge_t'(1) - value) / by) : value / by;
-    endfunction
-    function automatic place_t group_of(input place_t col, input lane_pkg::lanes_t by);
-        automatic place_t size = place_t'({13'b0, by});
-        group_of = col < 0 ? -((size - 17'sd1 - col) / size) : col / size;
+    // No column lies further to the left of the window than an image is wide: 4096.
+    function automatic place_t group_of(input logic [15:0] col, input lane_pkg::lanes_t by);
+        group_of = $signed({1'b0, lane_pkg::divided(col + {by, 12'b0}, by)}) - 17'sd4096;
     endfunction
 
     // Of the row at hand, counted from the left wall: columns from -quotient on, or up to quotient, or all if it is not
@@ -53,26 +54,47 @@ module span_scan #(
     logic signed [Z_SUM_BITS-1:0] row_z_sum, z_sum_per_row;  // at the left wall
 
     logic signed [EDGE_BITS+1:0] first, last;  // covered columns
+    typedef logic signed [EDGE_BITS+1:0] bound_t;
+    bound_t from[3], to[3];
+    for (genvar i = 0; i < 3; i = i + 1) begin : g_edge
+        assign from[i] = (EDGE_BITS + 2)'(left_wall) - (EDGE_BITS + 2)'(quotient[i]);
+        assign to[i] = (EDGE_BITS + 2)'(left_wall) + (EDGE_BITS + 2)'(quotient[i]);
+        // The row after it
+        wire edge_t sum = remainder[i] + remainder_step[i];
+        wire carries = sum >= divisor[i];
+        wire edge_t per_col = edges_per_col[i*EDGE_BITS+:EDGE_BITS];
+        always_ff @(posedge clock) begin
+            if (load) begin
+                divisor[i] <= new_divisors[i*EDGE_BITS+:EDGE_BITS];
+                side[i] <= per_col == '0 ? FLAT : per_col < 0 ? FROM_RIGHT : FROM_LEFT;
+                quotient[i] <= new_quotients[i*EDGE_BITS+:EDGE_BITS];
+                remainder[i] <= new_remainders[i*EDGE_BITS+:EDGE_BITS];
+                quotient_step[i] <= new_quotient_steps[i*EDGE_BITS+:EDGE_BITS];
+                remainder_step[i] <= new_remainder_steps[i*EDGE_BITS+:EDGE_BITS];
+            end else if (iterate && is_row_over) begin
+                quotient[i] <= quotient[i] + quotient_step[i] + EDGE_BITS'(carries);
+                remainder[i] <= carries ? sum - divisor[i] : sum;
+            end
+        end
+    end
     always_comb begin
         first = (EDGE_BITS + 2)'(line_first);
         last = (EDGE_BITS + 2)'(line_last);
         for (int i = 0; i < 3; i = i + 1) begin
-            automatic logic signed [EDGE_BITS+1:0] from = (EDGE_BITS + 2)'(left_wall) - (EDGE_BITS + 2)'(quotient[i]);
-            automatic logic signed [EDGE_BITS+1:0] to = (EDGE_BITS + 2)'(left_wall) + (EDGE_BITS + 2)'(quotient[i]);
-            if (side[i] == FROM_LEFT && from > first) first = from;
-            if (side[i] == FROM_RIGHT && to < last) last = to;
+            if (side[i] == FROM_LEFT && from[i] > first) first = from[i];
+            if (side[i] == FROM_RIGHT && to[i] < last) last = to[i];
         end
     end
     wire is_outside = (side[0] == FLAT && quotient[0] < 0) || (side[1] == FLAT && quotient[1] < 0) ||
                       (side[2] == FLAT && quotient[2] < 0);
     wire is_empty = is_outside || first > last;
-    wire place_t first_col = place_t'(first) - place_t'(origin_col);  // of the window
-    wire place_t last_col = place_t'(last) - place_t'(origin_col);
-    wire place_t first_group = group_of(first_col, lanes);
-    wire place_t last_group = group_of(last_col, lanes);
+    wire place_t first_col = 17'(first) - 17'(origin_col);  // of the window
+    wire place_t last_col = 17'(last) - 17'(origin_col);
+    wire place_t first_group = group_of(16'(first_col), lanes);
+    wire place_t last_group = group_of(16'(last_col), lanes);
     wire place_t at = is_in_row ? current : goes_right ? first_group : last_group;
     wire is_row_over = is_empty || at == (goes_right ? last_group : first_group);
-    wire place_t group_col = at * place_t'({13'b0, lanes});
+    wire place_t group_col = at * 17'({13'b0, lanes});
 
     assign is_last = is_row_over && row == bottom;
     assign group.row = row - origin_row;
@@ -80,31 +102,19 @@ module span_scan #(
     always_comb
         for (int k = 0; k < lane_pkg::LANES; k = k + 1)
             group.mask[k] = 4'(k) < lanes && !is_empty && group_col + 17'(k) >= first_col && group_col + 17'(k) <= last_col;
-    wire place_t from_left = group_col + place_t'(origin_col) - left_wall;
+    wire place_t from_left = group_col + 17'(origin_col) - left_wall;
     assign z_sum = row_z_sum + Z_SUM_BITS'(from_left) * z_sum_per_col;
 
-    wire place_t start_from_left = place_t'(start_col) - place_t'(col_min);
+    wire place_t start_from_left = 17'(start_col) - 17'(col_min);
     always_ff @(posedge clock) begin
         if (load) begin
-            for (int i = 0; i < 3; i = i + 1) begin
-                automatic edge_t per_col = edges_per_col[i*EDGE_BITS+:EDGE_BITS];
-                automatic edge_t per_row = edges_per_row[i*EDGE_BITS+:EDGE_BITS];
-                automatic edge_t at_left = start_edges[i*EDGE_BITS+:EDGE_BITS] - edge_t'(start_from_left) * per_col;
-                automatic edge_t by = per_col == '0 ? edge_t'(1) : per_col < 0 ? -per_col : per_col;
-                divisor[i] <= by;
-                side[i] <= per_col == '0 ? FLAT : per_col < 0 ? FROM_RIGHT : FROM_LEFT;
-                quotient[i] <= floored(at_left, by);
-                remainder[i] <= at_left - floored(at_left, by) * by;
-                quotient_step[i] <= floored(per_row, by);
-                remainder_step[i] <= per_row - floored(per_row, by) * by;
-            end
-            left_wall <= place_t'(col_min);
-            right_wall <= place_t'(col_max) + 17'sd1;
+            left_wall <= 17'(col_min);
+            right_wall <= 17'(col_max) + 17'sd1;
             row <= start_row;
             bottom <= row_max;
             goes_right <= start_col == col_min;
-            line_first <= place_t'(col_min);
-            line_last <= start_col == col_min ? place_t'(col_max) + 17'sd1 : place_t'(start_col);
+            line_first <= 17'(col_min);
+            line_last <= start_col == col_min ? 17'(col_max) + 17'sd1 : 17'(start_col);
             is_in_row <= 1'b0;
             row_z_sum <= start_z_sum - Z_SUM_BITS'(start_from_left) * new_z_sum_per_col;
             z_sum_per_col <= new_z_sum_per_col;
@@ -113,12 +123,6 @@ module span_scan #(
             is_in_row <= !is_row_over;
             current <= goes_right ? at + 17'sd1 : at - 17'sd1;
             if (is_row_over) begin
-                for (int i = 0; i < 3; i = i + 1) begin
-                    automatic edge_t sum = remainder[i] + remainder_step[i];
-                    automatic logic carries = sum >= divisor[i];
-                    quotient[i] <= quotient[i] + quotient_step[i] + edge_t'(carries ? 1 : 0);
-                    remainder[i] <= carries ? sum - divisor[i] : sum;
-                end
                 row <= row + 16'sd1;
                 goes_right <= !goes_right;
                 line_first <= left_wall;

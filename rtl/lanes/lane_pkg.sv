@@ -22,15 +22,25 @@ package lane_pkg;
         logic signed [15:0] last_col;
     } region_t;
 
-    // Rounded down. A step per bit, so that a constant makes little of it.
+    // Rounded down.
     function automatic logic [15:0] divided(input logic [15:0] value, input lanes_t by);
-        logic [4:0] rest;
+`ifdef SYNTHESIS  // a step per bit, without carry chains: a constant makes little of it
+        logic [4:0] rest, less;
+        logic borrow;
         rest = '0;
         for (int b = 15; b >= 0; b = b - 1) begin
             rest = {rest[3:0], value[b]};
-            divided[b] = rest >= {1'b0, by};
-            if (rest >= {1'b0, by}) rest = rest - {1'b0, by};
+            borrow = 1'b0;
+            for (int i = 0; i < 5; i = i + 1) begin
+                less[i] = rest[i] ^ (i < 4 && by[i & 3]) ^ borrow;
+                borrow = (!rest[i] && ((i < 4 && by[i & 3]) || borrow)) || (i < 4 && by[i & 3] && borrow);
+            end
+            divided[b] = !borrow;
+            if (!borrow) rest = less;
         end
+`else
+        divided = value / {12'b0, by};
+`endif
     endfunction
 
     // A buffer that is drawn.

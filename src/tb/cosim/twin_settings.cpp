@@ -16,8 +16,8 @@ constexpr std::uint64_t most_memory_words = 1024;
 constexpr std::uint64_t most_lane_memory_words = 4094;
 constexpr std::uint64_t most_lanes = 10;
 constexpr std::uint64_t most_setups_ahead = 31;
-/// What `scan: spans` adds to a setup: the twin knows by itself.
-constexpr std::uint64_t span_division_cycles = 18;
+constexpr std::uint64_t default_setup_cycles = 12;
+constexpr std::uint64_t most_setup_cycles = most_cycles - 18;  // spans are divided for besides; the twin knows
 constexpr int largest_window = 255;
 
 [[noreturn]] void refuse(std::string const& key, std::string const& found, std::string const& expected) {
@@ -174,10 +174,9 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     for (std::size_t i = 0; i < memories.size(); ++i)
         settings.ports[i] = static_cast<std::uint8_t>(
             in_range(std::string("brams.") + memories[i] + ".ports", config.memory(memories[i]).ports, 1, most_cycles));
-    std::uint64_t const setup = machine.processes[machine.process("rasterizer")].setup_cycles;
-    settings.setup_cycles = static_cast<std::uint8_t>(in_range("loops.rasterizer.setup.depth",
-                                                               setup - (settings.lanes ? span_division_cycles : 0), 1,
-                                                               most_cycles - span_division_cycles));
+    settings.setup_cycles = static_cast<std::uint8_t>(
+        in_range("loops.rasterizer.setup.depth", config.setup("rasterizer").value_or(default_setup_cycles), 1,
+                 most_setup_cycles));
     settings.fifo_rules = static_cast<std::uint8_t>(config.fifo_rules);
     for (std::size_t i = 0; i < twin_fifos.size(); ++i)
         settings.fifos[i] = fifo_settings(machine.fifos[machine.fifo(twin_fifos[i])], settings.lanes.has_value());

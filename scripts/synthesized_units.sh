@@ -18,7 +18,7 @@ log2() { # bits of a count
 reset_keys() {
     window=200 vertex_xy=4 area_reciprocal=30 fragment_depth=18 vertex_z=14 depth_buffer=9 width=640 height=480
     write_latency= ports=2 algorithm=dual_map clearing=loop neighbour_access=direct fragment_loop=per_triangle
-    flush_last=false when_full=freeze interval=1 edge_tokens=all depth=
+    flush_last=false when_full=freeze interval=1 edge_tokens=all depth= lanes=1
 }
 # with KEYS COMMAND...: `default` or keys with their values, for a unit; a configuration's name may begin with `check.`
 apply() {
@@ -81,6 +81,24 @@ inlier_unit() {
         "WORDS=$((window * window)) PORTS=$((ports < 2 ? 2 : ports)) RECIPROCAL_BITS=$(reciprocal_bits) DEPTH_BITS=$((fragment_depth + 2))" \
         "clear_loop=$(hex_loop 1 2) fragment_loop=$(hex_loop 1 ${depth:-10}) sweep_loop=$(hex_loop $interval 8) ports=3'd$ports is_inner_border=$(truth $algorithm inner_border) has_line_buffers=$(truth $neighbour_access window) clears_on_read_out=$(truth $clearing on_read_out) is_flattened=$flattened forwards=$flattened window=9'd$window fraction=$(fractions)"
 }
+# What works in lanes, rtl/lanes: with the window, one buffer; a region and a second buffer change little.
+lane_unit() { # NAME CONFIGURATION FILES PARAMETERS CONSTANTS
+    unit "$1" "$2" "$1" "lanes/lane_pkg.sv lanes/region_walk.sv $3 lanes/$1.sv" "$4" "$5 window=9'd$window"
+}
+lane_units() {
+    apply "$1"
+    local constants="lanes=4'd$lanes" places=128
+    while ((places < 2 * ((window + lanes - 1) / lanes))); do places=$((2 * places)); done
+    lane_unit lane_sweep "$1" pixel_comparison.sv "LANES_BUILT=$lanes" \
+        "$constants sweep_loop=$(hex_loop 1 8) sweeps_touched=1'b0 has_two_buffers=1'b0 fraction=4'd9"
+    lane_unit lane_map_output "$1" lanes/lane_border.sv "PLACES=$places" \
+        "$constants output_loop=$(hex_loop 1 3) edge_map_latency=6'd2 has_two_maps=1'b0"
+    lane_unit lane_map_builder "$1" "" "" \
+        "$constants token_loop=$(hex_loop 1 4) receives_region=1'b0 has_two_maps=1'b0"
+    lane_unit lane_observation_reader "$1" "" "" \
+        "$constants read_loop=$(hex_loop 1 5) observed_depth_latency=6'd4 observed_edge_latency=6'd4 receives_region=1'b0 width=16'd$width height=16'd$height"
+    unit span_scan "$1" span_scan "lanes/lane_pkg.sv lanes/span_scan.sv" "EDGE_BITS=$(edge_bits) Z_SUM_BITS=48" "$constants"
+}
 fifo() { # KIND DEPTH BITS
     local places=$(($2 < 2 ? 2 : $2)) words=2 shape
     while ((words < $2)); do words=$((2 * words)); done
@@ -120,6 +138,9 @@ unit result_collector default result_collector result_collector.sv "" ""
 reset_keys
 unit depth_unit default depth_unit depth_unit.sv "RECIPROCAL_BITS=39 DEPTH_BITS=20" "fraction=$(fractions)"
 unit pixel_comparison default pixel_comparison pixel_comparison.sv "" "fraction=4'd9 has_own_depth=1'b1"
+for keys in default lanes=2 lanes=5 lanes=10; do lane_units "$keys"; done
+unit lane_depth_unit default lane_depth_unit "depth_unit.sv lanes/lane_depth_unit.sv" "RECIPROCAL_BITS=39 DEPTH_BITS=20" \
+    "forwards=1'b1 read_stage=6'd7 fraction=$(fractions)"
 unit span_divider default divider "divider.sv iterative_divider.sv" "DIVIDEND_BITS=18 DIVISOR_BITS=18 STAGES=6" ""
 for depth in 1 2 3 4 8 16 17 32 33 64; do
     for bits in 1 128; do fifo shift_register $depth $bits; done

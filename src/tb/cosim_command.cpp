@@ -37,8 +37,22 @@ rtl::TwinSettings settings_of(CosimRequest const& request) {
     return settings;
 }
 
+/// Of cycles around the difference. Returns the names of both files.
+std::string write_waveforms(std::filesystem::path const& folder, recording::RecordedCore const& core,
+                            rtl::Difference const& difference) {
+    std::filesystem::create_directories(folder);
+    auto const write = [&](char const* side, rtl::RecentTokens const& tokens) {
+        std::filesystem::path const file = folder / fmt::format("cosim_core_{}_{}.vcd", core.core, side);
+        tokens.write_vcd(file, core, difference.from, difference.to);
+        return file.lexically_normal().string();
+    };
+    std::string const model = write("model", difference.model);
+    return model + ", " + write("twin", difference.twin);
+}
+
 /// True if nothing differs.
-bool tell(std::size_t core, rtl::Compared const& compared) {
+bool tell(recording::RecordedCore const& recorded, rtl::Compared const& compared, std::filesystem::path const& folder) {
+    std::size_t const core = recorded.core;
     if (!compared.difference) {
         say("core {}: no difference in {} cycles: {} writes with their tokens, {} reads, {} maps; twin {:.2f} s, "
             "{:.0f} "
@@ -50,6 +64,8 @@ bool tell(std::size_t core, rtl::Compared const& compared) {
     say("core {}, cycle {}: {}\n", core, compared.difference->cycle, compared.difference->what);
     for (std::string const& line : compared.difference->history)
         say("  {}\n", line);
+    say("  waveforms of cycles {} to {}: {}\n", compared.difference->from, compared.difference->to,
+        write_waveforms(folder, recorded, *compared.difference));
     return false;
 }
 
@@ -73,7 +89,7 @@ int cosim(CosimRequest const& request) {
     recording.done = [&](recording::RecordedWindow const& window) {
         for (recording::RecordedCore const& core : window.cores) {
             CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
-            is_same = tell(core.core, rtl::compare(core, maps, settings, stimulus, share)) && is_same;
+            is_same = tell(core, rtl::compare(core, maps, settings, stimulus, share), request.out) && is_same;
         }
     };
     options.recordings.push_back(recording);
@@ -96,6 +112,9 @@ Subcommand cosim_command() {
             command.add_option("--core", request->core, "Compare this core only")
                 ->type_name("N")
                 ->check(CLI::Range(0, 1000000));
+            command.add_option("--out", request->out, "Folder for the waveforms of a difference")
+                ->type_name("DIR")
+                ->capture_default_str();
             command.add_flag("!--no-forwarding", request->forwards,
                              "The twin reads stale words of its memories, as hardware does without forwarding");
             return [request] { return cosim(*request); };

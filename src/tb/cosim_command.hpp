@@ -13,6 +13,7 @@ struct CosimRequest {
     std::string config;                       ///< file; empty: defaults
     std::vector<std::string> overrides;       ///< of model and twin
     std::vector<std::string> twin_overrides;  ///< of the twin alone, to see a difference found
+    std::string out = ".";                    ///< folder for the waveforms of a difference
     std::int64_t core = -1;                   ///< -1: all
     bool forwards = true;                     ///< see TwinSettings
 };

@@ -136,4 +136,31 @@ TEST_CASE("A sample's window shows what the whole waveform shows while the sampl
                      {std::stoull(sample.at("start_cycle")), std::stoull(sample.at("end_cycle"))});
 }
 
+TEST_CASE("Cosimulation leaves waveforms of model and twin, which part where it says", "[vcd]") {
+    Waves const waves;
+    auto const cosim =
+        run_command(FASTER_SIM_BINARY,
+                    {"cosim", FASTER_SOURCE_DIR "/traces/one_triangle", "--set", "accelerator.raster_cores=1",
+                     "--twin-set", "accelerator.loops.inlier_unit.sweep.ii=4", "--out", "difference"},
+                    waves.path());
+    if (cosim.err.find("expected a program built with Verilator") != std::string::npos)
+        return;
+    CHECK(cosim.out.find("core 0, cycle 1083: FIFO edge_map: the model reads, the twin does not\n") == 0);
+    CHECK(cosim.out.find("  waveforms of cycles 983 to 1183: difference/cosim_core_0_model.vcd, "
+                         "difference/cosim_core_0_twin.vcd\n") != std::string::npos);
+    Vcd const model = waves.vcd("difference/cosim_core_0_model.vcd");
+    Vcd const twin = waves.vcd("difference/cosim_core_0_twin.vcd");
+    REQUIRE(waves.run("one_triangle", {"--set", "accelerator.raster_cores=1", "--vcd", "whole.vcd"}).exit_code == 0);
+    Vcd const whole = waves.vcd("whole.vcd");
+    REQUIRE(model.signals.size() > 100);
+    REQUIRE(model.signals.size() == twin.signals.size());
+    for (auto const& [signal, values] : model.signals) {
+        CAPTURE(signal);
+        CHECK(model.within(signal, 983, 1183) == whole.within(signal, 983, 1183));
+        CHECK(model.within(signal, 983, 1082) == twin.within(signal, 983, 1082));
+    }
+    CHECK(model.at("core_0.fifo_edge_map.read", 1083).bits == 1);
+    CHECK(twin.at("core_0.fifo_edge_map.read", 1083).bits == 0);
+}
+
 }  // namespace waveform_windows_test

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernel/machine/machine.hpp"
+
 namespace faster {
 namespace {
 

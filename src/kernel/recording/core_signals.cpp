@@ -19,7 +19,8 @@ CoreSignals::CoreSignals(Waveform& waveform, RecordedCore const& core, SignalFil
       module_signals_(machine_.processes.size()),
       memory_signals_(machine_.memories.size()) {
     waveform.open_scope(fmt::format("core_{}", core.core));
-    declare_samples(domain);
+    if (filter.shows_samples())
+        declare_samples(domain);
     for (std::size_t i = 0; i < machine_.processes.size(); ++i)
         if (filter.shows_process(i))
             declare_module(i, domain);

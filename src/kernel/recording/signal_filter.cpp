@@ -60,4 +60,14 @@ SignalFilter::SignalFilter(std::vector<std::string> const& patterns, Machine con
     external_memory_ = machine.external_memory && matches(name_of_external_memory);
 }
 
+SignalFilter SignalFilter::fifos(Machine const& machine) {
+    SignalFilter filter;
+    filter.processes_.resize(machine.processes.size());
+    filter.memories_.resize(machine.memories.size());
+    for (MachineFifo const& fifo : machine.fifos)
+        filter.fifos_.push_back(fifo.is_present);
+    filter.samples_ = false;
+    return filter;
+}
+
 }  // namespace faster::recording

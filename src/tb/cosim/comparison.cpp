@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <fmt/format.h>
 #include <utility>
 
@@ -14,6 +15,9 @@ namespace {
 /// Longer than any pipeline of the twin.
 constexpr Cycles quiet_cycles = 1000;
 constexpr std::size_t history_cycles = 8;
+/// Of a waveform around a difference.
+constexpr Cycles cycles_before = 100;
+constexpr Cycles cycles_after = 100;
 
 template <class Word> Image<Word> square(Word const* words, int side) {
     Image<Word> image(side, side);
@@ -44,19 +48,23 @@ class Comparison {
           settings_(settings),
           twin_(settings, stimulus, share.first, share.count),
           built_(share.first),
-          drawn_(share.first) {
+          drawn_(share.first),
+          model_tokens_(model.machine->fifos.size()),
+          twin_tokens_(model.machine->fifos.size()) {
         number_of_.assign(model.machine->fifos.size(), twin_fifos.size());
         for (std::size_t i = 0; i < twin_fifos.size(); ++i) {
-            number_of_[model.machine->fifo(twin_fifos[i])] = i;
-            layouts_.push_back(model.token_layouts[model.machine->fifo(twin_fifos[i])]);
+            machine_number_of_.push_back(model.machine->fifo(twin_fifos[i]));
+            number_of_[machine_number_of_.back()] = i;
+            layouts_.push_back(model.token_layouts[machine_number_of_.back()]);
         }
     }
 
     Compared run() {
         recording::for_each_event({{model_.core, model_.spools}},
                                   [this](recording::CoreEvent const& event) { take(event); });
-        for (Cycles i = 0; i <= quiet_cycles && !compared_.difference; ++i)
-            compare_cycle();
+        for (Cycles i = 0; i <= quiet_cycles && !is_over(); ++i)
+            take_cycle();
+        keep_waveforms();
         return std::move(compared_);
     }
 
@@ -66,19 +74,26 @@ class Comparison {
         bool const writes = event.event.kind == Kind::write;
         if (!writes && event.event.kind != Kind::read)
             return;
-        while (compared_.cycles < event.event.cycle && !compared_.difference)
-            compare_cycle();
+        while (compared_.cycles < event.event.cycle && !is_over())
+            take_cycle();
+        if (is_over())
+            return;
         std::size_t const fifo = number_of_[event.event.item];
         (writes ? expected_.writes : expected_.reads) |= 1U << fifo;
         if (writes)
             expected_.tokens[fifo] = *event.fields;
     }
 
-    void compare_cycle() {
+    /// Both have gone far enough behind a difference.
+    bool is_over() const {
+        return compared_.difference && compared_.cycles > compared_.difference->cycle + cycles_after;
+    }
+
+    void take_cycle() {
         std::uint32_t const writes = twin_.writes();
         std::uint32_t const reads = twin_.reads();
         if ((writes | reads | expected_.writes | expected_.reads) != 0)
-            compare_accesses(writes, reads);
+            take_accesses(writes, reads);
         if (!compared_.difference)
             compare_maps();
         expected_.writes = expected_.reads = 0;
@@ -86,6 +101,34 @@ class Comparison {
         twin_.step();
         compared_.twin_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         ++compared_.cycles;
+    }
+
+    void take_accesses(std::uint32_t writes, std::uint32_t reads) {
+        for (std::size_t fifo = 0; fifo < twin_fifos.size(); ++fifo) {
+            keep(model_tokens_, fifo, expected_.writes, expected_.reads, expected_.tokens[fifo]);
+            keep(twin_tokens_, fifo, writes, reads,
+                 (writes >> fifo & 1U) != 0 ? written(fifo) : recording::TokenValues{});
+        }
+        if (!compared_.difference)
+            compare_accesses(writes, reads);
+    }
+
+    void keep(RecentTokens& tokens, std::size_t fifo, std::uint32_t writes, std::uint32_t reads,
+              recording::TokenValues const& token) const {
+        if ((reads >> fifo & 1U) != 0)
+            tokens.read(machine_number_of_[fifo], compared_.cycles);
+        if ((writes >> fifo & 1U) != 0)
+            tokens.write(machine_number_of_[fifo], compared_.cycles, token);
+    }
+
+    void keep_waveforms() {
+        if (!compared_.difference)
+            return;
+        Cycles const cycle = compared_.difference->cycle;
+        compared_.difference->from = cycle - std::min(cycle, cycles_before);
+        compared_.difference->to = cycle + cycles_after;
+        compared_.difference->model = std::move(model_tokens_);
+        compared_.difference->twin = std::move(twin_tokens_);
     }
 
     void compare_accesses(std::uint32_t writes, std::uint32_t reads) {
@@ -121,7 +164,10 @@ class Comparison {
     }
 
     void differ(std::string what) {
-        compared_.difference = {compared_.cycles, std::move(what), {history_.begin(), history_.end()}};
+        compared_.difference.emplace();
+        compared_.difference->cycle = compared_.cycles;
+        compared_.difference->what = std::move(what);
+        compared_.difference->history.assign(history_.begin(), history_.end());
     }
 
     void remember(std::uint32_t writes, std::uint32_t reads) {
@@ -176,10 +222,13 @@ class Comparison {
     TwinCore twin_;
     std::size_t built_;  ///< the sample whose maps come next
     std::size_t drawn_;
-    std::vector<std::size_t> number_of_;  ///< in the twin, by the machine's number
+    std::vector<std::size_t> number_of_;          ///< in the twin, by the machine's number
+    std::vector<std::size_t> machine_number_of_;  ///< by the twin's
     std::vector<std::vector<TokenField>> layouts_;
     Accesses expected_;
     std::deque<std::string> history_;
+    RecentTokens model_tokens_;
+    RecentTokens twin_tokens_;
     Compared compared_;
 };
 

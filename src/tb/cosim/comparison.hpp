@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "kernel/machine/core_share.hpp"
 #include "kernel/recording/recorded_core.hpp"
 #include "modules/core_context.hpp"
+#include "tb/cosim/recent_tokens.hpp"
 #include "tb/cosim/twin_core.hpp"
 
 namespace faster::rtl {
@@ -19,6 +19,11 @@ struct Difference {
     Cycles cycle = 0;
     std::string what;                  ///< FIFO or memory, and both values; one line
     std::vector<std::string> history;  ///< accesses of both in the last cycles with any, a line each
+    // For waveforms: some cycles before it, and some after it, in which model and twin went on.
+    Cycles from = 0;
+    Cycles to = 0;
+    RecentTokens model;
+    RecentTokens twin;
 };
 
 /// What a comparison went through.

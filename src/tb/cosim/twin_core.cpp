@@ -2,12 +2,15 @@
 
 #include <Vcosimulated_core.h>
 #include <Vcosimulated_core___024root.h>
+#include <Vcosimulated_lane_core.h>
+#include <iterator>
 
 namespace faster::rtl {
 
 namespace {
 
-void set(Vcosimulated_core& core, TwinSettings const& settings) {
+/// What both have; the rest differs.
+template <class Core> void set_common(Core& core, TwinSettings const& settings) {
     core.width = settings.width;
     core.height = settings.height;
     core.window = settings.window;
@@ -16,18 +19,9 @@ void set(Vcosimulated_core& core, TwinSettings const& settings) {
     core.area_reciprocal_fraction = static_cast<CData>(settings.fraction.area_reciprocal);
     core.fragment_depth_fraction = static_cast<CData>(settings.fraction.fragment_depth);
     core.depth_buffer_fraction = static_cast<CData>(settings.fraction.depth_buffer);
-    core.sends_edges = settings.sends_edges;
-    core.is_inner_border = settings.is_inner_border;
-    core.flushes_last = settings.flushes_last;
-    core.forwards_object_map = settings.forwards;
     core.forwards_depth_buffer = settings.forwards;
-    core.fragment_loop_is_flattened = settings.is_flattened;
-    core.edge_map_clears_on_read_out = settings.edge_map_clears_on_read_out;
-    core.inlier_unit_clears_on_read_out = settings.inlier_unit_clears_on_read_out;
-    core.has_line_buffers = settings.has_line_buffers;
     core.reciprocals_squeeze = settings.reciprocals_squeeze;
     core.area_reciprocal_interval = settings.area_reciprocal_interval;
-    core.edge_map_ports = settings.ports[0];
     core.object_map_ports = settings.ports[1];
     core.depth_buffer_ports = settings.ports[2];
     core.setup_cycles = settings.setup_cycles;
@@ -37,109 +31,243 @@ void set(Vcosimulated_core& core, TwinSettings const& settings) {
         core.loop_recurrence[i] = settings.loops[i].recurrence;
         core.loop_depth[i] = settings.loops[i].depth;
     }
-    for (std::size_t i = 0; i < settings.fifos.size(); ++i) {
+    for (std::size_t i = 0; i < std::size(core.fifo_kind); ++i) {
         core.fifo_kind[i] = settings.fifos[i].kind;
         core.fifo_depth[i] = settings.fifos[i].depth;
         core.fifo_write_latency[i] = settings.fifos[i].write_latency;
     }
 }
 
-template <class Word, class Memory> std::vector<Word> words_of(Memory const& memory, std::uint16_t window) {
-    std::size_t const pixels = std::size_t{window} * window;
-    std::vector<Word> words(pixels);
-    for (std::size_t i = 0; i < pixels; ++i)
-        words[i] = static_cast<Word>(memory[i]);
-    return words;
+/// Pixels of the window whose observed depth is at most 3 m, but for its border.
+std::uint32_t valid_depths(Stimulus const& stimulus, SampleInput const& sample) {
+    std::uint32_t count = 0;
+    for (int row = 1; row + 1 < stimulus.window; ++row)
+        for (int col = 1; col + 1 < stimulus.window; ++col) {
+            int const image_row = sample.centre_row - stimulus.window / 2 + row;
+            int const image_col = sample.centre_col - stimulus.window / 2 + col;
+            unsigned const depth = stimulus.observed_depth.contains(image_row, image_col)
+                                       ? stimulus.observed_depth.at(image_row, image_col)
+                                       : 0U;
+            count += depth <= 3U << stimulus.fraction.depth_buffer ? 1U : 0U;
+        }
+    return count;
 }
 
 }  // namespace
 
+/// A verilated core, whichever.
 struct TwinCore::Parts {
-    Stimulus const& stimulus;
-    std::size_t first;
-    std::size_t samples;
-    std::uint16_t window;
-    VerilatedContext context{};
-    Vcosimulated_core core{&context};
+    virtual ~Parts() = default;
+    virtual void settle() = 0;
+    virtual void edge() = 0;
+    virtual void reset(bool value) = 0;
+    virtual std::uint32_t writes() const = 0;
+    virtual std::uint32_t reads() const = 0;
+    virtual std::int64_t field(std::size_t fifo, std::size_t number) const = 0;
+    virtual bool maps_are_built() const = 0;
+    virtual bool depth_buffer_is_drawn() const = 0;
+    virtual std::vector<std::uint8_t> edge_map() = 0;
+    virtual std::vector<std::uint8_t> object_map() = 0;
+    virtual std::vector<std::uint16_t> depth_buffer() = 0;
+};
+
+namespace {
+
+template <class Core> class Verilated : public TwinCore::Parts {
+  public:
+    Verilated(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples)
+        : stimulus_(stimulus), first_(first), samples_(samples), window_(settings.window) {
+        set_common(core_, settings);
+        core_.samples = static_cast<IData>(samples);
+    }
+    ~Verilated() override { core_.final(); }
 
     /// Answers what the registers ask for; then the logic of the cycle settles.
-    void settle() {
-        if (core.sample_number < samples) {
-            SampleInput const& sample = stimulus.samples[first + core.sample_number];
-            core.header_sample = static_cast<IData>(first + core.sample_number);
-            core.header_centre_row = static_cast<IData>(sample.centre_row);
-            core.header_centre_col = static_cast<IData>(sample.centre_col);
-            core.header_triangles = sample.triangle_count;
+    void settle() override {
+        if (core_.sample_number < samples_) {
+            SampleInput const& sample = stimulus_.samples[first_ + core_.sample_number];
+            core_.header_sample = static_cast<IData>(first_ + core_.sample_number);
+            core_.header_centre_row = static_cast<IData>(sample.centre_row);
+            core_.header_centre_col = static_cast<IData>(sample.centre_col);
+            core_.header_triangles = sample.triangle_count;
         }
         answer_vertex();
-        auto const row = static_cast<std::int32_t>(core.image_row);
-        auto const col = static_cast<std::int32_t>(core.image_col);
-        if (stimulus.observed_depth.contains(row, col)) {
-            core.observed_depth = stimulus.observed_depth.at(row, col);
-            core.observed_edge = stimulus.observed_edges.at(row, col);
-        }
-        core.clock = 0;
-        core.eval();
+        answer_observation();
+        core_.clock = 0;
+        core_.eval();
     }
+    void edge() override {
+        core_.clock = 1;
+        core_.eval();
+    }
+    void reset(bool value) override { core_.reset = value; }
+    std::uint32_t writes() const override { return core_.fifo_write; }
+    std::uint32_t reads() const override { return core_.fifo_read; }
+    std::int64_t field(std::size_t fifo, std::size_t number) const override {
+        return static_cast<std::int64_t>(core_.field[fifo][number]);
+    }
+    bool maps_are_built() const override { return core_.maps_are_built != 0; }
+    bool depth_buffer_is_drawn() const override { return core_.depth_buffer_is_drawn != 0; }
 
+  protected:
+    virtual void answer_observation() = 0;
+
+    std::size_t pixels() const { return std::size_t{window_} * window_; }
+
+    Stimulus const& stimulus_;
+    std::size_t first_;
+    std::size_t samples_;
+    std::uint16_t window_;
+    VerilatedContext context_{};
+    Core core_{&context_};
+
+  private:
     void answer_vertex() {
-        if (core.vertex_sample >= stimulus.samples.size())
+        if (core_.vertex_sample >= stimulus_.samples.size())
             return;
-        SampleInput const& sample = stimulus.samples[core.vertex_sample];
-        if (core.vertex_number >= 3 * sample.triangle_count)
+        SampleInput const& sample = stimulus_.samples[core_.vertex_sample];
+        if (core_.vertex_number >= 3 * sample.triangle_count)
             return;
         VertexCode const& vertex =
-            stimulus.triangles[sample.first_triangle + core.vertex_number / 3].vertex[core.vertex_number % 3];
-        core.vertex_x = static_cast<SData>(vertex.x);
-        core.vertex_y = static_cast<SData>(vertex.y);
-        core.vertex_depth = vertex.z;
-    }
-
-    void edge() {
-        core.clock = 1;
-        core.eval();
+            stimulus_.triangles[sample.first_triangle + core_.vertex_number / 3].vertex[core_.vertex_number % 3];
+        core_.vertex_x = static_cast<SData>(vertex.x);
+        core_.vertex_y = static_cast<SData>(vertex.y);
+        core_.vertex_depth = vertex.z;
     }
 };
 
+/// rtl/raster_core.sv
+class RasterCoreTwin final : public Verilated<Vcosimulated_core> {
+  public:
+    RasterCoreTwin(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples)
+        : Verilated(settings, stimulus, first, samples) {
+        core_.sends_edges = settings.sends_edges;
+        core_.is_inner_border = settings.is_inner_border;
+        core_.flushes_last = settings.flushes_last;
+        core_.forwards_object_map = settings.forwards;
+        core_.fragment_loop_is_flattened = settings.is_flattened;
+        core_.edge_map_clears_on_read_out = settings.edge_map_clears_on_read_out;
+        core_.inlier_unit_clears_on_read_out = settings.inlier_unit_clears_on_read_out;
+        core_.has_line_buffers = settings.has_line_buffers;
+        core_.edge_map_ports = settings.ports[0];
+    }
+    // The names that Verilator gives to the memories of the builder and the inlier unit.
+    std::vector<std::uint8_t> edge_map() override {
+        return words_of<std::uint8_t>(
+            core_.rootp->cosimulated_core__DOT__core__DOT__builder__DOT__edge_map_ram__DOT__words);
+    }
+    std::vector<std::uint8_t> object_map() override {
+        return words_of<std::uint8_t>(
+            core_.rootp->cosimulated_core__DOT__core__DOT__builder__DOT__object_map_ram__DOT__words);
+    }
+    std::vector<std::uint16_t> depth_buffer() override {
+        return words_of<std::uint16_t>(
+            core_.rootp->cosimulated_core__DOT__core__DOT__inlier__DOT__depth_buffer_ram__DOT__words);
+    }
+
+  private:
+    void answer_observation() override {
+        auto const row = static_cast<std::int32_t>(core_.image_row);
+        auto const col = static_cast<std::int32_t>(core_.image_col);
+        if (stimulus_.observed_depth.contains(row, col)) {
+            core_.observed_depth = stimulus_.observed_depth.at(row, col);
+            core_.observed_edge = stimulus_.observed_edges.at(row, col);
+        }
+    }
+    template <class Word, class Memory> std::vector<Word> words_of(Memory const& memory) const {
+        std::vector<Word> words(pixels());
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = static_cast<Word>(memory[i]);
+        return words;
+    }
+};
+
+/// rtl/lanes/lane_core.sv
+class LaneCoreTwin final : public Verilated<Vcosimulated_lane_core> {
+  public:
+    LaneCoreTwin(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples)
+        : Verilated(settings, stimulus, first, samples), lanes_(*settings.lanes) {
+        core_.scan_lanes = lanes_.scan;
+        core_.sweep_lanes = lanes_.sweep;
+        core_.object_map_banks = lanes_.object_map_banks;
+        core_.depth_buffer_banks = lanes_.depth_buffer_banks;
+        core_.setups_ahead = lanes_.setups_ahead;
+        core_.sweeps_touched = lanes_.sweeps_touched;
+        core_.has_two_maps = lanes_.has_two_maps;
+        core_.has_two_depth_buffers = lanes_.has_two_depth_buffers;
+    }
+    std::vector<std::uint8_t> edge_map() override { return {}; }  // there is none
+    std::vector<std::uint8_t> object_map() override {
+        return words_of<std::uint8_t>(core_.object_words, lanes_.object_map_banks);
+    }
+    std::vector<std::uint16_t> depth_buffer() override {
+        return words_of<std::uint16_t>(core_.depth_words, lanes_.depth_buffer_banks);
+    }
+
+  private:
+    void answer_observation() override {
+        auto const row = static_cast<std::int32_t>(core_.image_row);
+        for (std::uint8_t lane = 0; lane < lanes_.sweep; ++lane) {
+            std::int32_t const col = static_cast<std::int32_t>(core_.image_col) + lane;
+            if (stimulus_.observed_depth.contains(row, col)) {
+                core_.observed_depth[lane] = stimulus_.observed_depth.at(row, col);
+                core_.observed_edge[lane] = stimulus_.observed_edges.at(row, col);
+            }
+        }
+        if (lanes_.sweeps_touched && core_.observed_sample != counted_sample_ &&
+            core_.observed_sample < stimulus_.samples.size()) {
+            counted_sample_ = core_.observed_sample;
+            core_.valid_depths = valid_depths(stimulus_, stimulus_.samples[counted_sample_]);
+        }
+    }
+    /// A word of every bank at a time.
+    template <class Word, class Words> std::vector<Word> words_of(Words const& of_banks, std::size_t banks) {
+        std::size_t const bank_cols = (window_ + banks - 1) / banks;
+        std::vector<Word> words(pixels());
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            std::size_t const row = i / window_;
+            std::size_t const col = i % window_;
+            if (auto const address = static_cast<SData>(row * bank_cols + col / banks);
+                col % banks == 0 || address != core_.bank_address) {
+                core_.bank_address = address;
+                core_.eval();
+            }
+            words[i] = static_cast<Word>(of_banks[col % banks]);
+        }
+        return words;
+    }
+
+    TwinSettings::Lanes lanes_;
+    IData counted_sample_ = ~IData{0};
+};
+
+}  // namespace
+
 bool has_twin() { return true; }
 
-TwinCore::TwinCore(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples)
-    : parts_(new Parts{stimulus, first, samples, settings.window}) {
-    set(parts_->core, settings);
-    parts_->core.samples = static_cast<IData>(samples);
-    parts_->core.reset = 1;
+TwinCore::TwinCore(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples) {
+    if (settings.lanes)
+        parts_ = std::make_unique<LaneCoreTwin>(settings, stimulus, first, samples);
+    else
+        parts_ = std::make_unique<RasterCoreTwin>(settings, stimulus, first, samples);
+    parts_->reset(true);
     for (int cycle = 0; cycle < 2; ++cycle) {
         parts_->settle();
         parts_->edge();
     }
-    parts_->core.reset = 0;
+    parts_->reset(false);
     parts_->settle();
 }
-TwinCore::~TwinCore() { parts_->core.final(); }
+TwinCore::~TwinCore() = default;
 
-std::uint32_t TwinCore::writes() const { return parts_->core.fifo_write; }
-std::uint32_t TwinCore::reads() const { return parts_->core.fifo_read; }
-std::int64_t TwinCore::field(std::size_t fifo, std::size_t number) const {
-    return static_cast<std::int64_t>(parts_->core.field[fifo][number]);
-}
-
-bool TwinCore::maps_are_built() const { return parts_->core.maps_are_built != 0; }
-bool TwinCore::depth_buffer_is_drawn() const { return parts_->core.depth_buffer_is_drawn != 0; }
-
-// The names that Verilator gives to the memories of the builder and the inlier unit.
-std::vector<std::uint8_t> TwinCore::edge_map() const {
-    return words_of<std::uint8_t>(
-        parts_->core.rootp->cosimulated_core__DOT__core__DOT__builder__DOT__edge_map_ram__DOT__words, parts_->window);
-}
-std::vector<std::uint8_t> TwinCore::object_map() const {
-    return words_of<std::uint8_t>(
-        parts_->core.rootp->cosimulated_core__DOT__core__DOT__builder__DOT__object_map_ram__DOT__words, parts_->window);
-}
-std::vector<std::uint16_t> TwinCore::depth_buffer() const {
-    return words_of<std::uint16_t>(
-        parts_->core.rootp->cosimulated_core__DOT__core__DOT__inlier__DOT__depth_buffer_ram__DOT__words,
-        parts_->window);
-}
+std::uint32_t TwinCore::writes() const { return parts_->writes(); }
+std::uint32_t TwinCore::reads() const { return parts_->reads(); }
+std::int64_t TwinCore::field(std::size_t fifo, std::size_t number) const { return parts_->field(fifo, number); }
+bool TwinCore::maps_are_built() const { return parts_->maps_are_built(); }
+bool TwinCore::depth_buffer_is_drawn() const { return parts_->depth_buffer_is_drawn(); }
+std::vector<std::uint8_t> TwinCore::edge_map() const { return parts_->edge_map(); }
+std::vector<std::uint8_t> TwinCore::object_map() const { return parts_->object_map(); }
+std::vector<std::uint16_t> TwinCore::depth_buffer() const { return parts_->depth_buffer(); }
 
 void TwinCore::step() {
     parts_->edge();

@@ -37,8 +37,9 @@ class TwinCore {
     /// On to the next cycle.
     void step();
 
+    struct Parts;  ///< of one of two models, rtl/cosimulated_core.sv or, with settings.lanes, rtl/lanes
+
   private:
-    struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 

@@ -13,6 +13,11 @@ constexpr std::uint64_t most_cycles = 255;    // of an interval or a depth
 constexpr std::uint64_t most_stages = 63;     // of a delay line
 constexpr std::uint64_t most_registers = 64;  // places of a FIFO
 constexpr std::uint64_t most_memory_words = 1024;
+constexpr std::uint64_t most_lane_memory_words = 4094;
+constexpr std::uint64_t most_lanes = 10;
+constexpr std::uint64_t most_setups_ahead = 31;
+constexpr std::uint64_t default_setup_cycles = 12;
+constexpr std::uint64_t most_setup_cycles = most_cycles - 18;  // spans are divided for besides; the twin knows
 constexpr int largest_window = 255;
 
 [[noreturn]] void refuse(std::string const& key, std::string const& found, std::string const& expected) {
@@ -49,10 +54,58 @@ void check_design(AcceleratorConfig const& config, Machine const& machine) {
     in_range("window", static_cast<std::uint64_t>(config.window), 2, largest_window);
 }
 
-TwinSettings::Fifo fifo_settings(MachineFifo const& fifo) {
+/// Whether it is a design of the twin with lanes, or nearer to one than to the thesis's.
+bool wants_lanes(AcceleratorConfig const& config) {
+    return config.rasterizer.scan == ScanPolicy::spans || config.rasterizer.setup_overlap > 0 ||
+           config.rasterizer.lanes > 1 || config.inlier_unit.sweep_lanes > 1 || config.edge_map.buffers > 1 ||
+           config.inlier_unit.buffers > 1 || config.inlier_unit.sweep_region == SweepRegion::touched;
+}
+
+/// Banks of columns, of which each lane has its own.
+std::uint8_t banks_of(MachineMemory const& memory, AcceleratorConfig const& config) {
+    std::string const key = "brams." + memory.name + ".partition";
+    PartitionConfig const& partition = config.memory(memory.name).partition;
+    std::uint64_t const banks = in_range(key + ".factor", memory.partition.banks(), 1, most_lanes);
+    require(banks == 1 || (partition.type == PartitionType::cyclic && partition.dimension == 2), key,
+            "cyclic banks of dimension 2");
+    for (int const lanes : {config.rasterizer.lanes, config.inlier_unit.sweep_lanes})
+        if (banks % static_cast<std::uint64_t>(lanes) != 0)
+            refuse(key + ".factor", fmt::format("{}", banks), fmt::format("a multiple of {} lanes", lanes));
+    return static_cast<std::uint8_t>(banks);
+}
+
+TwinSettings::Lanes lane_settings(AcceleratorConfig const& config, Machine const& machine) {
+    require(config.flow == Flow::faster, "flow", "faster");
+    require(config.edge_map.algorithm == EdgeMapAlgorithm::inner_border, "edge_map.algorithm", "inner_border");
+    require(config.rasterizer.edge_tokens == EdgeTokens::object, "rasterizer.edge_tokens", "object");
+    require(config.rasterizer.scan == ScanPolicy::spans, "rasterizer.scan", "spans");
+    require(config.edge_map.clearing == MapClearing::on_read_out, "edge_map.clearing", "on_read_out");
+    require(config.inlier_unit.clearing == MapClearing::on_read_out, "inlier_unit.clearing", "on_read_out");
+    require(config.inlier_unit.fragment_loop == FragmentLoop::flattened, "inlier_unit.fragment_loop", "flattened");
+    require(!machine.external_memory, "memory.model", "ideal");
+    in_range("window", static_cast<std::uint64_t>(config.window), 2, largest_window);
+    auto const lanes = [](std::string const& key, int value) {
+        return static_cast<std::uint8_t>(in_range(key, static_cast<std::uint64_t>(value), 1, most_lanes));
+    };
+    TwinSettings::Lanes settings;
+    settings.scan = lanes("rasterizer.lanes", config.rasterizer.lanes);
+    settings.sweep = lanes("inlier_unit.sweep_lanes", config.inlier_unit.sweep_lanes);
+    settings.object_map_banks = banks_of(machine.memories[machine.memory("object_map")], config);
+    settings.depth_buffer_banks = banks_of(machine.memories[machine.memory("depth_buffer")], config);
+    settings.setups_ahead = static_cast<std::uint8_t>(
+        in_range("rasterizer.setup_overlap", config.rasterizer.setup_overlap, 1, most_setups_ahead));
+    settings.sweeps_touched = config.inlier_unit.sweep_region == SweepRegion::touched;
+    settings.has_two_maps = config.edge_map.buffers == 2;
+    settings.has_two_depth_buffers = config.inlier_unit.buffers == 2;
+    return settings;
+}
+
+TwinSettings::Fifo fifo_settings(MachineFifo const& fifo, bool has_lanes) {
     TwinSettings::Fifo settings;
     std::string const key = "fifos." + fifo.name;
-    std::uint64_t const most = fifo.kind == FifoKind::memory ? most_memory_words : most_registers;
+    std::uint64_t const most = fifo.kind != FifoKind::memory ? most_registers
+                               : has_lanes                   ? most_lane_memory_words
+                                                             : most_memory_words;
     settings.kind = static_cast<std::uint8_t>(fifo.configured_kind);
     settings.depth = static_cast<std::uint16_t>(in_range(key + ".depth", fifo.depth, 1, most));
     // The word of the edge map has to be read first; and a result cannot leave before the read of its own step.
@@ -100,8 +153,11 @@ std::size_t number_of_loop(Machine const& machine, std::string const& name) {
 }  // namespace
 
 TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machine, int width, int height) {
-    check_design(config, machine);
     TwinSettings settings;
+    if (wants_lanes(config))
+        settings.lanes = lane_settings(config, machine);
+    else
+        check_design(config, machine);
     settings.width = static_cast<std::uint16_t>(width);
     settings.height = static_cast<std::uint16_t>(height);
     settings.window = static_cast<std::uint16_t>(config.window);
@@ -120,11 +176,12 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     for (std::size_t i = 0; i < memories.size(); ++i)
         settings.ports[i] = static_cast<std::uint8_t>(
             in_range(std::string("brams.") + memories[i] + ".ports", config.memory(memories[i]).ports, 1, most_cycles));
-    settings.setup_cycles = static_cast<std::uint8_t>(in_range(
-        "loops.rasterizer.setup.depth", machine.processes[machine.process("rasterizer")].setup_cycles, 1, most_cycles));
+    settings.setup_cycles = static_cast<std::uint8_t>(
+        in_range("loops.rasterizer.setup.depth", config.setup("rasterizer").value_or(default_setup_cycles), 1,
+                 most_setup_cycles));
     settings.fifo_rules = static_cast<std::uint8_t>(config.fifo_rules);
     for (std::size_t i = 0; i < twin_fifos.size(); ++i)
-        settings.fifos[i] = fifo_settings(machine.fifos[machine.fifo(twin_fifos[i])]);
+        settings.fifos[i] = fifo_settings(machine.fifos[machine.fifo(twin_fifos[i])], settings.lanes.has_value());
     for (std::size_t i = 0; i < twin_loops.size(); ++i)
         settings.loops[i] = loop_settings(machine.loops[number_of_loop(machine, twin_loops[i])], twin_loops[i],
                                           least_depth(twin_loops[i], config, machine));

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "faster/accelerator_config.hpp"
@@ -8,11 +9,12 @@
 
 namespace faster::rtl {
 
-/// FIFOs of the twin, in its order (rtl/cosimulated_core.sv): that of fifos.csv.
-inline constexpr std::array<char const*, 14> twin_fifos{
+/// FIFOs of the twins, in their order: that of fifos.csv. The first are those of rtl/cosimulated_core.sv.
+inline constexpr std::array<char const*, 20> twin_fifos{
     "sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
     "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
-    "edge_map",        "observed_depth", "observed_edge",      "result"};
+    "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
+    "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
 /// Its loops, in the order of the table of SPEC section 3.
 inline constexpr std::array<char const*, 9> twin_loops{
     "vertex_transform.vertex", "rasterizer.scan",         "edge_map_builder.clear",
@@ -50,6 +52,19 @@ struct TwinSettings {
     std::uint8_t fifo_rules = 0;  ///< spec, vivado_hls, vitis_hls
     std::array<Loop, twin_loops.size()> loops;
     std::array<Fifo, twin_fifos.size()> fifos;
+
+    /// Of the twin with lanes (rtl/lanes), which has one way of most of the above.
+    struct Lanes {
+        std::uint8_t scan = 1;
+        std::uint8_t sweep = 1;
+        std::uint8_t object_map_banks = 1;
+        std::uint8_t depth_buffer_banks = 1;
+        std::uint8_t setups_ahead = 1;
+        bool sweeps_touched = false;
+        bool has_two_maps = false;
+        bool has_two_depth_buffers = false;
+    };
+    std::optional<Lanes> lanes;
 };
 
 /// Of a configuration and its machine. Throws InputError if it asks for what the twin does not have, naming the key:

@@ -1,0 +1,52 @@
+// Types of a core that works on pixels of a row side by side, in lanes: what faster_pkg has none for.
+package lane_pkg;
+    localparam int LANES = 10;  // at most, of a scan or a sweep; and banks of a memory
+    localparam int GROUP_BITS = 32 + LANES;
+    localparam int REGION_BITS = 64;
+    localparam int FULL_BITS = 1 + 32 + REGION_BITS;
+    typedef logic [3:0] lanes_t;
+
+    // Pixels of a row relative to the window, which they may lie outside of: bit k of the mask is column col + k. Without
+    // a bit: the end of a sample, or a corner of its region.
+    typedef struct packed {
+        logic signed [15:0] row;
+        logic signed [15:0] col;
+        logic [LANES-1:0]   mask;
+    } group_t;
+
+    // The pixels that a sample has drawn lie in this box; (0, 0) and (-1, -1): there are none.
+    typedef struct packed {
+        logic signed [15:0] first_row;
+        logic signed [15:0] first_col;
+        logic signed [15:0] last_row;
+        logic signed [15:0] last_col;
+    } region_t;
+
+    // Rounded down.
+    function automatic logic [15:0] divided(input logic [15:0] value, input lanes_t by);
+`ifdef SYNTHESIS  // a step per bit, without carry chains: a constant makes little of it
+        logic [4:0] rest, less;
+        logic borrow;
+        rest = '0;
+        for (int b = 15; b >= 0; b = b - 1) begin
+            rest = {rest[3:0], value[b]};
+            borrow = 1'b0;
+            for (int i = 0; i < 5; i = i + 1) begin
+                less[i] = rest[i] ^ (i < 4 && by[i & 3]) ^ borrow;
+                borrow = (!rest[i] && ((i < 4 && by[i & 3]) || borrow)) || (i < 4 && by[i & 3] && borrow);
+            end
+            divided[b] = !borrow;
+            if (!borrow) rest = less;
+        end
+`else
+        divided = value / {12'b0, by};
+`endif
+    endfunction
+
+    // A buffer that is drawn.
+    typedef struct packed {
+        logic        number;
+        logic [31:0] valid_raster;
+        region_t     region;
+    } full_t;
+endpackage

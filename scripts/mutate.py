@@ -31,7 +31,7 @@ DEEP = ["fifos.%s.depth=%d" % (name, depth) for name, depth in
          ("edge_token", 64), ("sample_raster", 3))]
 COLUMNS = ["brams.%s.partition.%s" % (memory, key) for memory in ("object_map", "depth_buffer")
            for key in ("type=cyclic", "factor=10", "dimension=2")]
-NEXT_ZCU102 = COLUMNS + ["edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "edge_map.buffers=2",
+TEN_LANES = COLUMNS + ["edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "edge_map.buffers=2",
                          "rasterizer.scan=spans", "rasterizer.setup_overlap=12", "rasterizer.edge_tokens=object",
                          "rasterizer.lanes=10", "inlier_unit.clearing=on_read_out", "inlier_unit.fragment_loop=flattened",
                          "inlier_unit.sweep_lanes=5", "inlier_unit.sweep_region=touched", "inlier_unit.buffers=2",
@@ -54,10 +54,10 @@ TRIALS = [
     ("last_object", []),
     ("at_border", []),
     # Our own designs
-    ("edge_heavy", NEXT_ZCU102),
-    ("edge_heavy", NEXT_ZCU102 + ["rasterizer.lanes=5", "inlier_unit.sweep_lanes=10", "edge_map.buffers=1",
+    ("edge_heavy", TEN_LANES),
+    ("edge_heavy", TEN_LANES + ["rasterizer.lanes=5", "inlier_unit.sweep_lanes=10", "edge_map.buffers=1",
                                   "inlier_unit.buffers=1", "fifos.area.depth=4", "rasterizer.setup_overlap=2"]),
-    ("full_window", NEXT_ZCU102 + ["rasterizer.lanes=1", "inlier_unit.sweep_region=window", "fifos.vertex.depth=2"]),
+    ("full_window", TEN_LANES + ["rasterizer.lanes=1", "inlier_unit.sweep_region=window", "fifos.vertex.depth=2"]),
 ]
 
 

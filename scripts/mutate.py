@@ -28,7 +28,7 @@ Mutation = collections.namedtuple("Mutation", "what file old new unseen")
 # What is compared, one core each. Between them they enter every loop in every one of its forms.
 DEEP = ["fifos.%s.depth=%d" % (name, depth) for name, depth in
         (("command", 40), ("fragment_depth", 40), ("fragment_index", 32), ("area", 3), ("area_reciprocal", 3), ("vertex", 5),
-         ("edge_token", 64), ("sample_raster", 3))]
+         ("edge_token", 64), ("sample_raster", 8))]  # 8 x 128 bits are 1024
 COLUMNS = ["brams.%s.partition.%s" % (memory, key) for memory in ("object_map", "depth_buffer")
            for key in ("type=cyclic", "factor=10", "dimension=2")]
 NEXT_ZCU102 = COLUMNS + ["edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "edge_map.buffers=2",

@@ -20,8 +20,9 @@ rm -rf "$joined"
 units=()
 declare -A members  # of a folder so far
 for file in "${files[@]}"; do
-    # Tests have helpers of the same names, and what is instantiated in one file is extern in another.
-    if [[ "$file" != src/* ]] || grep -qE '^(extern )?template [a-z]' "$file"; then
+    # Tests have helpers of the same names, what is instantiated in one file is extern in another, and a verilated core
+    # wants its clock where SystemC has one.
+    if [[ "$file" != src/* ]] || grep -qE '^((extern )?template [a-z]|#include <V)' "$file"; then
         units+=("$file")
         continue
     fi

@@ -27,13 +27,14 @@ Mutation = collections.namedtuple("Mutation", "what file old new unseen")
 
 # What is compared, one core each. Between them they enter every loop in every one of its forms.
 DEEP = ["fifos.%s.depth=%d" % (name, depth) for name, depth in
-        (("command", 40), ("fragment_depth", 40), ("fragment_index", 32), ("area", 3), ("area_reciprocal", 3), ("vertex", 5),
-         ("edge_token", 64), ("sample_raster", 3))]
+        (("command", 40), ("fragment_depth", 40), ("fragment_index", 32), ("area", 3), ("area_reciprocal", 3),
+         ("vertex", 5), ("edge_token", 64), ("sample_raster", 8))]  # 8 x 128 bits are 1024
 COLUMNS = ["brams.%s.partition.%s" % (memory, key) for memory in ("object_map", "depth_buffer")
            for key in ("type=cyclic", "factor=10", "dimension=2")]
 TEN_LANES = COLUMNS + ["edge_map.algorithm=inner_border", "edge_map.clearing=on_read_out", "edge_map.buffers=2",
                          "rasterizer.scan=spans", "rasterizer.setup_overlap=12", "rasterizer.edge_tokens=object",
-                         "rasterizer.lanes=10", "inlier_unit.clearing=on_read_out", "inlier_unit.fragment_loop=flattened",
+                         "rasterizer.lanes=10", "inlier_unit.clearing=on_read_out",
+                         "inlier_unit.fragment_loop=flattened",
                          "inlier_unit.sweep_lanes=5", "inlier_unit.sweep_region=touched", "inlier_unit.buffers=2",
                          "fifos.area.depth=16", "fifos.area_reciprocal.depth=32", "fifos.vertex.depth=16",
                          "fifos.command.depth=64", "fifos.fragment_depth.depth=64", "fifos.fragment_index.depth=64",
@@ -44,8 +45,8 @@ TRIALS = [
     ("edge_heavy", DEEP + ["fifo_rules=vitis_hls", "edge_map.flush_last=true", "inlier_unit.clearing=on_read_out",
                            "edge_map.clearing=on_read_out", "brams.object_map.ports=1", "loops.rasterizer.scan.ii=2"]),
     ("edge_heavy", DEEP + ["inlier_unit.fragment_loop=flattened", "edge_map.algorithm=inner_border",
-                           "inlier_unit.clearing=on_read_out", "brams.depth_buffer.ports=1", "area_reciprocal.when_full=squeeze",
-                           "fifos.area_reciprocal.write_latency=2"]),
+                           "inlier_unit.clearing=on_read_out", "brams.depth_buffer.ports=1",
+                           "area_reciprocal.when_full=squeeze", "fifos.area_reciprocal.write_latency=2"]),
     ("fragment_heavy", DEEP + ["inlier_unit.neighbour_access=window", "edge_map.clearing=on_read_out",
                                "brams.edge_map.ports=1", "loops.inlier_unit.fragment.recurrence_ii=3",
                                "fifos.fragment_index.write_latency=3", "fifos.command.kind=memory"]),
@@ -75,7 +76,7 @@ def read_list():
             else:
                 fields[name] += "\n" + line
         if fields:
-            mutations.append(Mutation(fields["what"], fields["file"], fields["from"], fields["to"], fields.get("unseen")))
+            mutations.append(Mutation(*(fields.get(name) for name in ("what", "file", "from", "to", "unseen"))))
     return mutations
 
 
@@ -105,8 +106,9 @@ def build(source, jobs, is_first=False):
     folder = WORK / "build"
     if is_first:  # also if it was configured before: files may have come
         subprocess.run(["cmake", "-S", source, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_UNITY_BUILD=ON", "-DFASTER_BUILD_TESTS=OFF", "-DFASTER_BUILD_EXAMPLES=OFF",
-                        "-DFASTER_BUILD_PYTHON=OFF", "-DFASTER_BUILD_BENCHMARKS=OFF"],
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_UNITY_BUILD=ON",
+                        "-DFASTER_BUILD_TESTS=OFF", "-DFASTER_BUILD_EXAMPLES=OFF", "-DFASTER_BUILD_PYTHON=OFF",
+                        "-DFASTER_BUILD_BENCHMARKS=OFF"],
                        check=True, stdout=subprocess.DEVNULL)
     return subprocess.run(["cmake", "--build", folder, "--target", "faster-sim", "--", f"-j{jobs}"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -117,8 +119,8 @@ def program():
 
 
 def make_traces():
-    """Two more than there are: a sample whose last token is an object's, in a row that ends at the left wall; a triangle
-    that reaches one column beyond the image, which rejects it."""
+    """Two more than there are: a sample whose last token is an object's, in a row that ends at the left wall; and a
+    triangle that reaches one column beyond the image, which rejects it."""
     folder = WORK / "traces"
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "traces", folder)
@@ -133,8 +135,9 @@ def first_difference(faster_sim):
     for number, (trace, keys) in enumerate(TRIALS):
         overrides = [word for key in ["raster_cores=1"] + keys for word in ("--set", "accelerator." + key)]
         try:
-            run = subprocess.run([faster_sim, "cosim", WORK / "traces" / trace, "--out", WORK / "waveforms"] + overrides,
-                                 capture_output=True, text=True, timeout=60)
+            run = subprocess.run(
+                [faster_sim, "cosim", WORK / "traces" / trace, "--out", WORK / "waveforms"] + overrides,
+                capture_output=True, text=True, timeout=60)
         except subprocess.TimeoutExpired:
             return number, "the model does not come to an end"
         if run.returncode == 2:
@@ -182,7 +185,8 @@ def main():
         sys.exit(f"without a mutation, trial {found[0]}: {found[1]}")
     wrong = 0
     chosen = [mutation for mutation in mutations if re.search(arguments.only, f"{mutation.what} {mutation.file}")]
-    chosen.sort(key=lambda mutation: (mutation.file.endswith(".hpp"), mutation.file.startswith("src/kernel")))  # what takes long
+    # What many files include takes long.
+    chosen.sort(key=lambda mutation: (mutation.file.endswith(".hpp"), mutation.file.startswith("src/kernel")))
     for mutation in chosen:
         found = try_one(source, mutation, arguments.jobs)
         is_right = (found is None) == bool(mutation.unseen)

@@ -8,8 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs=${1:-$(nproc)}
 status=0
 
-# Into files: on the stacks of SystemC's processes the sanitizer warns, and commands have to be silent on stderr. What
-# assimp does in its own process is expected, and answered by one line.
+# Into files: commands have to be silent on stderr. What assimp does in its own process is expected, and answered by one
+# line.
 reports_of() { # PRESET
     mkdir -p "build/$1/reports"
     rm -f "build/$1/reports/"*

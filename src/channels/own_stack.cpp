@@ -4,8 +4,10 @@
 #include <pthread.h>
 
 extern "C" {  // of <sanitizer/common_interface_defs.h>; null in a program without sanitizer
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the sanitizer's names
 [[gnu::weak]] void __sanitizer_start_switch_fiber(void** saved, void const* bottom, std::size_t size);
 [[gnu::weak]] void __sanitizer_finish_switch_fiber(void* saved, void const** bottom, std::size_t* size);
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
 namespace faster {

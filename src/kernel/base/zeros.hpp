@@ -8,7 +8,8 @@
 
 namespace faster {
 
-/// Numbers that begin as zeros which the host need not write: of what is large, only the pages that are used take memory.
+/// Numbers that begin as zeros which the host need not write: of what is large, only the pages that are used take
+/// memory.
 template <class Number> class Zeros {
     static_assert(std::is_integral_v<Number>);
 

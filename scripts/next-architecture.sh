@@ -28,8 +28,8 @@ add() { # TITLE KEY=VALUE...
 }
 add "edges on the object" edge_map.algorithm=inner_border
 add "no clearing loops" edge_map.clearing=on_read_out inlier_unit.clearing=on_read_out
-banks() { printf 'brams.%s.partition.type=cyclic brams.%s.partition.factor=7 brams.%s.partition.dimension=2 ' "$1" "$1" "$1"; }
-add "7 pixels per cycle in the sweep" inlier_unit.sweep_lanes=7 $(banks object_map) $(banks depth_buffer)
+banks() { printf 'brams.%s.partition.type=cyclic brams.%s.partition.factor=6 brams.%s.partition.dimension=2 ' "$1" "$1" "$1"; }
+add "6 pixels per cycle in the sweep" inlier_unit.sweep_lanes=6 $(banks object_map) $(banks depth_buffer)
 add "setup beside the scan" rasterizer.setup_overlap=12
 add "only covered pixels" rasterizer.scan=spans
 add "no tokens beside triangles" rasterizer.edge_tokens=object
@@ -40,7 +40,7 @@ fifos() {
     printf 'fifos.area.depth=8'
 }
 add "FIFOs as deep as the reciprocal's latency" $(fifos)
-add "7 pixels per cycle in the scan" rasterizer.lanes=7
+add "6 pixels per cycle in the scan" rasterizer.lanes=6
 add "two buffers" edge_map.buffers=2 inlier_unit.buffers=2
 add "only what the sample touched" inlier_unit.sweep_region=touched
 add "mesh on the chip" memory.mesh=on_chip memory.mesh_triangles=1200

@@ -18,7 +18,16 @@ ResourcePart counted(std::string name, Resources const& amount) {
     return {std::move(name), amount, ResourceBasis::counted};
 }
 
+ResourcePart with_lanes(char const* unit, int lanes) {
+    return synthesized_units().unit(unit, {{"lanes", std::to_string(lanes), "1"}});
+}
 Resources synthesized(char const* unit) { return synthesized_units().unit(unit, {}).amount; }
+
+/// What a unit takes more with so many lanes than with one.
+ResourcePart more_lanes(std::string name, char const* unit, int lanes) {
+    ResourcePart const part = with_lanes(unit, lanes);
+    return {std::move(name), part.amount - synthesized(unit), part.basis};
+}
 
 /// Extents of a triangle are divided by its steps: six quotients of 18 bits. Where triangles are set up ahead, one
 /// enters every third cycle, so each is six stages that take three steps one after the other: a third of one with three
@@ -81,14 +90,13 @@ ResourceParts counted_in_rasterizer(AcceleratorConfig const& config) {
         parts.push_back(counted("edge values of the row below", {90, 87, 0, 0}));
     if (rasterizer.scan == ScanPolicy::spans) {
         parts.push_back(counted("dividers of spans", span_dividers(rasterizer)));
-        parts.push_back(counted("quotients, remainders and ends of spans", {350, 250, 0, 0}));
+        ResourcePart scan = with_lanes("span_scan", rasterizer.lanes);
+        scan.name = "scan of spans, without the zigzag scan";
+        scan.amount = scan.amount - synthesized("zigzag_scan");
+        parts.push_back(std::move(scan));
+    } else if (rasterizer.lanes > 1) {
+        parts.push_back(counted("z sums and masks of lanes", count(rasterizer.lanes - 1) * Resources{163, 210, 0, 0}));
     }
-    double const more_lanes = rasterizer.lanes - 1;
-    if (more_lanes > 0)
-        parts.push_back(
-            counted("z sums and masks of lanes",
-                    more_lanes * (Resources{73, 210, 0, 0} +
-                                  (rasterizer.scan == ScanPolicy::spans ? nothing : Resources{90, 0, 0, 0}))));
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(counted("least and greatest pixel touched", {60, 36, 0, 0}));
     return parts;
@@ -100,10 +108,10 @@ ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machi
     if (algorithm != EdgeMapAlgorithm::dual_map && algorithm != EdgeMapAlgorithm::inner_border)
         parts.push_back(counted("this algorithm, as much as dual_map", nothing));
     add_choice_of_banks(parts, machine, {"edge_map", "object_map"});
-    if (config.inlier_unit.sweep_lanes > 1 || config.rasterizer.lanes > 1)
-        parts.push_back(
-            counted("lanes of the maps", count(config.inlier_unit.sweep_lanes - 1) * Resources{10, 10, 0, 0} +
-                                             count(config.rasterizer.lanes - 1) * Resources{2, 2, 0, 0}));
+    if (config.inlier_unit.sweep_lanes > 1)
+        parts.push_back(more_lanes("lanes of the map's output", "lane_map_output", config.inlier_unit.sweep_lanes));
+    if (config.rasterizer.lanes > 1)
+        parts.push_back(more_lanes("lanes of the map's tokens", "lane_map_builder", config.rasterizer.lanes));
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(corners(config));
     return parts;
@@ -111,6 +119,9 @@ ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machi
 
 ResourceParts counted_in_observation_reader(AcceleratorConfig const& config) {
     ResourceParts parts;
+    if (config.inlier_unit.sweep_lanes > 1)
+        parts.push_back(
+            more_lanes("lanes of the observation", "lane_observation_reader", config.inlier_unit.sweep_lanes));
     if (config.inlier_unit.sweep_region == SweepRegion::touched) {
         parts.push_back(corners(config));
         parts.push_back(counted("four words of the table of valid depths", {80, 50, 1, 0}));
@@ -120,16 +131,12 @@ ResourceParts counted_in_observation_reader(AcceleratorConfig const& config) {
 
 ResourceParts counted_in_inlier_unit(AcceleratorConfig const& config, Machine const& machine) {
     ResourceParts parts;
-    double const more_lanes = config.rasterizer.lanes - 1;
-    if (more_lanes > 0) {  // each with its depth unit, depth test and registers of two stages; and with forwarding
-        parts.push_back(
-            counted("depths of lanes", more_lanes * (synthesized("depth_unit") + Resources{15, 134, 0, 0})));
-        parts.push_back(counted("forwarding of lanes", more_lanes * Resources{23, 56, 0, 0}));
-    }
-    double const more_pixels = config.inlier_unit.sweep_lanes - 1;
-    if (more_pixels > 0)
-        parts.push_back(counted("comparisons of sweep lanes",
-                                more_pixels * (synthesized("pixel_comparison") + Resources{12, 36, 0, 0})));
+    if (config.rasterizer.lanes > 1)
+        parts.push_back({"depths, depth tests and forwarding of lanes",
+                         count(config.rasterizer.lanes - 1) * synthesized("lane_depth_unit"),
+                         ResourceBasis::synthesized});
+    if (config.inlier_unit.sweep_lanes > 1)
+        parts.push_back(more_lanes("lanes of the sweep", "lane_sweep", config.inlier_unit.sweep_lanes));
     add_choice_of_banks(parts, machine, {"depth_buffer"});
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(corners(config));

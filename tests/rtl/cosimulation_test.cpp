@@ -279,7 +279,7 @@ TEST_CASE("Each of many mutations of a design with lanes is found", "[rtl]") {
                                   "brams.depth_buffer.partition.factor=5",
                                   "brams.object_map.ports=1",
                                   "brams.depth_buffer.ports=1",
-                                  "fifos.area.depth=2",
+                                  "modules.area_reciprocal.interval=64",
                                   "fifos.map_full.kind=memory",
                                   "fifos.depth_full.kind=memory",
                                   "fifos.region.kind=memory",

@@ -123,7 +123,7 @@ std::string without_scratch(std::string const& text) {
 /// Without what the host's clock says, and the folder that a save file of GTKWave names. Not by regular expressions,
 /// which take longer than the commands.
 std::string same_every_time(std::string const& text) {
-    std::string plain = without_values(text, "\"host\":", ",}\n");
+    std::string plain = without_values(text, "\"host\":", "}");
     plain = without_values(plain, "seconds\":", ",}\n");
     return without_scratch(without_values(plain, "time=\"", "\""));
 }

@@ -36,6 +36,18 @@ Logic logic(char const* unit, UnitKeys const& keys) {
     return {{part}, synthesized_paths().paths(unit, differing_keys(keys))};
 }
 
+/// Longest paths of a unit with so many lanes, or with more where none has as many.
+std::vector<UnitPath> paths_with_lanes(char const* unit, int lanes) {
+    if (lanes == 1)
+        return synthesized_paths().paths(unit, {});
+    char const* const built = lanes <= 2 ? "2" : lanes <= 5 ? "5" : "10";
+    return synthesized_paths().paths(unit, {{"lanes", built}});
+}
+
+void add_paths(Logic& logic, std::vector<UnitPath> const& paths) {
+    logic.paths.insert(logic.paths.end(), paths.begin(), paths.end());
+}
+
 /// Stages of a delay line more or fewer than the unit was synthesized with.
 struct Delay {
     Cycles stages;
@@ -73,7 +85,7 @@ class CoreCount {
         add("area_reciprocal", area_reciprocal());
         add("edge_map_builder", edge_map_builder(), delays({{latency("edge_map"), 2, 2}}),
             counted_in_edge_map_builder(config, machine));
-        add("observation_reader", logic("observation_reader", {window()}),
+        add("observation_reader", observation_reader(),
             delays({{latency("observed_depth"), 4, 12}, {latency("observed_edge"), 4, 2}}),
             counted_in_observation_reader(config));
         add("inlier_unit", inlier_unit(), delays({{fragment_read_stage(), 7, 37}}),
@@ -104,6 +116,7 @@ class CoreCount {
         Cycles const depth = machine_.loops[machine_.loop(machine_.process("inlier_unit"), "fragment")].depth;
         return std::clamp<Cycles>(depth, 3, 10) - 3;
     }
+    int sweep_lanes() const { return config_.inlier_unit.sweep_lanes; }
     UnitKey window() const { return number("window", config_.window, 200); }
     UnitKey vertex_xy() const { return number("vertex_xy", config_.fraction_bits.vertex_xy, 4); }
     UnitKey reciprocal_bits() const { return number("area_reciprocal", config_.fraction_bits.area_reciprocal, 30); }
@@ -111,7 +124,10 @@ class CoreCount {
     Logic rasterizer() const {
         bool const object_only =
             config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
-        return logic("rasterizer", {window(), vertex_xy(), choice("edge_tokens", object_only, "object")});
+        Logic scan = logic("rasterizer", {window(), vertex_xy(), choice("edge_tokens", object_only, "object")});
+        if (config_.rasterizer.scan == ScanPolicy::spans)
+            add_paths(scan, paths_with_lanes("span_scan", config_.rasterizer.lanes));
+        return scan;
     }
     Logic area_reciprocal() const {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];
@@ -123,23 +139,36 @@ class CoreCount {
     }
     Logic edge_map_builder() const {
         EdgeMapConfig const& map = config_.edge_map;
-        return logic("edge_map_builder",
-                     {window(), choice("algorithm", map.algorithm == EdgeMapAlgorithm::inner_border, "inner_border"),
-                      choice("clearing", map.clearing == MapClearing::on_read_out, "on_read_out"),
-                      choice("flush_last", map.flush_last, "true")});
+        Logic builder =
+            logic("edge_map_builder",
+                  {window(), choice("algorithm", map.algorithm == EdgeMapAlgorithm::inner_border, "inner_border"),
+                   choice("clearing", map.clearing == MapClearing::on_read_out, "on_read_out"),
+                   choice("flush_last", map.flush_last, "true")});
+        if (sweep_lanes() > 1)
+            add_paths(builder, paths_with_lanes("lane_map_output", sweep_lanes()));
+        return builder;
+    }
+    Logic observation_reader() const {
+        Logic reader = logic("observation_reader", {window()});
+        if (sweep_lanes() > 1)
+            add_paths(reader, paths_with_lanes("lane_observation_reader", sweep_lanes()));
+        return reader;
     }
     Logic inlier_unit() const {
         InlierUnitConfig const& unit = config_.inlier_unit;
         bool const own_depth = contour_has_depth(config_);
         bool const has_lines = !own_depth && unit.neighbour_access == NeighbourAccess::window;
-        return logic("inlier_unit",
-                     {window(), vertex_xy(), reciprocal_bits(),
-                      number("ports", machine_.memories[machine_.memory("depth_buffer")].ports, 2),
-                      number("fragment_depth", config_.fraction_bits.fragment_depth, 18),
-                      choice("algorithm", own_depth, "inner_border"),
-                      choice("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
-                      choice("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
-                      choice("neighbour_access", has_lines, "window")});
+        Logic sweep =
+            logic("inlier_unit", {window(), vertex_xy(), reciprocal_bits(),
+                                  number("ports", machine_.memories[machine_.memory("depth_buffer")].ports, 2),
+                                  number("fragment_depth", config_.fraction_bits.fragment_depth, 18),
+                                  choice("algorithm", own_depth, "inner_border"),
+                                  choice("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
+                                  choice("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
+                                  choice("neighbour_access", has_lines, "window")});
+        if (sweep_lanes() > 1)
+            add_paths(sweep, paths_with_lanes("lane_sweep", sweep_lanes()));
+        return sweep;
     }
 
     AcceleratorConfig const& config_;

@@ -244,6 +244,19 @@ TEST_CASE("A path is estimated for every synthesized module, and one that is too
     CHECK(text.find("sample_dispatcher") == std::string::npos);
 }
 
+TEST_CASE("Lanes and spans have the longest paths of their own units", "[timing]") {
+    Machine const next = machine_with({"accelerator.architecture=next_zcu102"});
+    CHECK(report::timing_text(next).find("At 200 MHz rasterizer would not close: ") != std::string::npos);
+    Machine const plain = machine_with({"accelerator.edge_map.algorithm=inner_border"});
+    auto const slowest = [](Machine const& machine, char const* module) {
+        return resources_of(machine).modules.at(machine.process(module)).slowest->of_stage().typical;
+    };
+    for (char const* const module : {"rasterizer", "inlier_unit"}) {
+        INFO(module);
+        CHECK(slowest(next, module) > slowest(plain, module));
+    }
+}
+
 TEST_CASE("Power adds up, and energy is power times the time of the run", "[power]") {
     RunStatistics run = test::example_run();
     PowerCoefficients coefficients;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "kernel/base/files/c_file.hpp"
+#include "kernel/base/input_error.hpp"
 
 namespace faster {
 
@@ -22,6 +23,8 @@ std::string read_all(std::FILE* file) {
     char buffer[4096];
     for (std::size_t read = 0; (read = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
         text.append(buffer, read);
+    if (std::ferror(file) != 0)
+        throw HostError("temporary file: cannot read what another program wrote, expected a file that can be read");
     return text;
 }
 
@@ -41,7 +44,11 @@ bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
     int const error = posix_spawnp(&process, arguments.front(), &files, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&files);
     int status = 0;
-    return error == 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (error != 0 || waitpid(process, &status, 0) != process)
+        return false;
+    if (WIFSIGNALED(status))
+        throw HostError(words.front() + ": was killed, expected a program that ends by itself");
+    return WEXITSTATUS(status) == 0;
 }
 
 }  // namespace

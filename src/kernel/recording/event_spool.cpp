@@ -77,6 +77,8 @@ void EventSpool::refill() {
     at_ = buffer_.data();
     end_ = at_ + left;
     std::size_t const read = std::fread(end_, 1, buffer_size - left, file_.get());
+    if (std::ferror(file_.get()) != 0)
+        fail("read it");
     end_ += read;
     if (read > 0)
         return;

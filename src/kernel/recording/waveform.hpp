@@ -13,7 +13,16 @@
 
 namespace faster::recording {
 
-using WaveformFiles = std::vector<std::unique_ptr<WaveformFile>>;
+/// Written at once. The last goes first: the first lets the signals through that they hold back (HeldSignals).
+struct WaveformFiles : std::vector<std::unique_ptr<WaveformFile>> {
+    WaveformFiles() = default;
+    WaveformFiles(WaveformFiles const&) = delete;
+    WaveformFiles& operator=(WaveformFiles const&) = delete;
+    ~WaveformFiles() {
+        while (!empty())
+            pop_back();
+    }
+};
 
 /// The signals of a waveform, cycle by cycle, and a clock, which rises where a cycle begins. Values are set; of several
 /// in one cycle the last counts, and what does not change is not written. Signals belong to domains, each with a window

@@ -16,7 +16,8 @@ ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<P
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
     auto const number = static_cast<unsigned>(ports_.size());
     ports_.push_back({fifo.end(writes), number, &fifo, writes});
-    if (writes && fifo.shape().flushing_stages > 0) {
+    // Copies share the shape, which has it by then: they may be made by several threads at once.
+    if (writes && shape_->flushing_stages != fifo.shape().flushing_stages && fifo.shape().flushing_stages > 0) {
         shape_->flushing_stages = fifo.shape().flushing_stages;
         shape_->flushing_port = number;
     }

@@ -30,8 +30,11 @@ bool is_made(fs::path const& path, Scratch::Kind kind) {
 
 void remove_if_left(fs::path const& path) {
     std::error_code ignored;
-    if (auto const hold = hold_if_free(path))
-        fs::remove_all(path, ignored);
+    auto const hold = hold_if_free(path);
+    if (!hold)
+        return;
+    fs::remove(path.string() + ".hier", ignored);  // of GTKWave's code for FST files
+    fs::remove_all(path, ignored);
 }
 
 }  // namespace

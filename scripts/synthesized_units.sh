@@ -137,7 +137,6 @@ unit result_collector default result_collector result_collector.sv "" ""
 # Parts of units, for what is there several times
 reset_keys
 unit depth_unit default depth_unit depth_unit.sv "RECIPROCAL_BITS=39 DEPTH_BITS=20" "fraction=$(fractions)"
-unit pixel_comparison default pixel_comparison pixel_comparison.sv "" "fraction=4'd9 has_own_depth=1'b1"
 unit zigzag_scan default zigzag_scan zigzag_scan.sv "EDGE_BITS=$(edge_bits) Z_SUM_BITS=48" "sends_edges=1'b0"
 for keys in default lanes=2 lanes=5 lanes=10; do lane_units "$keys"; done
 unit lane_depth_unit default lane_depth_unit "depth_unit.sv lanes/lane_depth_unit.sv" "RECIPROCAL_BITS=39 DEPTH_BITS=20" \

@@ -44,8 +44,10 @@ std::vector<UnitPath> paths_with_lanes(char const* unit, int lanes) {
     return synthesized_paths().paths(unit, {{"lanes", built}});
 }
 
-void add_paths(Logic& logic, std::vector<UnitPath> const& paths) {
-    logic.paths.insert(logic.paths.end(), paths.begin(), paths.end());
+/// With those besides its own.
+Logic with_paths(Logic logic, std::vector<UnitPath> const& more) {
+    logic.paths.insert(logic.paths.end(), more.begin(), more.end());
+    return logic;
 }
 
 /// Stages of a delay line more or fewer than the unit was synthesized with.
@@ -116,7 +118,10 @@ class CoreCount {
         Cycles const depth = machine_.loops[machine_.loop(machine_.process("inlier_unit"), "fragment")].depth;
         return std::clamp<Cycles>(depth, 3, 10) - 3;
     }
-    int sweep_lanes() const { return config_.inlier_unit.sweep_lanes; }
+    Logic with_sweep_lanes(char const* unit, Logic one_lane) const {
+        int const lanes = config_.inlier_unit.sweep_lanes;
+        return lanes > 1 ? with_paths(std::move(one_lane), paths_with_lanes(unit, lanes)) : one_lane;
+    }
     UnitKey window() const { return number("window", config_.window, 200); }
     UnitKey vertex_xy() const { return number("vertex_xy", config_.fraction_bits.vertex_xy, 4); }
     UnitKey reciprocal_bits() const { return number("area_reciprocal", config_.fraction_bits.area_reciprocal, 30); }
@@ -125,9 +130,9 @@ class CoreCount {
         bool const object_only =
             config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
         Logic scan = logic("rasterizer", {window(), vertex_xy(), choice("edge_tokens", object_only, "object")});
-        if (config_.rasterizer.scan == ScanPolicy::spans)
-            add_paths(scan, paths_with_lanes("span_scan", config_.rasterizer.lanes));
-        return scan;
+        if (config_.rasterizer.scan != ScanPolicy::spans)
+            return scan;
+        return with_paths(std::move(scan), paths_with_lanes("span_scan", config_.rasterizer.lanes));
     }
     Logic area_reciprocal() const {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];
@@ -139,36 +144,29 @@ class CoreCount {
     }
     Logic edge_map_builder() const {
         EdgeMapConfig const& map = config_.edge_map;
-        Logic builder =
+        return with_sweep_lanes(
+            "lane_map_output",
             logic("edge_map_builder",
                   {window(), choice("algorithm", map.algorithm == EdgeMapAlgorithm::inner_border, "inner_border"),
                    choice("clearing", map.clearing == MapClearing::on_read_out, "on_read_out"),
-                   choice("flush_last", map.flush_last, "true")});
-        if (sweep_lanes() > 1)
-            add_paths(builder, paths_with_lanes("lane_map_output", sweep_lanes()));
-        return builder;
+                   choice("flush_last", map.flush_last, "true")}));
     }
     Logic observation_reader() const {
-        Logic reader = logic("observation_reader", {window()});
-        if (sweep_lanes() > 1)
-            add_paths(reader, paths_with_lanes("lane_observation_reader", sweep_lanes()));
-        return reader;
+        return with_sweep_lanes("lane_observation_reader", logic("observation_reader", {window()}));
     }
     Logic inlier_unit() const {
         InlierUnitConfig const& unit = config_.inlier_unit;
         bool const own_depth = contour_has_depth(config_);
         bool const has_lines = !own_depth && unit.neighbour_access == NeighbourAccess::window;
-        Logic sweep =
+        return with_sweep_lanes(
+            "lane_sweep",
             logic("inlier_unit", {window(), vertex_xy(), reciprocal_bits(),
                                   number("ports", machine_.memories[machine_.memory("depth_buffer")].ports, 2),
                                   number("fragment_depth", config_.fraction_bits.fragment_depth, 18),
                                   choice("algorithm", own_depth, "inner_border"),
                                   choice("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
                                   choice("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
-                                  choice("neighbour_access", has_lines, "window")});
-        if (sweep_lanes() > 1)
-            add_paths(sweep, paths_with_lanes("lane_sweep", sweep_lanes()));
-        return sweep;
+                                  choice("neighbour_access", has_lines, "window")}));
     }
 
     AcceleratorConfig const& config_;

@@ -7,8 +7,8 @@
 
 namespace faster {
 
-/// What the register-transfer twin does not have, counted by hand; parts of a module, none where it has everything.
-/// Widths are those of the default formats; where a part repeats one that was synthesized, it counts as so many of it.
+/// What a module takes besides the unit of the thesis's core: lanes as they are synthesized, and by hand what the
+/// register-transfer twin does not have. None where that unit has everything. Widths are those of the default formats.
 /// docs/hardware.md tells how each number comes about.
 using ResourceParts = std::vector<ResourcePart>;
 ResourceParts counted_in_vertex_transform(AcceleratorConfig const& config);

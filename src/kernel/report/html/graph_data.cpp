@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "kernel/base/files/json_file.hpp"
+#include "kernel/base/input_error.hpp"
 #include "kernel/base/program_output.hpp"
 
 namespace faster::report {
@@ -134,12 +135,14 @@ Json placed_edges(Json const& edges, std::vector<Part> const& names, Frame const
     return placed;
 }
 
-/// Null without dot, or if what it says is not understood.
+/// Null without dot, or if what it says is not understood. Errors: HostError if it says nothing.
 Json layout(Machine const& machine, char const* direction) {
     DotGraph const graph = graph_of(machine, direction);
     std::optional<std::string> const output = program_output({"dot", "-Tjson0"}, graph.text());
     if (!output)
         return nullptr;
+    if (output->empty())  // it ends well even where it cannot read
+        throw HostError("dot: wrote nothing of the graph, expected a program that can read and write");
     try {
         Json const drawing = io::parse_json(*output);
         std::istringstream box(drawing.at("bb").get<std::string>());

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "estimation/diffusion.hpp"
 #include "estimation/particle.hpp"
+#include "estimation/resampling.hpp"
 #include "estimation/scene.hpp"
 #include "estimation/weight_terms.hpp"
 

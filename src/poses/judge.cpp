@@ -1,5 +1,6 @@
 #include "poses/judge.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,13 +12,68 @@
 #include "kernel/base/counted_progress.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
-#include "poses/matching.hpp"
+#include "kernel/base/random.hpp"
 #include "poses/pose_error.hpp"
-#include "poses/symmetries.hpp"
 #include "workload/bop/read_dataset.hpp"
 
 namespace faster::poses {
+
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+class Matching {
+  public:
+    Matching(PairErrors const& errors, std::size_t truths)
+        : errors_(errors), is_used_(errors.size(), false), matched_(truths, infinite) {}
+
+    void match(double limit) {
+        for (std::size_t e = 0; e < errors_.size(); ++e) {
+            if (!is_used_[e])
+                take_nearest(e, limit);
+        }
+    }
+    std::vector<double> const& errors() const { return matched_; }
+
+  private:
+    void take_nearest(std::size_t e, double limit) {
+        std::size_t nearest = matched_.size();
+        for (std::size_t g = 0; g < matched_.size(); ++g) {
+            double const least = nearest < matched_.size() ? errors_[e][nearest] : limit;
+            if (matched_[g] == infinite && errors_[e][g] < least)
+                nearest = g;
+        }
+        if (nearest < matched_.size()) {
+            matched_[nearest] = errors_[e][nearest];
+            is_used_[e] = true;
+        }
+    }
+
+    PairErrors const& errors_;
+    std::vector<bool> is_used_;
+    std::vector<double> matched_;
+};
+
+constexpr double pi = Random::pi;
+constexpr int steps_per_turn = 315;  // ceil(pi / 0.01)
+
+/// The i-th turn about an axis.
+Pose turn(bop::ObjectModel::Axis const& axis, int i) {
+    Pose pose;
+    pose.rotation = Eigen::AngleAxisd(i * (2 * pi / steps_per_turn), axis.direction).toRotationMatrix();
+    pose.translation = axis.offset - pose.rotation * axis.offset;
+    return pose;
+}
+
+/// The identity, and every turn about every axis.
+std::vector<Pose> turns_of(bop::ObjectModel const& model) {
+    std::vector<Pose> turns{Pose{}};
+    for (bop::ObjectModel::Axis const& axis : model.axes) {
+        for (int i = 1; i < steps_per_turn; ++i)
+            turns.push_back(turn(axis, i));
+    }
+    return turns;
+}
 
 /// Up to 0.1 m, inclusive.
 double const add_limit_m = std::nextafter(largest_add_m, 1.0);
@@ -149,6 +205,31 @@ std::vector<InstanceErrors> judge_target(bop::Target const& target, Estimates co
 }
 
 }  // namespace
+
+std::vector<double> matched_below(PairErrors const& errors, std::size_t truths, double limit) {
+    Matching matching(errors, truths);
+    matching.match(limit);
+    return matching.errors();
+}
+
+std::vector<double> matched(PairErrors const& errors, std::size_t truths, double limit) {
+    Matching matching(errors, truths);
+    matching.match(limit);
+    matching.match(infinite);
+    return matching.errors();
+}
+
+std::vector<Pose> symmetries_of(bop::ObjectModel const& model) {
+    std::vector<Pose> discrete{Pose{}};
+    discrete.insert(discrete.end(), model.symmetries.begin(), model.symmetries.end());
+    std::vector<Pose> const turns = turns_of(model);
+    std::vector<Pose> all;
+    for (Pose const& symmetry : discrete) {
+        for (Pose const& then : turns)
+            all.push_back({then.rotation * symmetry.rotation, then.rotation * symmetry.translation + then.translation});
+    }
+    return all;
+}
 
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
                 std::filesystem::path const& file, std::size_t jobs,

@@ -1,10 +1,15 @@
 #pragma once
+#include <Eigen/Core>
 #include <vector>
 
 #include "common/mesh.hpp"
-#include "poses/nearest_points.hpp"
 
 namespace faster::poses {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The mean distance from a point of `from` to the nearest of `to`, which must not be empty.
+double mean_nearest_distance(Points const& from, Points const& to);
 
 // How far an estimated pose is from the true one, by what it does to the points of the model [m]. Points must not be
 // empty. ADD and ADD-S: Hinterstoisser et al., ACCV 2012, as in the toolbox of YCB-Video; MSSD: Hodan et al., ECCV

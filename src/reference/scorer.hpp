@@ -7,7 +7,7 @@
 #include "common/sample_score.hpp"
 #include "common/stimulus.hpp"
 #include "reference/depth_buffer.hpp"
-#include "reference/observed_window.hpp"
+#include "reference/inlier_sweep.hpp"
 #include "reference/vertex_transform.hpp"
 
 namespace faster::reference {

@@ -1,11 +1,14 @@
-#include "tb/compare_architectures_command.hpp"
-
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "common/stimulus.hpp"
 #include "faster/faster_config.hpp"
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
@@ -14,11 +17,13 @@
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
-#include "kernel/config/plain_value.hpp"
+#include "kernel/config/plain_text.hpp"
 #include "kernel/report/architecture_table.hpp"
 #include "kernel/report/html/architectures_html.hpp"
+#include "modules/core_context.hpp"
 #include "modules/faster_simulation.hpp"
-#include "tb/edge_map_judge.hpp"
+#include "reference/quality/sample_judge.hpp"
+#include "tb/commands.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
@@ -29,6 +34,45 @@
 namespace faster {
 
 namespace {
+
+/// `faster-sim compare-architectures`.
+struct CompareArchitecturesRequest {
+    /// Presets by name, or configuration files that say what an architecture changes. Empty: all presets, `faster`
+    /// first.
+    std::vector<std::string> architectures;
+    std::vector<std::string> workloads;  ///< configuration files to run them on
+    std::vector<std::string> overrides;  ///< KEY=VALUE, for all
+    std::int64_t jobs = 0;               ///< simulations at once; 0: the host's cores
+    std::int64_t judged_samples = 0;     ///< how many edge maps to judge in every run
+    std::string csv;                     ///< file; empty: none
+    std::string html;                    ///< the same
+};
+
+/// Judges the edge maps of the first samples of a run by their silhouettes.
+class EdgeMapJudge : public SampleProbe {
+  public:
+    /// `side`: which contour to judge by. `count`: number of samples. The stimulus is held by reference.
+    EdgeMapJudge(Stimulus const& stimulus, quality::ContourSide side, std::size_t count)
+        : judge_(stimulus, side), count_(count) {}
+
+    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override;
+    void depth_buffer_done(std::size_t, std::vector<std::uint16_t> const&) override {}
+
+    quality::QualitySums const& sums() const { return sums_; }
+
+  private:
+    quality::SampleJudge judge_;
+    std::size_t count_;
+    quality::QualitySums sums_;
+};
+
+void EdgeMapJudge::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
+    if (sample >= count_)
+        return;
+    Image<std::uint8_t> edge_map(maps.side, maps.side);
+    std::copy_n(maps.edge, edge_map.pixels().size(), edge_map.pixels().begin());
+    sums_.add(judge_.judge(sample, edge_map));
+}
 
 constexpr double time_limit_s = 3600;
 constexpr char row_mark = 'r';
@@ -159,8 +203,9 @@ report::ArchitectureRow row_of(Point const& point, processes::Outcome const& out
     return row;
 }
 
-}  // namespace
-
+/// Runs every architecture on every workload, each in a process of its own, and prints a table. The keys an
+/// architecture's file sets win over the workload's. Throws InputError on bad input. Exit code 1 if a simulation
+/// crashed.
 int compare_architectures(CompareArchitecturesRequest const& request) {
     CommandPaths paths;
     for (std::string const& workload : request.workloads)
@@ -192,6 +237,8 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
             say("\nwritten: {}\n", file);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand compare_architectures_command() {
     return {"compare-architectures", "Run several architectures on several workloads, side by side",

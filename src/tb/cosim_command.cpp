@@ -1,13 +1,15 @@
-#include "tb/cosim_command.hpp"
-
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "faster/faster_config.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/layered_config.hpp"
 #include "modules/faster_simulation.hpp"
+#include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/exit_codes.hpp"
@@ -17,6 +19,17 @@
 namespace faster {
 
 namespace {
+
+/// `cosim`.
+struct CosimRequest {
+    std::string trace;                        ///< folder
+    std::string config;                       ///< file; empty: defaults
+    std::vector<std::string> overrides;       ///< of model and twin
+    std::vector<std::string> twin_overrides;  ///< of the twin alone, to see a difference found
+    std::string out = ".";                    ///< folder for the waveforms of a difference
+    std::int64_t core = -1;                   ///< -1: all
+    bool forwards = true;                     ///< see TwinSettings
+};
 
 LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> const& more) {
     std::vector<std::filesystem::path> files;
@@ -69,8 +82,7 @@ bool tell(recording::RecordedCore const& recorded, rtl::Compared const& compared
     return false;
 }
 
-}  // namespace
-
+/// Returns the exit code, 1 if model and twin differ; throws InputError on bad input.
 int cosim(CosimRequest const& request) {
     if (!rtl::has_twin())
         throw InputError("cosim: expected a program built with Verilator (scripts/setup.sh --dev, then CMake again)");
@@ -96,6 +108,8 @@ int cosim(CosimRequest const& request) {
     simulate(config, stimulus, Engine::decoupled, options, &maps);
     return is_same ? exit_done : exit_failed_check;
 }
+
+}  // namespace
 
 Subcommand cosim_command() {
     return {

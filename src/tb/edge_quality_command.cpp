@@ -1,21 +1,23 @@
-#include "tb/edge_quality_command.hpp"
-
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "faster/enum_names.hpp"
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/nearest_name.hpp"
-#include "reference/quality/survey_table.hpp"
+#include "reference/quality/pose_survey.hpp"
+#include "tb/commands.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
-#include "workload/files/colour_png.hpp"
+#include "workload/files/png_image.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
 #include "workload/pictures/overlay.hpp"
@@ -23,6 +25,15 @@
 namespace faster {
 
 namespace {
+
+/// `faster-sim edge-quality`.
+struct EdgeQualityRequest {
+    std::int64_t poses = 620;             ///< per class
+    std::int64_t seed = 1;                ///< of the poses
+    std::vector<std::string> classes;     ///< built-in objects; empty: all
+    std::vector<std::string> algorithms;  ///< of accelerator.edge_map.algorithm; empty: all
+    std::string out;                      ///< folder for quality.csv and pictures; empty: print only
+};
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -52,8 +63,7 @@ void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> co
     }
 }
 
-}  // namespace
-
+/// Judges the edge maps of the algorithms. Throws InputError on bad input.
 int edge_quality(EdgeQualityRequest const& request) {
     Words const objects = chosen("--classes", request.classes, models::names());
     std::vector<EdgeMapAlgorithm> algorithms;
@@ -84,6 +94,8 @@ int edge_quality(EdgeQualityRequest const& request) {
         say("\nwritten: {}\n", request.out);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand edge_quality_command() {
     return {"edge-quality", "Judge the edge maps of the algorithms by the exact contours of many random poses",

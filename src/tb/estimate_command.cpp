@@ -1,9 +1,10 @@
-#include "tb/estimate_command.hpp"
-
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "estimation/estimator.hpp"
 #include "faster/enum_names.hpp"
@@ -14,8 +15,8 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/base/portable_math.hpp"
 #include "kernel/config/load_config.hpp"
+#include "tb/commands.hpp"
 #include "tb/estimate_pictures.hpp"
-#include "tb/estimate_plots.hpp"
 #include "tb/estimate_report.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/estimate_scorers.hpp"
@@ -25,14 +26,34 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/recording_options.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/build_stimulus.hpp"
-#include "workload/files/colour_png.hpp"
+#include "workload/files/png_image.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
 
 namespace {
+
+/// `faster-sim estimate`.
+struct EstimateRequest {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::string out;                      ///< folder; empty: print only
+    std::string backend;                  ///< stands for estimator.backend; empty: as configured
+    std::vector<std::uint64_t> pictures;  ///< iterations to draw; empty: a choice of them
+    std::vector<std::uint64_t> traces;    ///< iterations to write as stimulus traces
+    std::int64_t jobs = 0;                ///< threads and processes; 0: the host's cores
+    BopRequest bop;                       ///< instead of the configured workload
+    bool untimed = false;                 ///< without the accelerator's cycles
+    std::uint64_t recorded_iteration = 0;
+    std::string events;          ///< file of that iteration's events; empty: none
+    RecordingRequest recording;  ///< of that iteration
+    bool force = false;          ///< even a waveform of more than 2 GB
+
+    bool records() const { return !events.empty() || recording.has_waveform() || !recording.timeline.empty(); }
+};
 
 constexpr double degrees_per_radian = 180 / portable::pi;
 
@@ -216,8 +237,8 @@ std::vector<std::string> overrides_of(EstimateRequest const& request) {
     return overrides;
 }
 
-}  // namespace
-
+/// Looks for an object's pose by the thesis's second stage. Throws InputError on bad input. Exit code 3 if the
+/// accelerator deadlocks.
 int estimate_pose(EstimateRequest const& request) {
     LoadedConfig const loaded = load_config(request.config, overrides_of(request));
     if (!request.traces.empty() && request.out.empty())
@@ -250,6 +271,8 @@ int estimate_pose(EstimateRequest const& request) {
             fmt::print("\nwritten: {}\n", written);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand estimate_command() {
     return {

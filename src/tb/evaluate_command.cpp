@@ -22,7 +22,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
 #include "workload/bop/read_dataset.hpp"
-#include "workload/files/colour_png.hpp"
+#include "workload/files/png_image.hpp"
 
 namespace faster {
 namespace {

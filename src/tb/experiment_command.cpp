@@ -1,11 +1,11 @@
-#include "tb/experiment_command.hpp"
-
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "kernel/base/files/folder_lock.hpp"
 #include "kernel/base/files/output_file.hpp"
@@ -13,11 +13,11 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/base/process_pool.hpp"
 #include "kernel/config/layered_config.hpp"
+#include "tb/commands.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/evaluate_command.hpp"
 #include "tb/experiment_estimates.hpp"
 #include "tb/experiment_failures.hpp"
-#include "tb/failure_pictures.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
@@ -26,11 +26,19 @@
 #include "workload/experiments/boxes_of_detector.hpp"
 #include "workload/experiments/experiment_file.hpp"
 #include "workload/experiments/made_dataset.hpp"
-#include "workload/files/colour_png.hpp"
+#include "workload/files/png_image.hpp"
 
 namespace faster {
 
 namespace {
+
+/// `faster-sim experiment`.
+struct ExperimentRequest {
+    std::string file;
+    std::string out;
+    std::int64_t jobs = 0;     ///< processes at once; 0: the host's cores
+    std::size_t failures = 8;  ///< pictures of a setting
+};
 
 namespace fs = std::filesystem;
 
@@ -295,8 +303,8 @@ void write_failures(fs::path const& out, std::vector<Failure> const& failures, s
     }
 }
 
-}  // namespace
-
+/// Makes the scenes of an experiment file, looks for every object with every method, and judges what came out. Goes on
+/// where it was if it has been interrupted. Throws InputError on bad input. Exit code 1 if an estimate crashed.
 int experiment(ExperimentRequest const& request) {
     experiments::Experiment const wish = experiments::read_experiment_file(request.file);
     std::vector<MethodData> const methods = methods_of(wish);
@@ -319,6 +327,8 @@ int experiment(ExperimentRequest const& request) {
     fmt::print("\n# failures by reason\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods), request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;
 }
+
+}  // namespace
 
 Subcommand experiment_command() {
     return {"experiment",

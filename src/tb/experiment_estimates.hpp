@@ -9,7 +9,7 @@
 #include "workload/bop/dataset.hpp"
 #include "workload/bop/detections.hpp"
 #include "workload/experiments/estimate_journal.hpp"
-#include "workload/experiments/experiment.hpp"
+#include "workload/experiments/experiment_file.hpp"
 
 namespace faster {
 

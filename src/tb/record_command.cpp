@@ -1,9 +1,10 @@
-#include "tb/record_command.hpp"
-
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "faster/faster_config.hpp"
 #include "kernel/config/load_config.hpp"
+#include "tb/commands.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
@@ -13,6 +14,16 @@
 
 namespace faster {
 
+namespace {
+
+/// `record`.
+struct RecordRequest {
+    std::string config;
+    std::vector<std::string> overrides;
+    std::string out;
+};
+
+/// Returns the exit code; throws InputError on bad input.
 int record(RecordRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
     CommandPaths paths;
@@ -26,6 +37,8 @@ int record(RecordRequest const& request) {
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand record_command() {
     return {

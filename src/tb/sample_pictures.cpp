@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "common/sample_counters.hpp"
-#include "workload/files/colour_png.hpp"
 #include "workload/files/png_image.hpp"
 #include "workload/files/sample_picture.hpp"
 #include "workload/pictures/contact_sheet.hpp"

@@ -1,26 +1,14 @@
 #include <systemc>
 
 #include "common/program_commit.hpp"
-#include "tb/compare_architectures_command.hpp"
-#include "tb/cosim_command.hpp"
-#include "tb/edge_quality_command.hpp"
-#include "tb/estimate_command.hpp"
+#include "tb/commands.hpp"
 #include "tb/evaluate_command.hpp"
-#include "tb/experiment_command.hpp"
 #include "tb/faster_run_extras.hpp"
-#include "tb/grip_command.hpp"
-#include "tb/record_command.hpp"
-#include "tb/show_command.hpp"
 #include "tool/check_command.hpp"
-#include "tool/compare_command.hpp"
-#include "tool/explore_command.hpp"
-#include "tool/keys_command.hpp"
 #include "tool/run_command.hpp"
-#include "tool/sensitivities_command.hpp"
-#include "tool/size_fifos_command.hpp"
+#include "tool/standard_commands.hpp"
 #include "tool/sweep_command.hpp"
 #include "tool/tool.hpp"
-#include "tool/whatif_command.hpp"
 
 int sc_main(int argc, char** argv) {
     using namespace faster;

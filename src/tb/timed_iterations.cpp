@@ -14,7 +14,7 @@
 #include "modules/faster_simulation.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
-#include "tool/waveform_size.hpp"
+#include "tool/run_size.hpp"
 #include "workload/build_stimulus.hpp"
 
 namespace faster {

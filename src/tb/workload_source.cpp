@@ -6,7 +6,6 @@
 #include "workload/build_stimulus.hpp"
 #include "workload/files/trace.hpp"
 #include "workload/object_mesh.hpp"
-#include "workload/object_size.hpp"
 
 namespace faster {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "kernel/base/input_error.hpp"
-#include "kernel/budgets/accelerator_settings.hpp"
-#include "kernel/budgets/run_figures.hpp"
+#include "kernel/budgets/figures.hpp"
+#include "kernel/budgets/measurement.hpp"
 #include "kernel/config/configuration_hash.hpp"
 #include "kernel/config/load_config.hpp"
 #include "kernel/config/resolved_config.hpp"

@@ -1,18 +1,31 @@
-#include "tool/compare_command.hpp"
+#include <cstdint>
+#include <string>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/compare/compare.hpp"
-#include "kernel/compare/comparison_json.hpp"
-#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/comparison_report.hpp"
 #include "kernel/compare/read_run.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/results_folder.hpp"
 #include "tool/say.hpp"
+#include "tool/standard_commands.hpp"
 
 namespace faster {
 
+namespace {
+
+/// `faster-sim compare`.
+struct CompareRequest {
+    std::string run_a;      ///< output folder of a run
+    std::string run_b;      ///< and of another
+    std::int64_t top = 10;  ///< rows per list
+    std::string json;       ///< file; empty: print only
+};
+
+/// Returns exit_failed_check if the runs have other samples or score one differently, and exit_done if nothing but time
+/// differs. Throws InputError on bad input.
 int compare(CompareRequest const& request) {
     CommandPaths paths;
     paths.reads(request.run_a, ResultsFolder::kind());
@@ -27,6 +40,8 @@ int compare(CompareRequest const& request) {
         say("\nwritten: {}\n", request.json);
     return comparison.is_functionally_equal() ? exit_done : exit_failed_check;
 }
+
+}  // namespace
 
 Subcommand compare_command() {
     return {

@@ -1,8 +1,7 @@
-#include "tool/keys_command.hpp"
-
 #include "kernel/config/keys_as_markdown.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/say.hpp"
+#include "tool/standard_commands.hpp"
 
 namespace faster {
 

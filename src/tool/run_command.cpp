@@ -1,33 +1,116 @@
 #include "tool/run_command.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
 #include "kernel/base/files/output_file.hpp"
+#include "kernel/base/input_error.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/config/load_config.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/explore/replayed_timeline.hpp"
+#include "kernel/figures/run_statistics.hpp"
+#include "kernel/replay/recorded_run.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/sensitivities.hpp"
+#include "kernel/report/html/deadlock_html.hpp"
+#include "kernel/report/html/html_report.hpp"
+#include "kernel/report/latencies.hpp"
 #include "kernel/report/summary.hpp"
 #include "kernel/report/text_report.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
-#include "tool/report_page.hpp"
 #include "tool/results_folder.hpp"
 #include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
-#include "tool/waveform_size.hpp"
 
 namespace faster {
 
 namespace {
+
+constexpr std::size_t most_samples = 1000;
+
+/// Bars of the finest levels that a page holds, about eight bytes each.
+constexpr std::size_t most_bars = 5'000'000;
+constexpr std::size_t most_bars_of_sample = 50'000;
+
+std::string title_of(std::string const& config) { return std::filesystem::path(config).filename().string(); }
+
+/// Each once.
+std::vector<SampleStatistics> shown_samples(RunStatistics const& run, std::vector<std::size_t> const& asked) {
+    std::vector<std::size_t> numbers;
+    for (report::StandoutSample const& standout : report::standout_samples(run))
+        numbers.push_back(standout.sample->sample);
+    numbers.insert(numbers.end(), asked.begin(), asked.end());
+    std::vector<SampleStatistics> samples;
+    std::vector<bool> is_there(run.samples.size(), false);
+    for (std::size_t const number : numbers) {
+        if (!is_there[number])
+            samples.push_back(run.samples[number]);
+        is_there[number] = true;
+    }
+    return samples;
+}
+
+std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& recorded, Machine const& machine,
+                                                     std::vector<SampleStatistics> const& samples) {
+    if (samples.empty())
+        return {};
+    ProgressLine progress("timelines");
+    std::mutex mutex;
+    std::size_t done = 0;
+    std::size_t const bars = std::min(most_bars / samples.size(), most_bars_of_sample);
+    std::vector<report::PackedTimeline> packed(samples.size());
+    explore::replay_timelines(recorded, machine, samples, [&](std::size_t i, SampleTimeline const& timeline) {
+        packed[i] = report::packed_timeline(machine, timeline, bars);
+        std::lock_guard<std::mutex> const lock(mutex);
+        progress.show(++done, samples.size());
+    });
+    return packed;
+}
+
+/// The samples that --report-samples asks for: "all", or numbers and ranges such as 0-9,617. Errors: InputError for
+/// samples that there are not, and for more than a page can hold.
+std::vector<std::size_t> parse_report_samples(std::string const& text, std::size_t samples) {
+    if (text.empty())
+        return {};
+    std::string const list = text == "all" && samples > 0 ? fmt::format("0-{}", samples - 1) : text;
+    std::vector<std::size_t> numbers = parse_numbers("--report-samples", list, samples);
+    if (numbers.size() > most_samples)
+        throw InputError(
+            fmt::format("--report-samples {}: {} samples, expected at most {}", text, numbers.size(), most_samples));
+    return numbers;
+}
+
+/// Writes the page of a finished run, which was recorded. It gets the timelines of the median sample, the slowest, the
+/// fastest, and those asked for.
+void write_report(io::OutputFile const& file, std::string const& config, LoadedConfig const& loaded,
+                  RunStatistics const& run, replay::RecordedRun const& recorded, std::vector<std::size_t> const& asked,
+                  RunExtras const& extras) {
+    std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
+    std::vector<report::PackedTimeline> const timelines =
+        packed_timelines(recorded, run.machine, shown_samples(run, asked));
+    file.commit(report::html_report({title_of(config), run, keys, timelines, extras.pictures()}));
+}
+
+/// Writes the page of a run that got stuck. `overrides`: its settings.
+void write_deadlock_page(io::OutputFile const& file, std::string const& config,
+                         std::vector<std::string> const& overrides, LoadedConfig const& loaded,
+                         RunStatistics const& run) {
+    report::RunCommand const command{program_name() + " run " + config, overrides};
+    file.commit(report::deadlock_html(title_of(config), command, run, resolved_keys(loaded.config)));
+}
 
 namespace fs = std::filesystem;
 using HostClock = std::chrono::steady_clock;

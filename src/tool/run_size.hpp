@@ -1,12 +1,35 @@
 #pragma once
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
+#include "channels/simulate.hpp"
 #include "channels/simulated_design.hpp"
 #include "kernel/config/run_config.hpp"
 #include "kernel/machine/machine.hpp"
+#include "tool/recording_options.hpp"
 
 namespace faster {
+
+/// How long the files of a waveform will be.
+struct WaveformSize {
+    double vcd_bytes = 0;  ///< 0: there is none
+    double fst_bytes = 0;
+};
+
+/// A run with these options.
+using SimulateDesign = std::function<RunStatistics(SimulationOptions const& options)>;
+
+/// The size of a whole run's waveform, right within a factor of two, before the run is made: its first samples are
+/// simulated and recorded by a process of their own. `simulate`: the run, in that process. None if that process fails.
+std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Machine const& machine,
+                                             std::size_t samples, SimulateDesign const& simulate);
+
+/// Says how large the waveform will be, if the request asks for one without a window. Throws InputError if that is more
+/// than 2 GB, unless `force`.
+void announce_waveform(RecordingRequest const& request, Machine const& machine, std::size_t samples, bool force,
+                       SimulateDesign const& simulate);
 
 /// How large a run is, before it is made: right within a factor of three or so, on the host on which this was measured.
 struct RunSize {

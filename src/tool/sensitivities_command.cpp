@@ -1,6 +1,5 @@
-#include "tool/sensitivities_command.hpp"
-
 #include <algorithm>
+#include <string>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/events/event_file.hpp"
@@ -12,10 +11,18 @@
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/standard_commands.hpp"
 
 namespace faster {
 
 namespace {
+
+/// `faster-sim sensitivities`.
+struct SensitivitiesRequest {
+    std::string events;  ///< file
+    std::string csv;     ///< file; empty: none
+    std::string json;    ///< file; empty: none
+};
 
 RunStatistics with_sensitivities(events::EventFile const& recorded) {
     RunStatistics run;
@@ -30,8 +37,7 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
     return run;
 }
 
-}  // namespace
-
+/// Returns the exit code; throws InputError on bad input.
 int print_sensitivities(SensitivitiesRequest const& request) {
     CommandPaths paths;
     paths.reads(request.events);
@@ -51,6 +57,8 @@ int print_sensitivities(SensitivitiesRequest const& request) {
             say("\nwritten: {}\n", file);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand sensitivities_command() {
     return {"sensitivities", "Say what one step of each timing key changes for a recorded run, and which have slack",

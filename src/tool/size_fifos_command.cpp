@@ -1,9 +1,9 @@
-#include "tool/size_fifos_command.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "kernel/base/files/atomic_folder.hpp"
 #include "kernel/base/files/text_file.hpp"
@@ -14,18 +14,30 @@
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/retimed_config.hpp"
+#include "kernel/machine/fifo_cost.hpp"
 #include "kernel/report/html/sizing_html.hpp"
 #include "kernel/sizing/sizing_files.hpp"
-#include "kernel/sizing/sizing_text.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/standard_commands.hpp"
 
 namespace faster {
 
 namespace {
+
+/// `faster-sim size-fifos`.
+struct SizeFifosRequest {
+    std::string events;         ///< file
+    double within_percent = 0;  ///< of what unbounded FIFOs take, more
+    std::string out;            ///< folder; empty: none
+    double luts_per_ramb36 = CostWeights().luts_per_ramb36;
+    unsigned front_points = 12;
+    unsigned jobs = 0;  ///< threads; 0: the host's cores
+    std::vector<std::string> overrides;
+};
 
 io::FolderKind const sizing_folder{"sizing", "sizing.json", {"pareto.csv", "depths.yaml", "sizing.html"}};
 
@@ -61,8 +73,7 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
     folder.commit();
 }
 
-}  // namespace
-
+/// Returns the exit code; throws InputError on bad input.
 int print_fifo_sizes(SizeFifosRequest const& request) {
     CommandPaths paths;
     paths.reads(request.events);
@@ -80,6 +91,8 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
         say("\nwritten: {}\n", request.out);
     return exit_done;
 }
+
+}  // namespace
 
 Subcommand size_fifos_command() {
     return {"size-fifos",

@@ -1,14 +1,8 @@
 #include "tool/standard_commands.hpp"
 
 #include "tool/check_command.hpp"
-#include "tool/compare_command.hpp"
-#include "tool/explore_command.hpp"
-#include "tool/keys_command.hpp"
 #include "tool/run_command.hpp"
-#include "tool/sensitivities_command.hpp"
-#include "tool/size_fifos_command.hpp"
 #include "tool/sweep_command.hpp"
-#include "tool/whatif_command.hpp"
 
 namespace faster {
 

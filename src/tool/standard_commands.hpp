@@ -8,4 +8,12 @@ namespace faster {
 /// The commands that any design has: run, check, explore, whatif, sensitivities, size-fifos, compare, sweep, keys.
 std::vector<Subcommand> standard_commands();
 
+/// Those of them that need nothing but their options.
+Subcommand compare_command();
+Subcommand explore_command();
+Subcommand keys_command();
+Subcommand sensitivities_command();
+Subcommand size_fifos_command();
+Subcommand whatif_command();
+
 }  // namespace faster

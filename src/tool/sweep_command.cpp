@@ -1,28 +1,109 @@
 #include "tool/sweep_command.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <vector>
 
+#include "kernel/base/files/durable_file.hpp"
+#include "kernel/base/held_signals.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/printable.hpp"
 #include "kernel/base/process_pool.hpp"
+#include "kernel/base/program_name.hpp"
 #include "kernel/config/plain_text.hpp"
 #include "kernel/sweeps/journal.hpp"
 #include "kernel/sweeps/manifest.hpp"
 #include "kernel/sweeps/point_identity.hpp"
+#include "kernel/sweeps/results_table.hpp"
 #include "kernel/sweeps/shard.hpp"
 #include "kernel/sweeps/sweep_file.hpp"
 #include "kernel/sweeps/sweep_folder.hpp"
+#include "kernel/sweeps/sweep_page.hpp"
+#include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
-#include "tool/sweep_merge_command.hpp"
-#include "tool/sweep_outputs.hpp"
 #include "tool/sweeper.hpp"
 
 namespace faster {
 
 namespace {
+
+using Status = sweeps::PointResult::Status;
+
+std::size_t count_of(Status status, sweeps::Manifest const& manifest, sweeps::Results const& results) {
+    std::size_t count = 0;
+    for (sweeps::Manifest::Point const& point : manifest.points) {
+        auto const found = results.find(point.id);
+        if (found != results.end() && found->second.status == status)
+            ++count;
+    }
+    return count;
+}
+
+void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& results, std::size_t count) {
+    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
+        auto const found = results.find(manifest.points[i].id);
+        if (found == results.end() || found->second.status != Status::failed)
+            continue;
+        warn("{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
+             found->second.message);
+        return;
+    }
+}
+
+/// Writes table and page of a sweep, and says so. The points that failed are named on stderr. Returns the exit code.
+int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest const& manifest,
+                        sweeps::Results const& results) {
+    io::write_file_durably(folder.table(), sweeps::results_csv(manifest, results));
+    io::write_file_durably(folder.page(), sweeps::sweep_page(manifest, results));
+    std::size_t const failed = count_of(Status::failed, manifest, results);
+    std::size_t const done = count_of(Status::done, manifest, results);
+    std::size_t const deadlocked = count_of(Status::deadlock, manifest, results);
+    std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
+    say("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
+        there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
+        folder.page().string());
+    if (failed == 0)
+        return exit_done;
+    name_first_failed(manifest, results, failed);
+    return exit_failed_check;
+}
+
+/// `faster-sim sweep merge`.
+struct SweepMergeRequest {
+    std::vector<std::string> folders;
+    std::string out;  ///< folder
+};
+
+void name_missing(sweeps::Merged const& merged) {
+    constexpr std::size_t most_named = 10;
+    std::size_t const count = merged.missing.size();
+    warn("{}: {} of {} points are missing:", program_name(), count, merged.manifest.points.size());
+    for (std::size_t i = 0; i < std::min(count, most_named); ++i)
+        warn("{} {}", i == 0 ? "" : ",", merged.manifest.name(merged.missing[i]));
+    warn("{}; {} sweep {} --out with this folder does them\n",
+         count > most_named ? fmt::format(" and {} more", count - most_named) : "", program_name(),
+         merged.manifest.sweep);
+}
+
+/// Returns the exit code: exit_failed_check if points are missing, or one failed. Throws InputError on bad input.
+int merge_sweeps(SweepMergeRequest const& request) {
+    std::vector<std::filesystem::path> folders(request.folders.begin(), request.folders.end());
+    if (sweeps::is_sweep_folder(request.out))
+        folders.emplace_back(request.out);  // what is there stays
+    sweeps::Merged const merged = sweeps::merged(folders);
+    processes::HeldSignals const held;
+    sweeps::SweepFolder folder(request.out);
+    folder.adopt(merged.manifest);
+    io::write_file_durably(folder.journal(), sweeps::journal_text(merged.results));
+    int const code = write_sweep_outputs(folder, merged.manifest, merged.results);
+    if (merged.missing.empty())
+        return code;
+    name_missing(merged);
+    return exit_failed_check;
+}
 
 using sweeps::PointResult;
 

@@ -1,15 +1,166 @@
 #include "tool/sweeper.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <utility>
+#include <fmt/format.h>
 
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
+#include "kernel/base/json.hpp"
 #include "kernel/base/on_threads.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/events/event_file.hpp"
+#include "kernel/replay/retime.hpp"
 #include "tool/budget_run.hpp"
+#include "tool/recorded_events.hpp"
+#include "tool/simulated_run.hpp"
 
 namespace faster {
+
+namespace {
+
+using Kind = sweeps::Assignment::Kind;
+using sweeps::PointResult;
+
+/// Configurations and what they name are read again by each process, and may be other files than when the sweep began.
+class PointCheck {
+  public:
+    PointCheck(sweeps::Sweep const& sweep, std::vector<sweeps::PointIdentity> const& identities)
+        : sweep_(sweep), identities_(identities) {}
+
+    /// Whether the point is another now; then trouble says so.
+    bool has_changed(std::size_t point, RunConfig const& config, SweepReply& reply) {
+        if (is_same(identities_[point], config))
+            return false;
+        reply.trouble =
+            fmt::format("{}: {}: its configuration, or a file that it names, changed while the sweep was at work",
+                        sweep_.file, sweeps::name_of_point(point, sweep_.columns(), sweep_.values(point)));
+        return true;
+    }
+
+  private:
+    bool is_same(sweeps::PointIdentity const& identity, RunConfig const& config) {
+        try {
+            return identifier_.identity(config).point == identity.point;
+        } catch (HostError const&) {
+            throw;
+        } catch (InputError const&) {  // a file that is not there any more
+            return false;
+        }
+    }
+
+    sweeps::Sweep const& sweep_;
+    std::vector<sweeps::PointIdentity> const& identities_;
+    sweeps::Identifier identifier_;
+};
+
+/// What is wrong while the workload is made is the point's fault, unless it is the host's, as while it is recorded.
+void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep, PointCheck& check,
+                    std::filesystem::path const& events, SweepReply& reply) {
+    std::size_t const point = assignment.points.front();
+    LoadedConfig const asked = sweep.configuration(point);
+    LoadedConfig loaded = asked;
+    std::unique_ptr<Workload> workload;
+    replay::RecordedRun recorded;
+    SimulationOptions options;
+    options.recorded = assignment.kind == Kind::record ? &recorded : nullptr;
+    RunStatistics run;
+    try {
+        workload = simulated_design().load_workload(loaded);
+        if (check.has_changed(point, asked.config, reply))
+            return;
+        run = simulate(loaded.config, *workload, options);
+    } catch (HostError const&) {
+        throw;
+    } catch (InputError const& error) {
+        if (!check.has_changed(point, asked.config, reply))
+            reply.results.emplace_back(point, sweeps::failed(error.what()));
+        return;
+    }
+    PointResult const result = sweeps::result_of(run);
+    if (assignment.kind == Kind::record && result.status == PointResult::Status::done) {
+        write_events(io::OutputFile(events), loaded, recorded, run, assignment.function);
+        reply.has_events = true;
+    }
+    reply.results.emplace_back(point, result);
+}
+
+/// The recorded machine with the point's timing: what a trace decides is as it was recorded.
+Machine with_timing_of(LoadedConfig const& point, RunConfig recorded) {
+    for (Key const& key : retiming_keys())
+        key.write(recorded, key.read(point.config));
+    return machine_of(recorded);
+}
+
+void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep, PointCheck& check,
+                   std::filesystem::path const& events, SweepReply& reply) {
+    constexpr std::chrono::milliseconds long_enough{300};
+    auto const start = std::chrono::steady_clock::now();
+    try {
+        events::EventFile const recorded = events::read_event_file(events);
+        if (recorded.function != assignment.function)
+            throw InputError(events.string() + ": was recorded of something else");
+        replay::ScriptedRun const run(recorded.run, recorded.run.lead(machine_of(recorded.loaded.config)));
+        for (std::size_t const point : assignment.points) {
+            LoadedConfig const asked = sweep.configuration(point);
+            if (check.has_changed(point, asked.config, reply))
+                return;
+            Machine const machine = with_timing_of(asked, recorded.loaded.config);
+            reply.results.emplace_back(point, sweeps::result_of(replay::retime(run, machine)));
+            if (std::chrono::steady_clock::now() - start > long_enough)
+                return;
+        }
+    } catch (HostError const&) {
+        throw;
+    } catch (InputError const&) {
+        reply.lost_events = true;
+    }
+}
+
+}  // namespace
+
+SweepReply work_on(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep,
+                   std::vector<sweeps::PointIdentity> const& identities, std::filesystem::path const& events) {
+    SweepReply reply;
+    PointCheck check(sweep, identities);
+    try {
+        if (assignment.kind == Kind::retime)
+            retime_points(assignment, sweep, check, events, reply);
+        else
+            simulate_point(assignment, sweep, check, events, reply);
+    } catch (InputError const& error) {
+        reply.trouble = error.what();
+    } catch (std::exception const& error) {
+        std::size_t const point = assignment.points[reply.results.size()];
+        reply.results.emplace_back(point, sweeps::failed(std::string("unexpected error: ") + error.what()));
+    }
+    return reply;
+}
+
+std::string to_text(SweepReply const& reply) {
+    Json results = Json::array();
+    for (auto const& [point, result] : reply.results)
+        results.push_back({point, to_json(result)});
+    Json const json{{"results", results},
+                    {"has_events", reply.has_events},
+                    {"lost_events", reply.lost_events},
+                    {"trouble", reply.trouble}};
+    return io::text_of(json);
+}
+
+SweepReply reply_from_text(std::string const& text) {
+    Json const json = Json::parse(text);
+    SweepReply reply;
+    json.at("has_events").get_to(reply.has_events);
+    json.at("lost_events").get_to(reply.lost_events);
+    json.at("trouble").get_to(reply.trouble);
+    for (Json const& row : json.at("results"))
+        reply.results.emplace_back(row.at(0).get<std::size_t>(), sweeps::result_from_json(row.at(1)));
+    return reply;
+}
 
 Sweeper::Sweeper(SweepRequest const& request, sweeps::Sweep const& sweep,
                  std::vector<sweeps::PointIdentity> const& identities, std::vector<std::size_t> const& points,

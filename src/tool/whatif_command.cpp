@@ -1,14 +1,15 @@
-#include "tool/whatif_command.hpp"
-
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/compare/compare.hpp"
-#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/comparison_report.hpp"
 #include "kernel/compare/read_run.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
@@ -27,10 +28,21 @@
 #include "tool/progress_line.hpp"
 #include "tool/results_folder.hpp"
 #include "tool/say.hpp"
+#include "tool/standard_commands.hpp"
 
 namespace faster {
 
 namespace {
+
+/// `faster-sim whatif`.
+struct WhatifRequest {
+    std::string events;                  ///< file
+    std::vector<std::string> overrides;  ///< KEY=VALUE
+    std::string out;                     ///< folder; empty: print only
+    std::string matrix;                  ///< file of configurations; empty: only the one
+    std::string csv;                     ///< file, for the matrix; empty: print only
+    std::int64_t top = 10;               ///< rows per list of the comparison
+};
 
 runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
                                RunStatistics const& run) {
@@ -115,8 +127,8 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     return exit_done;
 }
 
-}  // namespace
-
+/// Returns the exit code: exit_deadlock if the configuration deadlocks, unless it is one of a matrix. Throws InputError
+/// on bad input.
 int whatif(WhatifRequest const& request) {
     auto const start = std::chrono::steady_clock::now();
     events::EventFile const recorded = events::read_event_file(request.events);
@@ -126,6 +138,8 @@ int whatif(WhatifRequest const& request) {
     return request.matrix.empty() ? retime_one(request, recorded, changed, host)
                                   : retime_matrix(request, recorded, changed);
 }
+
+}  // namespace
 
 Subcommand whatif_command() {
     return {"whatif", "Say how long a recorded run would take with other timing, without running it",

@@ -1,5 +1,6 @@
 #include "workload/object_mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <limits>
 #include <meshoptimizer.h>
@@ -11,6 +12,7 @@
 #include "workload/models/builtin_models.hpp"
 
 namespace faster::workload {
+
 namespace {
 
 using Indices = std::vector<unsigned>;
@@ -75,6 +77,26 @@ Mesh scaled(Mesh mesh, double scale) {
 }
 
 }  // namespace
+
+double longest_side_m(Mesh const& mesh) {
+    if (mesh.vertices.empty())
+        return 0;
+    Eigen::AlignedBox3d box;
+    for (Eigen::Vector3d const& vertex : mesh.vertices)
+        box.extend(vertex);
+    return box.sizes().maxCoeff();
+}
+
+std::string size_warning(Mesh const& mesh, std::string const& file) {
+    constexpr double suspicious_m = 10;
+    double const side_m = longest_side_m(mesh);
+    if (side_m < suspicious_m)
+        return {};
+    return fmt::format(
+        "{}: is {:.4g} m long, which looks like millimetres; expected less than {} m "
+        "(workload.mesh_files.scale: 0.001 reads millimetres)",
+        file, side_m, suspicious_m);
+}
 
 bool is_mesh_file(std::string const& name) {
     return name.find('/') != std::string::npos || io::has_mesh_extension(name);

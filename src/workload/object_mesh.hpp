@@ -7,6 +7,13 @@
 
 namespace faster::workload {
 
+/// The longest side of the box around a mesh [m].
+double longest_side_m(Mesh const& mesh);
+
+/// What is wrong with the size of the object of a mesh file, for people; empty if nothing is. A camera of 3 m range
+/// sees objects that are hand-sized: one of 10 m is one of 1 cm at least whose file is in millimetres.
+std::string size_warning(Mesh const& mesh, std::string const& file);
+
 /// The mesh of an object: a mesh file if `name` has a '/' or the extension of a mesh format, else a built-in class.
 /// Throws InputError; for an unknown class it names `key`, the configuration key the name comes from. `files`: what
 /// reading a mesh file may take, and its unit.

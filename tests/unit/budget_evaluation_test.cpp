@@ -1,14 +1,11 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/budgets/check_json.hpp"
+#include "kernel/budgets/check_files.hpp"
+#include "kernel/budgets/check_result.hpp"
 #include "kernel/budgets/check_text.hpp"
 #include "kernel/budgets/evaluate.hpp"
-#include "kernel/budgets/explain.hpp"
-#include "kernel/budgets/figure_facts.hpp"
 #include "kernel/budgets/figure_pattern.hpp"
-#include "kernel/budgets/junit_xml.hpp"
-#include "kernel/budgets/limit_text.hpp"
-#include "kernel/budgets/run_figures.hpp"
+#include "kernel/budgets/figures.hpp"
 #include "kernel/config/configuration_hash.hpp"
 #include "support/counters.hpp"
 #include "support/idle_run.hpp"

@@ -3,8 +3,8 @@
 
 #include "common/sample_counters.hpp"
 #include "kernel/figures/column_values.hpp"
-#include "kernel/figures/memory_columns.hpp"
 #include "kernel/figures/module_row.hpp"
+#include "kernel/figures/table_columns.hpp"
 #include "support/temp_folder.hpp"
 
 namespace columns_test {

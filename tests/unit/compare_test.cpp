@@ -4,8 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "kernel/compare/comparison_json.hpp"
-#include "kernel/compare/comparison_text.hpp"
+#include "kernel/compare/comparison_report.hpp"
 
 namespace compare_test {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "reference/quality/pose_survey.hpp"
-#include "reference/quality/survey_table.hpp"
 #include "workload/models/builtin_models.hpp"
 
 namespace faster::quality::contour_quality_test {

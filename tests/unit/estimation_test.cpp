@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "estimation/diffusion.hpp"
 #include "estimation/estimator.hpp"
 #include "estimation/first_samples.hpp"
 #include "estimation/resampling.hpp"

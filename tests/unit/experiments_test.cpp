@@ -11,7 +11,6 @@
 #include "workload/experiments/estimate_journal.hpp"
 #include "workload/experiments/experiment_file.hpp"
 #include "workload/experiments/made_dataset.hpp"
-#include "workload/experiments/made_scene.hpp"
 #include "workload/experiments/ycb_classes.hpp"
 #include "workload/models/builtin_models.hpp"
 

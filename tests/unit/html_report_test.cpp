@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <zlib.h>
 
-#include "kernel/report/standout_samples.hpp"
+#include "kernel/report/latencies.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"
 #include "support/raster_machine.hpp"

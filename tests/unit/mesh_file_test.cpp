@@ -6,7 +6,6 @@
 #include "support/input_error_text.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/files/mesh_bytes.hpp"
 #include "workload/files/ply_length.hpp"
 
 namespace mesh_file_test {

@@ -3,14 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "workload/pictures/contact_layout.hpp"
+#include "workload/pictures/colour.hpp"
 #include "workload/pictures/contact_sheet.hpp"
 #include "workload/pictures/depth_map.hpp"
 #include "workload/pictures/depth_scale.hpp"
 #include "workload/pictures/drawing.hpp"
 #include "workload/pictures/line_plot.hpp"
 #include "workload/pictures/overlay.hpp"
-#include "workload/pictures/palette.hpp"
 
 namespace pictures_test {
 

@@ -8,7 +8,6 @@
 
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/files/colour_png.hpp"
 
 namespace png_image_test {
 

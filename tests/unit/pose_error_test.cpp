@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "kernel/base/random.hpp"
-#include "poses/symmetries.hpp"
+#include "poses/judge.hpp"
 #include "support/bop_folder.hpp"
 
 namespace pose_error_test {

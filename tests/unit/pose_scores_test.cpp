@@ -5,9 +5,8 @@
 #include <random>
 
 #include "kernel/base/random.hpp"
-#include "poses/accuracy.hpp"
 #include "poses/bootstrap.hpp"
-#include "poses/matching.hpp"
+#include "poses/judge.hpp"
 #include "poses/scores.hpp"
 
 namespace pose_scores_test {

@@ -14,7 +14,6 @@
 #include "reference/edge_map/dual_map.hpp"
 #include "reference/edge_tokens.hpp"
 #include "reference/inlier_sweep.hpp"
-#include "reference/observed_window.hpp"
 #include "reference/rasterize.hpp"
 #include "reference/scorer.hpp"
 #include "reference/vertex_transform.hpp"

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "kernel/report/html/latency_histogram.hpp"
-#include "kernel/report/html/timeline_view.hpp"
+#include "kernel/report/html/timeline_data.hpp"
+#include "kernel/report/latencies.hpp"
 #include "support/example_run.hpp"
 
 namespace faster::report::report_figures_test {

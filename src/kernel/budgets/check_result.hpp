@@ -2,10 +2,31 @@
 #include <string>
 #include <vector>
 
+#include "kernel/budgets/budget.hpp"
 #include "kernel/budgets/evaluate.hpp"
-#include "kernel/budgets/explain.hpp"
+#include "kernel/budgets/measurement.hpp"
+#include "kernel/compare/comparison.hpp"
 
 namespace faster::budgets {
+
+/// What moved since the baseline. Work does not depend on time in this machine, so a change of shape or work is where
+/// a breach starts, and a change of waiting is what follows from it - or, alone, from something that no figure counts.
+struct Explanation {
+    bool same_configuration = true;             ///< by its hash
+    std::vector<runs::SettingChange> settings;  ///< keys of the accelerator
+    std::vector<runs::Change> shapes;           ///< depths, capacities, intervals, ports
+    std::vector<runs::Change> work;     ///< busy, fill and drain, setup, conflicts, recurrences; tokens, iterations
+    std::vector<runs::Change> waiting;  ///< stalls, idle cycles, occupancies
+    std::vector<runs::Change> results;  ///< counters of samples, as far as the baseline has them
+
+    bool is_empty() const {
+        return same_configuration && shapes.empty() && work.empty() && waiting.empty() && results.empty();
+    }
+};
+
+/// Compares the figures that the baseline has, all cores together; each list starts with the largest difference. A run
+/// without figures (a deadlock) only has settings to compare.
+Explanation explain(Baseline const& baseline, Measurement const& measurement);
 
 /// How one budget fared.
 struct CheckResult {

@@ -5,7 +5,7 @@
 #include <fnmatch.h>
 
 #include "kernel/base/nearest_name.hpp"
-#include "kernel/budgets/run_figures.hpp"
+#include "kernel/budgets/figures.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/plain_text.hpp"
 

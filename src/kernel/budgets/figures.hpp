@@ -6,6 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kernel/base/column.hpp"
+#include "kernel/figures/run_statistics.hpp"
+
 namespace faster::budgets {
 
 /// One figure of a run, by its dotted name: a path through the output files, e.g. "fifos.edge_token.max_occupancy",
@@ -30,5 +33,16 @@ class Figures {
 
 /// What a name's parts are: "fifos", "edge_token", "max_occupancy".
 std::vector<std::string> parts_of(std::string const& name);
+
+/// What the tables of columns say of a figure. Of a name that they do not know (a baseline may be older than they are):
+/// work without a unit.
+ColumnFacts const& facts_of(std::string const& name);
+
+/// True for what is counted in clock cycles (of all cores together: lane-cycles), which a limit may give as a time too.
+inline bool is_in_cycles(std::string const& name) { return facts_of(name).is_in_cycles(); }
+
+/// Every figure of a finished run: those of the run, of all cores together (see is_largest_over_cores), of each sample,
+/// and of each core under "cores.N.". Names and values are those of summary.json and samples.csv.
+Figures run_figures(RunStatistics const& run);
 
 }  // namespace faster::budgets

@@ -4,8 +4,17 @@
 
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/base/json.hpp"
+#include "kernel/config/plain_text.hpp"
 
 namespace faster::budgets {
+
+std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys) {
+    std::vector<Setting> settings;
+    for (ResolvedKey const& key : keys)
+        if (!key.is_default && key.key.rfind("accelerator.", 0) == 0)
+            settings.push_back({key.key, plain_text(key.value)});
+    return settings;
+}
 
 std::string to_text(Measurement const& measurement) {
     Json names = Json::array(), values = Json::array(), accelerator = Json::array();

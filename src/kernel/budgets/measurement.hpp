@@ -3,8 +3,12 @@
 #include <vector>
 
 #include "kernel/budgets/budget.hpp"
+#include "kernel/config/resolved_config.hpp"
 
 namespace faster::budgets {
+
+/// The keys of the accelerator that do not have their defaults.
+std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys);
 
 /// What a simulation has to tell about its budget's run; travels from one process to another as text.
 struct Measurement {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/base/cycles.hpp"
-#include "kernel/figures/sample_columns.hpp"
+#include "kernel/figures/table_columns.hpp"
 
 namespace faster::runs {
 

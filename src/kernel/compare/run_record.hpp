@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/fifo_columns.hpp"
-#include "kernel/figures/loop_columns.hpp"
-#include "kernel/figures/sample_columns.hpp"
+#include "kernel/figures/table_columns.hpp"
 
 namespace faster::runs {
 

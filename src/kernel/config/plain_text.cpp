@@ -6,6 +6,7 @@
 #include <system_error>
 
 namespace faster {
+
 namespace {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }

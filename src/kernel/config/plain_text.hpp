@@ -2,9 +2,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
+
+#include "kernel/config/key_value.hpp"
 
 namespace faster {
+
+/// The value as people write it on the command line: text without the quotes of JSON.
+inline std::string plain_text(KeyValue const& value) {
+    auto const* const word = std::get_if<std::string>(&value);
+    return word != nullptr ? *word : json_text(value);
+}
 
 /// What a word of a configuration means. Stricter than yaml-cpp's conversions, which also take `yes`, `0x2` and `2.0`
 /// for an integer.

@@ -9,6 +9,71 @@ namespace faster::events {
 
 namespace {
 
+using Entries = replay::RecordedMemory::Entries;
+using timing::MemoryBlock;
+
+constexpr std::uint64_t most = std::uint64_t{1} << 42;         // of any number, so that none overflows
+constexpr std::uint64_t most_tokens = std::uint64_t{1} << 28;  // of a block, so that their cycles can be kept
+
+/// Visits the fields of a block in the order in which they are written.
+template <class Block, class Visit> void each_field(Block& block, Visit visit) {
+    for (auto* const field : {&block.address, &block.bytes, &block.lead, &block.token_bytes, &block.tokens, &block.rows,
+                              &block.first_row, &block.fetched_rows, &block.pitch})
+        visit(*field);
+}
+
+Json block_json(MemoryBlock const& block) {
+    Json fields = Json::array();
+    each_field(block, [&fields](std::uint64_t field) { fields.push_back(field); });
+    return fields;
+}
+
+Json entries_json(Entries const& entries) {
+    Json all = Json::array();
+    for (timing::MemoryEntry const& entry : entries) {
+        Json blocks = Json::array();
+        for (MemoryBlock const& block : entry.blocks)
+            blocks.push_back(block_json(block));
+        all.push_back(std::move(blocks));
+    }
+    return all;
+}
+
+void require(bool holds) {
+    if (!holds)
+        throw std::invalid_argument("what was fetched from memory cannot be");
+}
+
+/// What is fetched of a row is of its tokens, and the rows are there.
+bool makes_sense(MemoryBlock const& block) {
+    bool const has_tokens = block.token_bytes > 0 && block.tokens <= most / block.token_bytes &&
+                            block.tokens <= most_tokens / (block.rows + 1);
+    return has_tokens && block.lead <= block.tokens * block.token_bytes &&
+           block.bytes <= block.tokens * block.token_bytes - block.lead && block.first_row <= block.rows &&
+           block.fetched_rows <= block.rows - block.first_row && block.pitch <= most / (block.rows + 1);
+}
+
+MemoryBlock read_block(Json const& json) {
+    MemoryBlock block;
+    std::size_t i = 0;
+    each_field(block, [&](std::uint64_t& field) {
+        field = json.at(i++).get<std::uint64_t>();
+        require(field < most);
+    });
+    require(i == json.size() && makes_sense(block));
+    return block;
+}
+
+Entries read_entries(Json const& json) {
+    Entries entries;
+    for (Json const& blocks : json) {
+        entries.emplace_back();
+        for (Json const& block : blocks)
+            entries.back().blocks.push_back(read_block(block));
+    }
+    return entries;
+}
+
 Json site_json(SourceSite const& site) { return {site.file, site.line}; }
 
 Json ports_json(timing::ProcessTiming const& process) {
@@ -139,6 +204,39 @@ class MachineReader {
 };
 
 }  // namespace
+
+Json memory_json(replay::RecordedMemory const& memory) {
+    Json json{{"entries", Json::array()}, {"loaded", Json::array()}};
+    for (std::vector<Entries> const& masters : memory.entries) {
+        Json sample = Json::array();
+        for (Entries const& entries : masters)
+            sample.push_back(entries_json(entries));
+        json["entries"].push_back(std::move(sample));
+    }
+    for (timing::LoadedRange const& range : memory.loaded)
+        json["loaded"].push_back({range.address, range.bytes, range.copies});
+    return json;
+}
+
+void read_memory(Json const& index, Machine const& machine, std::size_t samples, replay::RecordedRun& run) {
+    if (!machine.external_memory)
+        return;
+    Json const& json = index.at("memory");
+    replay::RecordedMemory& memory = run.memory.emplace();
+    memory.lead = machine.lead;
+    for (Json const& sample : json.at("entries")) {
+        memory.entries.emplace_back();
+        for (Json const& entries : sample)
+            memory.entries.back().push_back(read_entries(entries));
+        require(memory.entries.back().size() == streams_of(machine).size());
+    }
+    for (Json const& range : json.at("loaded")) {
+        memory.loaded.push_back(
+            {range.at(0).get<std::uint64_t>(), range.at(1).get<std::uint64_t>(), range.at(2).get<std::uint64_t>()});
+        require(memory.loaded.back().address < most && memory.loaded.back().bytes < most);
+    }
+    require(memory.entries.size() == samples);
+}
 
 Json machine_json(timing::CoreTiming const& blueprint) {
     Json processes = Json::array();

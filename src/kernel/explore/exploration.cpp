@@ -6,25 +6,187 @@
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/on_threads.hpp"
 #include "kernel/config/design.hpp"
+#include "kernel/config/idle_keys.hpp"
+#include "kernel/config/key_names.hpp"
+#include "kernel/config/keys.hpp"
+#include "kernel/config/plain_text.hpp"
+#include "kernel/config/resolved_config.hpp"
+#include "kernel/config/run_config.hpp"
 #include "kernel/events/retimed_config.hpp"
-#include "kernel/explore/figures_json.hpp"
-#include "kernel/explore/keys_json.hpp"
-#include "kernel/explore/loop_schedules.hpp"
 #include "kernel/explore/replayed_timeline.hpp"
+#include "kernel/figures/table_rows.hpp"
 #include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/retime.hpp"
 #include "kernel/replay/retime_together.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/report/critical_path_report.hpp"
+#include "kernel/report/diagnosis_text.hpp"
+#include "kernel/report/html/deadlock_html.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/run_data.hpp"
 #include "kernel/report/html/timeline_data.hpp"
+#include "kernel/report/json_rows.hpp"
 #include "kernel/report/sensitivity_report.hpp"
+#include "kernel/report/summary.hpp"
+#include "kernel/sizing/cheapest_choice.hpp"
 #include "kernel/sizing/sizing_files.hpp"
 
 namespace faster::explore {
 
 namespace {
+
+/// "read (-1, 0)": rows down, columns to the right of the pixel that the iteration works on.
+std::string text_of(BankPartition::Access const& access) {
+    return fmt::format("{} ({}, {})", access.writes ? "write" : "read", access.at.row, access.at.col);
+}
+
+/// Of all cores that share the memory: one port after the other, then the next cycle.
+Json slots(MachineMemory const& memory, std::vector<BankPartition::Access> const& accesses) {
+    Json cycles = Json::array();
+    std::size_t dealt = 0;
+    for (std::uint64_t sharer = 0; sharer < memory.sharers; ++sharer)
+        for (BankPartition::Access const& access : accesses) {
+            if (dealt++ % memory.ports == 0)
+                cycles.push_back(Json::array());
+            cycles.back().push_back(text_of(access));
+        }
+    return cycles;
+}
+
+Json memory_schedule(MachineMemory const& memory, AccessPattern const& pattern) {
+    return {{"bram", memory.name},
+            {"banks", memory.partition.banks()},
+            {"ports", memory.ports},
+            {"sharers", memory.sharers},
+            {"accesses", pattern.accesses()},
+            {"cycles", slots(memory, memory.partition.fullest_bank(pattern))}};
+}
+
+Json loop_schedule(Machine const& machine, std::size_t loop, LoopDescription const& description) {
+    timing::InitiationInterval const& interval = machine.loops[loop].interval;
+    Json memories = Json::array();
+    for (MemoryAccess const& access : description.accesses)
+        if (MachineMemory const& memory = machine.memories[machine.memory(access.memory)];
+            memory.is_present && access.pattern.accesses() > 0)
+            memories.push_back(memory_schedule(memory, access.pattern));
+    return {{"loop", machine.loop_name(loop)},   {"does", description.task},
+            {"ii", interval.achieved},           {"target", interval.target},
+            {"recurrence", interval.recurrence}, {"ports", interval.ports},
+            {"limited_by", interval.limited_by}, {"memories", memories}};
+}
+
+/// Why the loops of a configuration have their initiation intervals: of each loop what the pragma, a dependence and the
+/// ports demand, and of each memory it accesses the accesses of one iteration in the fullest bank, dealt out to its
+/// ports, cycle by cycle.
+Json loop_schedules(RunConfig const& config) {
+    CoreDescription const core = design().core(config);
+    Machine const machine = machine_of(config);
+    Json rows = Json::array();
+    std::size_t number = 0;
+    for (ModuleDescription const& module : core.modules)
+        for (LoopDescription const& loop : module.loops) {
+            if (machine.loops[number].is_present)
+                rows.push_back(loop_schedule(machine, number, loop));
+            ++number;
+        }
+    return rows;
+}
+
+/// No bound is null: JSON has no infinity.
+Json range_json(Key const& key) {
+    if (key.kind == KeyKind::integer)
+        return {{"min", key.integers.min}, {"max", key.integers.max}};
+    if (key.kind == KeyKind::number)
+        return {{"min", std::isfinite(key.numbers.min) ? Json(key.numbers.min) : Json()},
+                {"max", std::isfinite(key.numbers.max) ? Json(key.numbers.max) : Json()}};
+    return {{"choices", key.choices}};
+}
+
+char const* kind_of(Key const& key) {
+    return key.kind == KeyKind::integer ? "integer" : key.kind == KeyKind::number ? "number" : "choice";
+}
+
+/// The keys with which a recorded run may be retimed: what they mean, what they accept, and their values.
+Json keys_json(RunConfig const& recorded) {
+    RunConfig const defaults;
+    Json rows = Json::array();
+    for (Key const& key : retimable_keys(recorded)) {
+        rows.push_back({{"key", key.name()},
+                        {"kind", kind_of(key)},
+                        {"value", plain_text(key.read(recorded))},
+                        {"default", plain_text(key.read(defaults))},
+                        {"unit", key.text.unit},
+                        {"meaning", key.text.meaning},
+                        {"source", key.text.source},
+                        {"accepts", expectation(key)}});
+        rows.back().update(range_json(key));
+    }
+    return rows;
+}
+
+/// A configuration file of a configuration: what differs from the defaults, so that a preset has said what it had to.
+std::string exported_yaml(RunConfig const& config) {
+    IdleKeys const idle = idle_keys(config);
+    std::vector<ResolvedKey> keys;
+    for (ResolvedKey& key : resolved_keys(config))
+        if (!key.is_default && key.key != architecture_key_name && idle.decider_of(key.key) == nullptr)
+            keys.push_back(std::move(key));
+    return to_yaml(keys);
+}
+
+Json primitives_json(Primitives const& primitives) {
+    return {{"luts", primitives.luts},
+            {"ramb36", static_cast<double>(primitives.ramb18) / 2},
+            {"cost_luts", cost_of(primitives, {})}};
+}
+
+Json fifos_json(RunStatistics const& run) {
+    sizing::Choice const choice = sizing::choice_of(run.machine);
+    Json rows = Json::array();
+    for (FifoRow const& row : over_cores(fifo_columns, fifo_rows(run))) {
+        std::size_t const i = run.machine.fifo(row.fifo);
+        rows.push_back(report::json_row(fifo_columns, row));
+        rows.back().update(
+            primitives_json(sizing::primitives_of(choice[i], sizing::freedom_of(run.machine.fifos[i]), {})));
+    }
+    return rows;
+}
+
+/// What FIFOs and memories of all cores cost, in LUTs, if a core's FIFOs cost so much.
+double cost_of_cores(Machine const& machine, double cost_of_fifos) {
+    double const of_memories = ramb36_of_core(machine) * CostWeights{}.luts_per_ramb36;
+    return static_cast<double>(machine.cores) * (cost_of_fifos + of_memories);
+}
+
+/// What one core takes.
+Json area_json(Machine const& machine) {
+    Json area = primitives_json(sizing::sum_of(sizing::choice_of(machine), sizing::freedoms_of(machine), {}));
+    area["memories_ramb36"] = ramb36_of_core(machine);
+    area["cost_of_cores"] = cost_of_cores(machine, area["cost_luts"]);
+    return area;
+}
+
+/// What the page shows of a retimed run, FIFOs and loops of all cores together.
+Json figures_json(RunStatistics const& run) {
+    Json figures;
+    figures["outcome"] = run.deadlocked() ? "deadlock" : "finished";
+    figures["cores"] = run.machine.cores;
+    figures["clock_mhz"] = run.machine.clock_mhz;
+    figures["area"] = area_json(run.machine);
+    figures["fifos"] = fifos_json(run);
+    figures["brams"] = report::memory_data(run.machine);
+    figures["loops"] = report::json_table(loop_columns, over_cores(loop_columns, loop_rows(run)));
+    if (run.deadlocked()) {
+        figures["deadlock"] = report::deadlock_data(run);
+        return figures;
+    }
+    figures["total_cycles"] = run.total_cycles;
+    figures["milliseconds"] = run.machine.milliseconds(run.total_cycles);
+    figures["modules"] = report::module_data(run);
+    figures["stalls"] = report::stall_data(run);
+    figures["bound_by"] = report::diagnosis_sentences(run);
+    return figures;
+}
 
 /// The core whose last sample ends last, the first of them.
 std::size_t last_core(RunStatistics const& run) {

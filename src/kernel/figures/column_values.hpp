@@ -12,7 +12,7 @@
 
 namespace faster {
 
-/// A table, as in fifo_columns.hpp.
+/// A table, as in table_columns.hpp.
 template <class Row, std::size_t N> using Columns = Column<Row> const (&)[N];
 
 /// Calls `use` with what a row has in a column: a number or a text.

@@ -10,11 +10,9 @@
 #include "kernel/figures/critical_path.hpp"
 #include "kernel/figures/cycle_class.hpp"
 #include "kernel/figures/dependence_row.hpp"
-#include "kernel/figures/fifo_columns.hpp"
-#include "kernel/figures/loop_columns.hpp"
 #include "kernel/figures/memory_traffic.hpp"
-#include "kernel/figures/sample_columns.hpp"
 #include "kernel/figures/sensitivity.hpp"
+#include "kernel/figures/table_columns.hpp"
 #include "kernel/machine/machine.hpp"
 
 namespace faster {

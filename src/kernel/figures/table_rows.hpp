@@ -1,7 +1,7 @@
 #pragma once
-#include "kernel/figures/memory_columns.hpp"
 #include "kernel/figures/module_row.hpp"
 #include "kernel/figures/run_statistics.hpp"
+#include "kernel/figures/table_columns.hpp"
 
 namespace faster {
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -8,9 +9,23 @@
 #include "kernel/recording/recorded_core.hpp"
 #include "kernel/recording/recording_window.hpp"
 #include "kernel/recording/running_core.hpp"
-#include "kernel/recording/told_loops.hpp"
+#include "kernel/timing/process_timing.hpp"
 
 namespace faster::recording {
+
+/// What a process has told of its loops, so that somebody can say in which iteration it stands: the process itself
+/// keeps no more of that than decides its times.
+class ToldLoops {
+  public:
+    /// The process has told more. To be called with all that it tells, in order.
+    void take(timing::OperationLog const& told);
+    /// Iterations that the process has done in the loop it is in, or was in last. It only goes on from there.
+    std::uint64_t done_in_loop(timing::ProcessTiming const& process);
+
+  private:
+    std::uint64_t iterations_ = 0;          ///< told, of all its loops
+    std::deque<std::uint64_t> at_entries_;  ///< as many were told when a loop was entered
+};
 
 /// Records a window of one core's run, whatever the engine. The run itself goes on undisturbed: its processes'
 /// operations are taped as well, and a copy of the core's timing, made at a sample's begin before the window, works

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "kernel/recording/port_names.hpp"
 #include "kernel/recording/state_codes.hpp"
 
 namespace faster::recording {

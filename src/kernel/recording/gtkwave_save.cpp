@@ -8,7 +8,6 @@
 
 #include "kernel/base/files/output_file.hpp"
 #include "kernel/base/printable.hpp"
-#include "kernel/recording/port_names.hpp"
 #include "kernel/recording/state_codes.hpp"
 #include "kernel/recording/waveform_file.hpp"
 

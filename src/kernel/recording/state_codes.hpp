@@ -10,6 +10,13 @@
 
 namespace faster::recording {
 
+/// How waveforms name the ports of a memory, bank by bank: "port0", "port1"; of several banks "bank0_port0", ...; of
+/// two buffers "buffer0_port0", .., "buffer1_port0", ...
+std::vector<std::string> port_names(MachineMemory const& memory);
+
+/// Bits of an address of the memory.
+unsigned address_bits(MachineMemory const& memory);
+
 /// The values of a module's `stall`: none, or a FIFO and whether it is empty or full, or memory.
 constexpr std::int64_t no_stall = 0;
 constexpr std::int64_t stall_on(std::size_t fifo, bool is_full) {

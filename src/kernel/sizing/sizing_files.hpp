@@ -5,6 +5,9 @@
 
 namespace faster::sizing {
 
+/// A sizing for people: the answer, the certificate, the front.
+std::string sizing_text(Sizing const& sizing);
+
 /// The files of a sizing (docs/formats.md, "Sizes of FIFOs"). Equal for equal runs, whatever the number of threads.
 std::string sizing_json(Sizing const& sizing);
 std::string pareto_csv(Sizing const& sizing);

@@ -4,7 +4,7 @@
 
 #include "kernel/base/printable.hpp"
 #include "kernel/base/utf8.hpp"
-#include "kernel/config/plain_value.hpp"
+#include "kernel/config/plain_text.hpp"
 #include "kernel/config/value_reader.hpp"
 
 namespace faster::sweeps {

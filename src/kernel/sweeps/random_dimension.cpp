@@ -1,16 +1,58 @@
 #include "kernel/sweeps/random_dimension.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
+#include <vector>
 
 #include "kernel/base/nearest_name.hpp"
 #include "kernel/base/printable.hpp"
-#include "kernel/sweeps/draw.hpp"
+#include "kernel/base/random.hpp"
+#include "kernel/config/key_value.hpp"
 
 namespace faster::sweeps {
 
 namespace {
+
+/// How a random value of a key is drawn.
+struct Draw {
+    enum class Kind { choice, integer, number, log_integer, log_number };
+    Kind kind = Kind::choice;
+    std::vector<Cell> choices;  ///< of a choice, all equally likely
+    double low = 0;             ///< of the others: from here
+    double high = 0;            ///< to here; an integer may be `high`
+};
+
+std::int64_t whole(double value, Draw const& draw) {
+    return static_cast<std::int64_t>(std::clamp(std::floor(value), draw.low, draw.high));
+}
+
+double between_logarithms(double low, double high, double share) {
+    return std::exp(std::log(low) + share * (std::log(high) - std::log(low)));
+}
+
+/// One value, as an integer or number. Takes one output of `random`. Of the logarithmic kinds every octave is equally
+/// likely. Not for a choice.
+KeyValue drawn_value(Draw const& draw, Random& random) {
+    double const share = random.uniform();
+    switch (draw.kind) {
+        case Draw::Kind::integer:
+            return whole(draw.low + share * (draw.high + 1 - draw.low), draw);
+        case Draw::Kind::log_integer:
+            return whole(between_logarithms(draw.low, draw.high + 1, share), draw);
+        case Draw::Kind::log_number:
+            return std::clamp(between_logarithms(draw.low, draw.high, share), draw.low, draw.high);
+        default:
+            return draw.low + share * (draw.high - draw.low);
+    }
+}
+
+/// One of the choices.
+Cell const& drawn_choice(Draw const& draw, Random& random) {
+    auto const count = static_cast<double>(draw.choices.size());
+    return draw.choices[static_cast<std::size_t>(random.uniform() * count)];
+}
 
 using KeyDraw = std::pair<Key const*, Draw>;
 

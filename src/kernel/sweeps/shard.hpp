@@ -1,7 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <filesystem>
+#include <string>
 #include <vector>
 
+#include "kernel/sweeps/journal.hpp"
+#include "kernel/sweeps/manifest.hpp"
 #include "kernel/sweeps/point_identity.hpp"
 
 namespace faster::sweeps {
@@ -16,5 +20,19 @@ struct Shard {
 /// each is in exactly one shard. Points that share a function stay together as far as the shards' equal sizes allow, so
 /// that few functions are simulated by two shards.
 std::vector<std::size_t> points_of_shard(std::vector<PointIdentity> const& points, Shard const& shard);
+
+/// Results of several folders of one sweep.
+struct Merged {
+    Manifest manifest;
+    Results results;
+    std::vector<std::size_t> missing;  ///< points without a result
+};
+
+/// Reads the folders. A point that failed in one and not in another did not fail. Throws InputError for folders of
+/// different sweeps, and if a point has different results.
+Merged merged(std::vector<std::filesystem::path> const& folders);
+
+/// Which of the manifest's points have no result.
+std::vector<std::size_t> missing_points(Manifest const& manifest, Results const& results);
 
 }  // namespace faster::sweeps

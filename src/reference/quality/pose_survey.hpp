@@ -9,7 +9,7 @@
 #include "common/mesh.hpp"
 #include "kernel/base/counted_progress.hpp"
 #include "reference/quality/contour_quality.hpp"
-#include "reference/quality/quality_sums.hpp"
+#include "reference/quality/sample_judge.hpp"
 
 namespace faster::quality {
 
@@ -38,5 +38,15 @@ std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_
 /// `progress`: told of each edge map.
 std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
                                std::vector<EdgeMapAlgorithm> const& algorithms, TellProgress const& progress = {});
+
+/// One row per algorithm and object: `algorithm,object,poses,precision,recall,thickness,closed,thin,closed_and_thin`,
+/// means and shares over the poses.
+std::string survey_csv(std::vector<PoseSurvey> const& rows);
+
+/// The same per algorithm over all objects, every pose counting once, as a Markdown table.
+std::string survey_markdown(std::vector<PoseSurvey> const& rows);
+
+/// As in the configuration.
+std::string name_of(EdgeMapAlgorithm algorithm);
 
 }  // namespace faster::quality

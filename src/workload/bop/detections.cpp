@@ -1,10 +1,9 @@
 #include "workload/bop/detections.hpp"
 
 #include "kernel/base/files/json_file.hpp"
-#include "workload/bop/image_box.hpp"
-#include "workload/bop/json_node.hpp"
 
 namespace faster::bop {
+
 namespace {
 
 Detection read_detection(JsonNode const& node) {
@@ -29,6 +28,13 @@ Json json_of(Detection const& detection) {
 }
 
 }  // namespace
+
+ImageBox read_box(JsonNode const& node) {
+    std::vector<double> const numbers = node.numbers(4);
+    if (numbers[2] < 0 || numbers[3] < 0)
+        node.fail("a box x, y, width, height of no negative size");
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
 
 std::vector<Detection> read_detections(std::filesystem::path const& path) {
     Json const file = io::read_json_file(path, "detections as BOP has them");

@@ -4,8 +4,12 @@
 #include <vector>
 
 #include "workload/bop/dataset.hpp"
+#include "workload/bop/json_node.hpp"
 
 namespace faster::bop {
+
+/// A box [x, y, width, height] of a JSON file. Throws InputError, also for a negative size.
+ImageBox read_box(JsonNode const& node);
 
 /// A box in which a detector saw an object.
 struct Detection {

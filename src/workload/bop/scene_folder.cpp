@@ -4,7 +4,7 @@
 
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/json_file.hpp"
-#include "workload/bop/image_box.hpp"
+#include "workload/bop/detections.hpp"
 #include "workload/bop/json_node.hpp"
 #include "workload/files/pose_numbers.hpp"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "workload/bop/detections.hpp"
-#include "workload/experiments/experiment.hpp"
+#include "workload/experiments/experiment_file.hpp"
 
 namespace faster::experiments {
 

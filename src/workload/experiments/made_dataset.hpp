@@ -1,12 +1,39 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
-#include "workload/experiments/experiment.hpp"
+#include "common/camera.hpp"
+#include "workload/bop/dataset.hpp"
+#include "workload/depth_image.hpp"
+#include "workload/experiments/experiment_file.hpp"
 
 namespace faster::experiments {
+
+/// A cluttered table with an object to look for.
+struct MadeScene {
+    std::vector<bop::GroundTruth> objects;  ///< the one to look for is the first
+    workload::DepthImage depth;             ///< with the sensor's noise
+};
+
+/// What a scene is made from.
+struct SceneWish {
+    int obj_id = 1;                       ///< of the object to look for
+    std::array<double, 2> visible{0, 1};  ///< its share that is to be seen, drawn between these
+    std::uint64_t seed = 1;
+    std::uint64_t number = 0;  ///< of the scene; another seed and number, another scene
+};
+
+/// Five to seven objects of different classes on a table that the camera looks down on by 20 to 50 degrees, each lying
+/// or standing on one of its six sides, turned at random, none in the place of another. Drawn again until as much of
+/// the wanted object is visible as was drawn, give or take 3 %, and all of it lies in the image; of 2000 tries the
+/// nearest is taken. `meshes` by obj_id.
+MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, Camera const& camera);
 
 /// Writes a setting's scenes as a dataset in the format of BOP, whole or not at all: a scene per class, whose number is
 /// the obj_id. A folder that already holds these very scenes is left as it is. `progress` is told how many

@@ -2,12 +2,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/mesh.hpp"
 
 namespace faster::io {
+
+/// A mesh as bytes, from one process to another on the same host.
+std::string mesh_bytes(Mesh const& mesh);
+
+/// And back. Nothing if the lengths do not fit, or a face names a vertex that is not there: the bytes may come from a
+/// process that has gone wrong.
+std::optional<Mesh> mesh_from_bytes(std::string_view bytes);
 
 /// Extensions of the mesh formats load_mesh reads, lower case, with the dot.
 std::vector<std::string> const& mesh_extensions();

@@ -6,21 +6,103 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "kernel/base/files/file_error.hpp"
 #include "kernel/base/files/text_file.hpp"
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/printable.hpp"
-#include "workload/files/obj_vertices.hpp"
 #include "workload/files/ply_length.hpp"
-#include "workload/files/vertex_joiner.hpp"
 
 namespace faster::io {
+
 namespace {
+
+/// Where a Wavefront OBJ file has a vertex with a coordinate that is not finite (in single precision). Only for error
+/// messages: assimp forgets which vertex of the file a corner came from.
+struct ObjVertexPlace {
+    std::size_t index = 0;  ///< among the `v` lines, from 0
+    std::size_t line = 0;   ///< in the file, from 1
+};
+
+/// stof throws for what does not fit; strtof says infinite, which is what we look for.
+bool is_finite_number(std::string const& word) { return std::isfinite(std::strtof(word.c_str(), nullptr)); }
+
+bool has_bad_coordinate(std::istringstream& words) {
+    std::string word;
+    for (int axis = 0; axis < 3 && words >> word; ++axis) {
+        if (!is_finite_number(word)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::optional<ObjVertexPlace> first_bad_obj_vertex(std::string_view file) {
+    std::istringstream lines{std::string(file)};
+    std::string line;
+    ObjVertexPlace place;
+    while (std::getline(lines, line)) {
+        ++place.line;
+        std::istringstream words(line);
+        std::string keyword;
+        words >> keyword;
+        if (keyword != "v") {
+            continue;
+        }
+        if (has_bad_coordinate(words)) {
+            return place;
+        }
+        ++place.index;
+    }
+    return std::nullopt;
+}
+
+/// Gives equal points equal indices, in order of first appearance. Only exactly equal points are joined: any tolerance
+/// would collapse meshes of small scale.
+class VertexJoiner {
+  public:
+    /// Appends each new point to `vertices`, which must be empty and outlive the joiner.
+    explicit VertexJoiner(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
+
+    std::uint32_t index_of(Eigen::Vector3d const& point) {
+        Eigen::Vector3d const key = point + Eigen::Vector3d::Zero();  // -0 becomes 0: equal, but of other bits
+        auto const [entry, is_new] = indices_.try_emplace(key, static_cast<std::uint32_t>(vertices_.size()));
+        if (is_new) {
+            vertices_.push_back(point);
+        }
+        return entry->second;
+    }
+
+  private:
+    struct Hash {
+        std::size_t operator()(Eigen::Vector3d const& point) const {
+            std::uint64_t hash = 0;
+            for (double const coordinate : {point.x(), point.y(), point.z()}) {
+                std::uint64_t bits = 0;
+                std::memcpy(&bits, &coordinate, sizeof bits);
+                hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
+                hash ^= hash >> 32;
+            }
+            return static_cast<std::size_t>(hash);
+        }
+    };
+
+    std::vector<Eigen::Vector3d>& vertices_;
+    std::unordered_map<Eigen::Vector3d, std::uint32_t, Hash> indices_;
+};
 
 namespace fs = std::filesystem;
 

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "workload/models/primitives/compose.hpp"
-#include "workload/models/primitives/revolution.hpp"
-#include "workload/models/primitives/tube.hpp"
+#include "workload/models/primitives/skin.hpp"
 #include "workload/models/shape.hpp"
 
 namespace faster::models {

@@ -1,7 +1,7 @@
 #include <vector>
 
 #include "workload/models/primitives/compose.hpp"
-#include "workload/models/primitives/tube.hpp"
+#include "workload/models/primitives/skin.hpp"
 #include "workload/models/shape.hpp"
 
 /// Tools lie flat: their outlines are drawn in x and y, z is their thickness.

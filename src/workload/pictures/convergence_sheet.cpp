@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "workload/pictures/colour.hpp"
 #include "workload/pictures/drawing.hpp"
-#include "workload/pictures/palette.hpp"
 
 namespace faster::pictures {
 

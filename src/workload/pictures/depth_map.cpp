@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workload/pictures/colour.hpp"
 #include "workload/pictures/drawing.hpp"
-#include "workload/pictures/palette.hpp"
 
 namespace faster::pictures {
 

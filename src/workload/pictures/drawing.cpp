@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "workload/pictures/palette.hpp"
+#include "workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "workload/pictures/colour.hpp"
 #include "workload/pictures/drawing.hpp"
-#include "workload/pictures/palette.hpp"
 
 namespace faster::pictures {
 

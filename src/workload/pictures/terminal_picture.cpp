@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "common/fixed_point.hpp"
-#include "workload/pictures/palette.hpp"
+#include "workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -1,15 +1,98 @@
 #include "kernel/base/files/atomic_folder.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/folder_exchange.hpp"
-#include "kernel/base/files/linked_copy.hpp"
+#include "kernel/base/files/hidden_name.hpp"
+#include "kernel/base/files/hold.hpp"
 
 namespace faster::io {
+
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes `to`, which is not there, all that `from` is. Files become further names of the same file, or copies where the
+/// file system has no such names. Throws std::filesystem::filesystem_error.
+void copy_as_links(fs::path const& from, fs::path const& to) {
+    if (fs::is_symlink(fs::symlink_status(from)))
+        return fs::copy_symlink(from, to);
+    if (fs::is_directory(from)) {
+        fs::create_directory(to, from);  // with its permissions
+        for (auto const& entry : fs::directory_iterator(from))
+            copy_as_links(entry.path(), to / entry.path().filename());
+        return;
+    }
+    std::error_code error;
+    fs::create_hard_link(from, to, error);
+    if (error) {
+        fs::copy_file(from, to);
+        fs::last_write_time(to, fs::last_write_time(from));
+    }
+}
+
+namespace fs = std::filesystem;
+
+void exchange_in_two_steps(fs::path const& from, fs::path const& to) {
+    Hold const hold(to);  // nobody is to bring it back meanwhile
+    fs::path const older = hidden_name(to, "older");
+    fs::rename(to, older);
+    try {
+        fs::rename(from, to);
+    } catch (fs::filesystem_error const&) {
+        fs::rename(older, to);
+        throw;
+    }
+    std::error_code ignored;
+    fs::remove_all(older, ignored);
+}
+
+/// Moving files while listing their folder may skip some.
+std::vector<fs::path> names_in(fs::path const& folder) {
+    std::vector<fs::path> names;
+    for (auto const& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename());
+    return names;
+}
+
+void bring_back(fs::path const& older, fs::path const& folder, FolderKind const& kind) {
+    if (!fs::exists(folder))
+        return fs::rename(older, folder);
+    for (fs::path const& name : names_in(older))
+        if (!kind.has(name.string()) && !fs::exists(folder / name))
+            fs::rename(older / name, folder / name);
+    fs::remove_all(older);
+}
+
+/// Two folders change names in one step. Where the file system cannot do that, `to` is renamed to a hidden name, `from`
+/// becomes `to`, and the former `to` is removed; a process killed in between leaves no `to`, see bring_back_older().
+/// False if `to` is gone. Throws std::filesystem::filesystem_error if it cannot be done; both are as before then.
+bool exchange_folders(fs::path const& from, fs::path const& to) {
+    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0)
+        return true;
+    std::error_code const error(errno, std::generic_category());
+    if (error == std::errc::no_such_file_or_directory)
+        return false;
+    if (error != std::errc::invalid_argument && error != std::errc::function_not_supported)
+        throw fs::filesystem_error("rename", to, error);
+    exchange_in_two_steps(from, to);
+    return true;
+}
+
+/// If a process was killed in exchange_folders(): where there is no `folder`, its older one gets its name back; where
+/// there is one by now, files of the older one that are not of that kind are moved into it, unless there are such.
+/// Throws std::filesystem::filesystem_error.
+void bring_back_older(fs::path const& folder, FolderKind const& kind) {
+    for (fs::path const& older : all_hidden_beside(folder, "older"))
+        if (auto const hold = hold_if_free(older))
+            bring_back(older, folder, kind);
+}
 
 namespace fs = std::filesystem;
 

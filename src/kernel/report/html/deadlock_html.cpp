@@ -5,7 +5,6 @@
 #include "kernel/config/configuration_hash.hpp"
 #include "kernel/config/key_names.hpp"
 #include "kernel/config/keys.hpp"
-#include "kernel/report/html/configuration_data.hpp"
 #include "kernel/report/html/fill_page.hpp"
 #include "kernel/report/html/graph_data.hpp"
 #include "kernel/report/html/page.hpp"

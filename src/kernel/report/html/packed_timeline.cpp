@@ -9,7 +9,6 @@
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/report/html/html_text.hpp"
 #include "kernel/report/html/timeline_data.hpp"
-#include "kernel/report/html/timeline_view.hpp"
 
 namespace faster::report {
 

@@ -1,5 +1,6 @@
 #include "kernel/report/html/run_data.hpp"
 
+#include "kernel/config/plain_text.hpp"
 #include "kernel/report/critical_path_report.hpp"
 
 namespace faster::report {
@@ -25,6 +26,13 @@ Json conflict_row(Machine const& machine, std::size_t module, std::size_t bram, 
 }
 
 }  // namespace
+
+Json configuration_data(std::vector<ResolvedKey> const& keys) {
+    Json rows = Json::array();
+    for (ResolvedKey const& key : keys)
+        rows.push_back({{"key", key.key}, {"value", plain_text(key.value)}, {"default", key.is_default}});
+    return rows;
+}
 
 Json headline_data(RunStatistics const& run) {
     return {{"total_cycles", run.total_cycles},   {"milliseconds", run.machine.milliseconds(run.total_cycles)},

@@ -1,8 +1,14 @@
 #pragma once
+#include <vector>
+
 #include "kernel/base/json.hpp"
+#include "kernel/config/resolved_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
 
 namespace faster::report {
+
+/// All keys as pages show them. Values as text: JavaScript's numbers would round the larger integers.
+Json configuration_data(std::vector<ResolvedKey> const& keys);
 
 /// Parts of what pages draw of a run.
 

@@ -1,12 +1,23 @@
 #include "workload/models/primitives/skin.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 namespace faster::models {
+
 namespace {
+
+/// Direction of the way at station i: from its predecessor to its successor.
+Eigen::Vector3d direction(std::vector<Station> const& stations, std::size_t i, Ends ends) {
+    std::size_t const last = stations.size() - 1;
+    bool const joined = ends == Ends::joined;
+    std::size_t const before = i > 0 ? i - 1 : (joined ? last : 0);
+    std::size_t const after = i < last ? i + 1 : (joined ? 0 : last);
+    return (stations[after].centre - stations[before].centre).normalized();
+}
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double row_height = 0.866;  // of an equilateral triangle with edge 1
@@ -168,6 +179,38 @@ void stitch(Mesh& mesh, Ring const& lower, Ring const& upper) {
 }
 
 }  // namespace
+
+Mesh loft(std::vector<Level> const& levels, double edge_length) {
+    std::vector<Section> sections;
+    sections.reserve(levels.size());
+    for (Level const& level : levels) {
+        sections.push_back(
+            {{level.centre_x, 0.0, level.height}, {level.half_x, 0.0, 0.0}, {0.0, level.half_y, 0.0}, level.exponent});
+    }
+    return skin(sections, edge_length);
+}
+
+Mesh revolution(std::vector<ProfilePoint> const& profile, double edge_length) {
+    std::vector<Section> sections;
+    sections.reserve(profile.size());
+    for (ProfilePoint const& point : profile) {
+        sections.push_back({{0.0, 0.0, point.height}, {point.radius, 0.0, 0.0}, {0.0, point.radius, 0.0}});
+    }
+    return skin(sections, edge_length);
+}
+
+Mesh tube(std::vector<Station> const& stations, Eigen::Vector3d const& up, double edge_length, Between between,
+          Ends ends) {
+    std::vector<Section> sections;
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        Station const& station = stations[i];
+        Eigen::Vector3d const forward = direction(stations, i, ends);
+        Eigen::Vector3d const sideways = up.cross(forward).normalized();
+        sections.push_back({station.centre, station.half_width * sideways,
+                            station.half_height * forward.cross(sideways), station.exponent});
+    }
+    return skin(sections, edge_length, between, ends);
+}
 
 Mesh skin(std::vector<Section> const& sections, double edge_length, Between between, Ends ends) {
     std::vector<Section> rows = subdivided(sections, edge_length, between, ends);

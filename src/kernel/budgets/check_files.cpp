@@ -1,0 +1,184 @@
+#include "kernel/budgets/check_files.hpp"
+
+#include <fmt/format.h>
+
+#include "kernel/base/files/json_file.hpp"
+#include "kernel/base/json.hpp"
+#include "kernel/base/markup_text.hpp"
+#include "kernel/base/printable.hpp"
+#include "kernel/budgets/check_text.hpp"
+
+namespace faster::budgets {
+
+namespace {
+
+template <class Value> Json or_null(std::optional<Value> const& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json whole_or_null(std::optional<double> const& bound) {
+    return bound ? Json(static_cast<std::int64_t>(*bound)) : Json(nullptr);
+}
+
+Json comparison_row(Comparison const& comparison) {
+    return {{"figure", comparison.figure},
+            {"measured", comparison.measured},
+            {"at_least", whole_or_null(comparison.allowed.lower)},
+            {"at_most", whole_or_null(comparison.allowed.upper)},
+            {"margin", comparison.margin},
+            {"percent", or_null(comparison.percent)}};
+}
+
+Json limit_row(Verdict const& verdict) {
+    Json breaches = Json::array();
+    for (Comparison const& breach : verdict.breaches)
+        breaches.push_back(comparison_row(breach));
+    return {{"figure", verdict.limit.figure},
+            {"line", verdict.limit.line},
+            {"limit", verdict.limit.text()},
+            {"matches", verdict.matches},
+            {"passed", verdict.breaches.empty()},
+            {"tightest", comparison_row(verdict.tightest)},
+            {"breaches", breaches}};
+}
+
+Json change_rows(std::vector<runs::Change> const& changes) {
+    Json rows = Json::array();
+    for (runs::Change const& change : changes)
+        rows.push_back({{"item", change.item},
+                        {"figure", change.figure},
+                        {"baseline", or_null(change.a)},
+                        {"measured", or_null(change.b)},
+                        {"difference", change.difference()}});
+    return rows;
+}
+
+Json moved(Explanation const& explanation) {
+    Json settings = Json::array();
+    for (runs::SettingChange const& setting : explanation.settings)
+        settings.push_back({{"key", setting.key}, {"baseline", or_null(setting.a)}, {"measured", or_null(setting.b)}});
+    return {{"same_configuration", explanation.same_configuration},
+            {"settings", settings},
+            {"shapes", change_rows(explanation.shapes)},
+            {"work", change_rows(explanation.work)},
+            {"waiting", change_rows(explanation.waiting)},
+            {"results", change_rows(explanation.results)}};
+}
+
+Json budget_row(CheckResult const& result) {
+    Json limits = Json::array();
+    for (Verdict const& verdict : result.verdicts)
+        limits.push_back(limit_row(verdict));
+    Json const baseline = result.baseline_date.empty()
+                              ? Json(nullptr)
+                              : Json{{"date", result.baseline_date}, {"reason", result.baseline_reason}};
+    return {{"name", result.name},
+            {"file", result.file},
+            {"status", name_of(result.status)},
+            {"message", result.message},
+            {"limits", limits},
+            {"baseline", baseline},
+            {"moved", moved(result.explanation)},
+            {"host_seconds", result.seconds}};
+}
+
+constexpr std::size_t contributors = 10;
+
+std::string since_baseline(CheckResult const& result) {
+    if (result.baseline_date.empty())
+        return "";
+    return fmt::format("what moved since the baseline of {} (\"{}\"):\n{}", result.baseline_date,
+                       result.baseline_reason, explanation_text(result.explanation, contributors));
+}
+
+std::string failed_limit(CheckResult const& result, Verdict const& verdict) {
+    std::string text;
+    for (Comparison const& breach : verdict.breaches)
+        text += breach_text(verdict.limit, breach) + "\n";
+    return fmt::format("      <failure type=\"breach\" message=\"{}\">{}</failure>\n",
+                       xml_text(breach_text(verdict.limit, verdict.tightest)), xml_text(text + since_baseline(result)));
+}
+
+std::string limit_case(CheckResult const& result, Verdict const& verdict) {
+    std::string const head =
+        fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\" time=\"0\"", xml_text(result.name),
+                    xml_text(verdict.limit.figure), xml_text(verdict.limit.text()));
+    if (verdict.breaches.empty())
+        return head + "/>\n";
+    return head + ">\n" + failed_limit(result, verdict) + "    </testcase>\n";
+}
+
+/// Of a run that has no figures.
+std::string simulation_case(CheckResult const& result) {
+    bool const deadlocked = result.status == CheckResult::Status::deadlocked;
+    std::string const tag = deadlocked ? "failure" : "error";
+    std::string const text = deadlocked ? result.message + since_baseline(result) : result.message;
+    return fmt::format(
+        "    <testcase classname=\"{}\" name=\"simulation\" time=\"{:.3f}\">\n"
+        "      <{} type=\"{}\" message=\"{}\">{}</{}>\n    </testcase>\n",
+        xml_text(result.name), result.seconds, tag, name_of(result.status),
+        xml_text(result.message.substr(0, result.message.find('\n'))), xml_text(text), tag);
+}
+
+struct Counts {
+    std::size_t tests = 0;
+    std::size_t failures = 0;
+    std::size_t errors = 0;
+};
+
+Counts counts_of(CheckResult const& result) {
+    Counts counts{result.verdicts.size(), 0, 0};
+    for (Verdict const& verdict : result.verdicts)
+        counts.failures += verdict.breaches.empty() ? 0U : 1U;
+    if (result.verdicts.empty()) {
+        counts.tests = 1;
+        counts.failures = result.status == CheckResult::Status::deadlocked ? 1 : 0;
+        counts.errors = 1 - counts.failures;
+    }
+    return counts;
+}
+
+std::string attributes(Counts const& counts, double seconds) {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", counts.tests, counts.failures,
+                       counts.errors, seconds);
+}
+
+std::string suite(CheckResult const& result) {
+    std::string text = fmt::format("  <testsuite name=\"{}\" file=\"{}\" {}>\n", xml_text(result.name),
+                                   xml_text(result.file), attributes(counts_of(result), result.seconds));
+    for (Verdict const& verdict : result.verdicts)
+        text += limit_case(result, verdict);
+    if (result.verdicts.empty())
+        text += simulation_case(result);
+    return text + "  </testsuite>\n";
+}
+
+}  // namespace
+
+std::string check_json(std::vector<CheckResult> const& results) {
+    Json json{{"format", "faster-check"}, {"version", 1}, {"passed", true}, {"budgets", Json::array()}};
+    for (CheckResult const& result : results) {
+        json["budgets"].push_back(budget_row(result));
+        json["passed"] = json["passed"].get<bool>() && !result.is_failure();
+    }
+    return io::text_of(json, 2) + "\n";
+}
+
+/// XML has no control characters but tab and line end, not even escaped.
+std::string xml_text(std::string const& text) { return markup_escaped(printable_lines(text)); }
+
+std::string junit_xml(std::vector<CheckResult> const& results) {
+    Counts all;
+    double seconds = 0;
+    std::string suites;
+    for (CheckResult const& result : results) {
+        Counts const counts = counts_of(result);
+        all = {all.tests + counts.tests, all.failures + counts.failures, all.errors + counts.errors};
+        seconds += result.seconds;
+        suites += suite(result);
+    }
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"faster-sim check\" {}>\n{}"
+        "</testsuites>\n",
+        attributes(all, seconds), suites);
+}
+
+}  // namespace faster::budgets

@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "kernel/compare/comparison.hpp"
+
+namespace faster::runs {
+
+/// The whole comparison as a JSON file (docs/formats.md, "Comparison of two runs").
+std::string comparison_json(Comparison const& comparison);
+
+/// The comparison for people: configuration, headline, results, then what moved, a table per kind that has changes.
+/// Each list ends after `top` rows with a line that says how many were left out. Identical runs are one line.
+std::string comparison_text(Comparison const& comparison, std::size_t top);
+
+}  // namespace faster::runs

@@ -1,9 +1,0 @@
-#pragma once
-#include "tool/subcommand.hpp"
-
-namespace faster {
-
-/// `keys`.
-Subcommand keys_command();
-
-}  // namespace faster

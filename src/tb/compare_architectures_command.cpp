@@ -30,7 +30,6 @@ namespace faster {
 
 namespace {
 
-constexpr double time_limit_s = 3600;
 constexpr char row_mark = 'r';
 constexpr char error_mark = 'e';
 
@@ -143,7 +142,7 @@ std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points,
     std::vector<processes::Task> tasks;
     tasks.reserve(points.size());
     for (Point const& point : points)
-        tasks.push_back({[&point, judged_samples] { return simulate_point(point, judged_samples); }, time_limit_s});
+        tasks.push_back({[&point, judged_samples] { return simulate_point(point, judged_samples); }});
     processes::SignalWatch const watch;
     ProgressLine progress("simulations");
     return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch,

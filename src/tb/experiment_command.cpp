@@ -160,13 +160,10 @@ class Worker {
     }
 
   private:
-    static constexpr double time_limit_s = 3600;
-
     std::optional<processes::Task> task(std::size_t number) const {
         if (number >= pending_.size())
             return std::nullopt;
-        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); },
-                               time_limit_s};
+        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); }};
     }
 
     void take(WantedEstimate const& wanted, processes::Outcome const& outcome) {

@@ -13,9 +13,10 @@ namespace {
 
 constexpr Cycles cycles_between_reports = 1000;
 
-class Writer {
+class WaveformWriter {
   public:
-    Writer(WaveformFiles const& files, Machine const& machine, RecordedWindow const& window, SignalFilter const& filter)
+    WaveformWriter(WaveformFiles const& files, Machine const& machine, RecordedWindow const& window,
+                   SignalFilter const& filter)
         : waveform_(files, machine.clock_mhz), window_(window) {
         waveform_.open_scope("accelerator");
         waveform_.add_clock();
@@ -84,7 +85,7 @@ class Writer {
 
 void write_waveform(WaveformFiles const& files, Machine const& machine, RecordedWindow const& window,
                     SignalFilter const& filter, WritingProgress const& progress) {
-    Writer(files, machine, window, filter).write(progress);
+    WaveformWriter(files, machine, window, filter).write(progress);
 }
 
 }  // namespace faster::recording

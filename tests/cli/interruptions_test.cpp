@@ -161,8 +161,10 @@ std::map<std::string, Words> const& errors_of_calls() {
 /// Libraries, locales and what the host is like are not the command's.
 constexpr std::array<char const*, 5> host_places{"/usr/", "/lib/", "/proc/", "/sys/", "/etc/"};
 
+/// Faults are for our own processes: what a program that they start makes of its own is not ours to say. Graphviz's dot
+/// ends well even where it cannot read its fonts; what follows when it fails is in report_test.cpp.
 Words traced(WritingCommand const& command, Words const& options) {
-    Words words{"-f", "-y", "-qq", "-s", "0"};
+    Words words{"-f", "--detach-on=execve", "-y", "-qq", "-s", "0"};
     words.insert(words.end(), options.begin(), options.end());
     words.push_back(FASTER_SIM_BINARY);
     words.insert(words.end(), command.words.begin(), command.words.end());

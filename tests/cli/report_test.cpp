@@ -62,6 +62,38 @@ TEST_CASE("The HTML report may lie in the folder of the results, new or old") {
     }
 }
 
+/// A run with a `dot` that is this script, or none.
+CommandResult run_with_dot(Workspace const& workspace, std::string const& script) {
+    fs::create_directory(workspace.folder() / "bin");
+    if (!script.empty()) {
+        workspace.folder().write("bin/dot", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(workspace.folder() / "bin/dot", fs::perms::owner_all);
+    }
+    return run_command("/usr/bin/env",
+                       {"PATH=" + (workspace.folder() / "bin").string(), FASTER_SIM_BINARY, "run", "config.yaml",
+                        "--report", "report.html"},
+                       workspace.folder().path());
+}
+
+TEST_CASE("A Graphviz that fails fails the report, in one line; without any the page has no graph") {
+    Workspace const workspace;
+    require_done(run_with_dot(workspace, ""));
+    std::string const page = workspace.text("report.html");
+    CHECK(json_element(page, "data")["graph"]["wide"].is_null());
+    auto const [script, message] = GENERATE(table<std::string, std::string>(
+        {{"exit 3", "dot: failed (exit code 3), expected a program that works"},
+         {"kill -9 $$", "dot: was killed, expected a program that works"},
+         {"exit 0", "dot: wrote nothing of the graph, expected a Graphviz that works"},
+         {R"(echo '{"bb": "0,0,1,1", "objects": [{"pos": ')",
+          "dot: wrote no more than a part of the graph, expected a Graphviz that works"},
+         {R"(echo '{"bb": "0,0,1,1", "objects": []}')",
+          "dot: wrote no more than a part of the graph, expected a Graphviz that works"}}));
+    CAPTURE(script);
+    check_bad_input(run_with_dot(workspace, script), {message});
+    CHECK(workspace.text("report.html") == page);
+    CHECK(entries_in(workspace.folder().path()) == 3);  // with bin
+}
+
 TEST_CASE("The HTML report and summary.json agree") {
     Workspace const workspace;
     require_done(workspace.run({"--out", "out", "--report", "report.html"}));

@@ -89,12 +89,12 @@ void announce(RunSize const& size, bool force) {
 }
 
 int give_up(RunRequest const& request, std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-            RunStatistics const& run, Outputs const& outputs) {
+            RunStatistics const& run, replay::RecordedRun const& recorded, Outputs const& outputs) {
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
     if (outputs.report)
-        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
+        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run, recorded);
     for (std::string const& written : {request.out, request.report, written_files(request.recording)})
         if (!written.empty())
             warn("\nwritten: {}\n", written);
@@ -147,7 +147,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.simulate_seconds = seconds_since(start);
 
     if (statistics.deadlocked())
-        return give_up(request, overrides, loaded, statistics, outputs);
+        return give_up(request, overrides, loaded, statistics, recorded, outputs);
     statistics.warnings = workload->warnings();
     for (std::string const& warning : extras.warnings(statistics.samples)) {
         say_warnings({warning});

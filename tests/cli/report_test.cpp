@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
 
 #include "support/command.hpp"
@@ -7,6 +8,7 @@
 #include "support/small_workspace.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
+#include "support/unpacked_timeline.hpp"
 
 namespace report_test {
 
@@ -201,6 +203,55 @@ TEST_CASE("A deadlock's page says who waits for whom, what the FIFOs hold, and w
     CHECK(data["command"] == "faster-sim run config.yaml");
     CHECK(data["settings"] == Json::array({key + "=1"}));
     require_done(workspace.run({"--set", key + "=4096"}));  // as the page tells to
+}
+
+using Cycles = std::uint64_t;
+
+/// The bars of the finest level: [module, kind, item] from begin to end.
+std::map<Json, std::vector<std::pair<Cycles, Cycles>>> bars_of(Json const& timeline) {
+    Json const content = unpacked(timeline["packed"]);
+    Json const& finest = content["levels"].back();
+    std::map<Json, std::vector<std::pair<Cycles, Cycles>>> bars;
+    auto begin = timeline["begin"].get<Cycles>();
+    for (std::size_t i = 0; i < finest["item"].size(); ++i) {
+        begin += finest["begin"][i].get<Cycles>();
+        bars[content["items"][finest["item"][i].get<std::size_t>()]].emplace_back(
+            begin, begin + finest["length"][i].get<Cycles>());
+    }
+    return bars;
+}
+
+TEST_CASE("A deadlock's page shows the samples that got stuck up to there, and the waits that never end") {
+    Workspace const workspace;
+    auto const page_of = [&](Words words, std::string const& name) {
+        words.insert(words.end(), {"--set", "accelerator.fifos.fragment_depth.depth=1", "--report", name});
+        CHECK(workspace.run(words).exit_code == 3);
+        return json_element(workspace.text(name), "data");
+    };
+    auto const external = GENERATE(Words{}, Words{"--set", "accelerator.memory.model=axi"});
+    Json const data = page_of(external, "report.html");
+    Json const& timelines = data["timelines"];
+    REQUIRE(timelines.size() == 2);  // of either core the first sample
+    for (Json const& timeline : timelines) {
+        CHECK(timeline["sample"] == (timeline["core"] == 0 ? 0 : 2));
+        CHECK(timeline["end"].get<Cycles>() == data["deadlock"]["cycle"].get<Cycles>() + 1);
+        auto const bars = bars_of(timeline);
+        CHECK(bars.count(Json{"inlier_unit", "loop", "clear"}) == 1);
+        CHECK(bars.count(Json{"vertex_transform", "loop", "vertex"}) == 1);
+        for (Json const& wait : data["deadlock"]["stuck"])
+            if (wait["core"] == timeline["core"]) {
+                auto const found = bars.find(
+                    Json{wait["process"], wait["to"] == "write" ? "full_stall" : "empty_stall", wait["fifo"]});
+                CAPTURE(wait.dump());
+                REQUIRE(found != bars.end());
+                CHECK(found->second.back().first <=
+                      std::max(wait["since_cycle"].get<Cycles>(), timeline["begin"].get<Cycles>()));
+                CHECK(found->second.back().second == timeline["end"]);
+            }
+    }
+    Words lockstep = external;
+    lockstep.insert(lockstep.end(), {"--set", "simulation.engine=lockstep"});
+    CHECK(page_of(lockstep, "lockstep.html")["timelines"] == timelines);
 }
 
 TEST_CASE("The page shows the samples that are asked for besides those that stand for others") {

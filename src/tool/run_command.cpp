@@ -20,10 +20,10 @@
 #include "tool/recorded_events.hpp"
 #include "tool/report_page.hpp"
 #include "tool/results_folder.hpp"
-#include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 #include "tool/waveform_size.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -73,19 +73,6 @@ void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& 
     RunStatistics const alone = replay::retime(recorded, machine_of(ideal));
     if (!alone.deadlocked())
         run.memory->compute_alone = alone.total_cycles;
-}
-
-/// A long run says beforehand how long; one that is too long has to be forced.
-void announce(RunSize const& size, bool force) {
-    constexpr double long_s = 60;
-    if (!force) {
-        require_memory(size);
-        require_time(size);
-    }
-    if (size.seconds < long_s)
-        return;
-    say("{}\n", text_of(size));
-    finish_saying();
 }
 
 int give_up(RunRequest const& request, std::vector<std::string> const& overrides, LoadedConfig const& loaded,
@@ -203,9 +190,7 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
-            command.add_flag("--force", request->force,
-                             "Run even if it takes more than an hour or more memory than there is, or writes a "
-                             "waveform of more than 2 GB");
+            add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);

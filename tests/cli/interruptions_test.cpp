@@ -325,6 +325,28 @@ TEST_CASE("A folder is replaced in two steps where the file system cannot do it 
             check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, random, without_exchange);
 }
 
+TEST_CASE("A signal that comes when one of two waveforms is finished leaves nothing of the other") {
+    if (strace_is_missing())
+        return;
+    std::vector<WritingCommand> const commands = writing_commands();
+    auto const is_it = [](WritingCommand const& each) { return each.name == "run into an FST"; };
+    WritingScene const scene(*std::find_if(commands.begin(), commands.end(), is_it));
+    for (unsigned const number : {1U, 2U, 3U}) {
+        TempFolder const folder;
+        scene.lay_out(folder.path());
+        std::string const fault = "inject=rename:signal=TERM:when=" + std::to_string(number);
+        CAPTURE(fault);
+        bool is_ended = false;
+        try {
+            run_traced(scene.command(), {"-o", "/dev/null", "-e", "trace=rename", "-e", fault}, folder);
+        } catch (std::runtime_error const&) {  // strace ends as what it traces does
+            is_ended = true;
+        }
+        CHECK(is_ended);
+        CHECK(scene.complaint(folder.path(), false) == "");
+    }
+}
+
 /// Runs `$4...` on a file system of its own, which has $3 kilobytes of room beside the content of $2, and moves what is
 /// there in the end to $2.
 constexpr char const* on_small_disk = R"(disk=$1 folder=$2 room=$3; shift 3

@@ -77,7 +77,7 @@ CommandResult run_with_dot(Workspace const& workspace, std::string const& script
                        workspace.folder().path());
 }
 
-TEST_CASE("A Graphviz that fails fails the report, in one line; without any the page has no graph") {
+TEST_CASE("A Graphviz that fails fails the report in one line, and without any the page has no graph") {
     Workspace const workspace;
     require_done(run_with_dot(workspace, ""));
     std::string const page = workspace.text("report.html");

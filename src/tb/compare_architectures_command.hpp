@@ -16,6 +16,7 @@ struct CompareArchitecturesRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE, for all
     std::int64_t jobs = 0;               ///< simulations at once; 0: the host's cores
     std::int64_t judged_samples = 0;     ///< how many edge maps to judge in every run
+    bool force = false;                  ///< however long each takes, whatever memory there is
     std::string csv;                     ///< file; empty: none
     std::string html;                    ///< the same
 };

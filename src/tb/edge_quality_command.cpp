@@ -15,6 +15,7 @@
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/files/colour_png.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
@@ -52,6 +53,16 @@ void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> co
     }
 }
 
+WorkSize size_of(std::size_t objects, std::size_t algorithms, std::size_t poses) {
+    constexpr double maps_per_s = 1000;
+    auto const maps = static_cast<double>(objects * algorithms * poses);
+    WorkSize size;
+    size.command = "edge-quality";
+    size.amount = fmt::format("{:.0f} edge maps", maps);
+    size.seconds = maps / maps_per_s;
+    return size;
+}
+
 }  // namespace
 
 int edge_quality(EdgeQualityRequest const& request) {
@@ -61,6 +72,7 @@ int edge_quality(EdgeQualityRequest const& request) {
         algorithms.push_back(choice_from_name<EdgeMapAlgorithm>(name));
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, quality_folder);
+    announce(size_of(objects.size(), algorithms.size(), static_cast<std::size_t>(request.poses)), request.force);
     std::vector<quality::PoseSurvey> rows;
     ProgressLine line("edge maps");
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -109,6 +121,7 @@ Subcommand edge_quality_command() {
                     .add_option("--out", request->out,
                                 "Write quality.csv and pictures of the best and worst poses to this folder")
                     ->type_name("DIR");
+                add_force(command, request->force);
                 return [request] { return edge_quality(*request); };
             }};
 }

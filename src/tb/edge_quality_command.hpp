@@ -13,6 +13,7 @@ struct EdgeQualityRequest {
     std::int64_t seed = 1;                ///< of the poses
     std::vector<std::string> classes;     ///< built-in objects; empty: all
     std::vector<std::string> algorithms;  ///< of accelerator.edge_map.algorithm; empty: all
+    bool force = false;                   ///< however long it takes
     std::string out;                      ///< folder for quality.csv and pictures; empty: print only
 };
 

@@ -19,12 +19,14 @@
 #include "tb/estimate_report.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/estimate_scorers.hpp"
+#include "tb/estimate_size.hpp"
 #include "tb/timed_iterations.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/work_size.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/files/colour_png.hpp"
@@ -76,6 +78,16 @@ class EstimateRun {
           loaded_(loaded),
           jobs_(jobs_or_host_cores(request.jobs)),
           scene_(request.bop.folder.empty() ? configured_scene(loaded) : bop_scene(loaded, request.bop)) {}
+
+    WorkSize size() const {
+        WorkSize size;
+        size.command = "estimate";
+        size.amount = fmt::format("{} iterations of {} samples", estimator_of(loaded_.config).iterations,
+                                  workload_of(loaded_.config).samples.count);
+        size.seconds =
+            seconds_of_estimate(loaded_.config, scene_.observed, !request_.untimed) / static_cast<double>(jobs_);
+        return size;
+    }
 
     void find_pose() {
         EstimatorConfig const& config = estimator_of(loaded_.config);
@@ -234,6 +246,7 @@ int estimate_pose(EstimateRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
+    announce(run.size(), request.force);
     run.find_pose();
     if (!run.find_times(folder.get()))
         return exit_deadlock;
@@ -291,7 +304,7 @@ Subcommand estimate_command() {
                 .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
                 ->type_name("FILE");
             add_recording_options(command, request->recording);
-            command.add_flag("--force", request->force, "Write even a waveform of more than 2 GB");
+            add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             return [request] { return estimate_pose(*request); };
         }};
 }

@@ -23,7 +23,7 @@ struct EstimateRequest {
     std::uint64_t recorded_iteration = 0;
     std::string events;          ///< file of that iteration's events; empty: none
     RecordingRequest recording;  ///< of that iteration
-    bool force = false;          ///< even a waveform of more than 2 GB
+    bool force = false;          ///< however long it takes, and even a waveform of more than 2 GB
 
     bool records() const { return !events.empty() || recording.has_waveform() || !recording.timeline.empty(); }
 };

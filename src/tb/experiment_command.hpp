@@ -11,6 +11,7 @@ struct ExperimentRequest {
     std::string file;
     std::string out;
     std::int64_t jobs = 0;     ///< processes at once; 0: the host's cores
+    bool force = false;        ///< however long it takes
     std::size_t failures = 8;  ///< pictures of a setting
 };
 

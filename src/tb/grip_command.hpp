@@ -13,6 +13,7 @@ struct GripRequest {
     std::vector<std::string> overrides;
     std::string out;        ///< folder for scores.csv and summary.json; empty: print only
     std::int64_t jobs = 0;  ///< threads; 0: the host's cores
+    bool force = false;     ///< however long it takes, whatever memory there is
     double inlier_distance_m = 0.008;
 };
 

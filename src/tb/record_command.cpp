@@ -1,5 +1,6 @@
 #include "tb/record_command.hpp"
 
+#include <fmt/format.h>
 #include <memory>
 
 #include "faster/faster_config.hpp"
@@ -9,9 +10,29 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
+
+namespace {
+
+/// All triangles are held, once as such and once as text.
+WorkSize size_of(Stimulus const& stimulus) {
+    constexpr double triangles_per_s = 2.5e6;
+    constexpr double bytes_per_triangle = 85;
+    double const triangles = stimulus.is_posed() ? static_cast<double>(stimulus.samples.size()) *
+                                                       static_cast<double>(stimulus.posed.mesh.faces.size())
+                                                 : static_cast<double>(stimulus.triangles.size());
+    WorkSize size;
+    size.command = "record";
+    size.amount = fmt::format("{} samples, about {:.2g} triangles", stimulus.samples.size(), triangles);
+    size.seconds = triangles / triangles_per_s;
+    size.bytes = triangles * bytes_per_triangle;
+    return size;
+}
+
+}  // namespace
 
 int record(RecordRequest const& request) {
     LoadedConfig loaded = load_config(request.config, request.overrides);
@@ -21,6 +42,7 @@ int record(RecordRequest const& request) {
     paths.writes("--out", request.out, io::trace_kind());
     Stimulus const posed = load_stimulus(loaded);
     say_warnings(stimulus_warnings(posed, workload_of(loaded.config)));
+    announce(size_of(posed), request.force);
     Stimulus const stimulus = with_explicit_triangles(posed);
     io::write_trace(stimulus, request.out);
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
@@ -34,6 +56,7 @@ Subcommand record_command() {
             command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
             command.add_option("--out", request->out, "Folder of the trace")->required()->type_name("DIR");
             add_overrides(command, request->overrides);
+            add_force(command, request->force);
             return [request] { return record(*request); };
         }};
 }

@@ -11,6 +11,7 @@ struct RecordRequest {
     std::string config;
     std::vector<std::string> overrides;
     std::string out;
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
 
 /// Returns the exit code; throws InputError on bad input.

@@ -64,7 +64,20 @@ template <class Pixels> double mean_pixels(std::size_t triangles, Pixels pixels)
     return sum / static_cast<double>(seen);
 }
 
+LoopIterations iterations_of(double samples, double window, double triangles, double pixels_of_triangle) {
+    return {samples * passes_over_window * window * window,
+            triangles * (3 * iterations_of_corner + pixels_of_triangle)};
+}
+
 }  // namespace
+
+LoopIterations loop_iterations(Stimulus const& observed, std::size_t samples) {
+    constexpr double boxes_over_pixel = 4;  // front and back, and a box is twice its triangle
+    auto const window = static_cast<double>(observed.window);
+    auto const faces = static_cast<double>(observed.posed.mesh.faces.size());
+    double const pixels = faces > 0 ? std::min(boxes_over_pixel / faces, 1.0) * window * window : 0;
+    return iterations_of(static_cast<double>(samples), window, static_cast<double>(samples) * faces, pixels);
+}
 
 LoopIterations loop_iterations(Stimulus const& stimulus) {
     auto const samples = static_cast<double>(stimulus.samples.size());
@@ -82,7 +95,7 @@ LoopIterations loop_iterations(Stimulus const& stimulus) {
         pixels = mean_pixels(stimulus.triangles.size(),
                              [&](std::size_t i) { return pixels_of(stimulus.triangles[i], pixels_per_code, window); });
     }
-    return {samples * passes_over_window * window * window, triangles * (3 * iterations_of_corner + pixels)};
+    return iterations_of(samples, window, triangles, pixels);
 }
 
 }  // namespace faster

@@ -43,7 +43,7 @@ std::vector<SampleStatistics> shown_samples(RunStatistics const& run, std::vecto
     return samples;
 }
 
-std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& recorded, Machine const& machine,
+std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& recorded, RunStatistics const& run,
                                                      std::vector<SampleStatistics> const& samples) {
     if (samples.empty())
         return {};
@@ -52,12 +52,24 @@ std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& 
     std::size_t done = 0;
     std::size_t const bars = std::min(most_bars / samples.size(), most_bars_of_sample);
     std::vector<report::PackedTimeline> packed(samples.size());
-    explore::replay_timelines(recorded, machine, samples, [&](std::size_t i, SampleTimeline const& timeline) {
-        packed[i] = report::packed_timeline(machine, timeline, bars);
+    explore::replay_timelines(recorded, run.machine, samples, [&](std::size_t i, SampleTimeline timeline) {
+        packed[i] = report::packed_timeline(run.machine, report::with_endless_waits(std::move(timeline), run), bars);
         std::lock_guard<std::mutex> const lock(mutex);
         progress.show(++done, samples.size());
     });
     return packed;
+}
+
+/// That of the core with the circle first.
+std::vector<SampleStatistics> stuck_samples(RunStatistics const& run) {
+    constexpr std::size_t most_shown = 10;
+    std::vector<SampleStatistics> samples = run.unfinished;
+    std::vector<StuckProcess> const circle = run.wait_cycle();
+    std::stable_partition(samples.begin(), samples.end(), [&circle](SampleStatistics const& sample) {
+        return !circle.empty() && sample.core == circle.front().core;
+    });
+    samples.resize(std::min(samples.size(), most_shown));
+    return samples;
 }
 
 }  // namespace
@@ -77,16 +89,16 @@ void write_report(io::OutputFile const& file, std::string const& config, LoadedC
                   RunStatistics const& run, replay::RecordedRun const& recorded, std::vector<std::size_t> const& asked,
                   RunExtras const& extras) {
     std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
-    std::vector<report::PackedTimeline> const timelines =
-        packed_timelines(recorded, run.machine, shown_samples(run, asked));
+    std::vector<report::PackedTimeline> const timelines = packed_timelines(recorded, run, shown_samples(run, asked));
     file.commit(report::html_report({title_of(config), run, keys, timelines, extras.pictures()}));
 }
 
 void write_deadlock_page(io::OutputFile const& file, std::string const& config,
                          std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-                         RunStatistics const& run) {
+                         RunStatistics const& run, replay::RecordedRun const& recorded) {
     report::RunCommand const command{program_name() + " run " + config, overrides};
-    file.commit(report::deadlock_html(title_of(config), command, run, resolved_keys(loaded.config)));
+    file.commit(report::deadlock_html(title_of(config), command, run, resolved_keys(loaded.config),
+                                      packed_timelines(recorded, run, stuck_samples(run))));
 }
 
 }  // namespace faster

@@ -20,9 +20,9 @@ void write_report(io::OutputFile const& file, std::string const& config, LoadedC
                   RunStatistics const& run, replay::RecordedRun const& recorded, std::vector<std::size_t> const& asked,
                   RunExtras const& extras);
 
-/// Writes the page of a run that got stuck. `overrides`: its settings.
+/// Writes the page of a run that got stuck, with the timelines of samples that did not end. `overrides`: its settings.
 void write_deadlock_page(io::OutputFile const& file, std::string const& config,
                          std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-                         RunStatistics const& run);
+                         RunStatistics const& run, replay::RecordedRun const& recorded);
 
 }  // namespace faster

@@ -20,10 +20,10 @@
 #include "tool/recorded_events.hpp"
 #include "tool/report_page.hpp"
 #include "tool/results_folder.hpp"
-#include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 #include "tool/waveform_size.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -75,26 +75,13 @@ void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& 
         run.memory->compute_alone = alone.total_cycles;
 }
 
-/// A long run says beforehand how long; one that is too long has to be forced.
-void announce(RunSize const& size, bool force) {
-    constexpr double long_s = 60;
-    if (!force) {
-        require_memory(size);
-        require_time(size);
-    }
-    if (size.seconds < long_s)
-        return;
-    say("{}\n", text_of(size));
-    finish_saying();
-}
-
 int give_up(RunRequest const& request, std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-            RunStatistics const& run, Outputs const& outputs) {
+            RunStatistics const& run, replay::RecordedRun const& recorded, Outputs const& outputs) {
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
     if (outputs.report)
-        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
+        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run, recorded);
     for (std::string const& written : {request.out, request.report, written_files(request.recording)})
         if (!written.empty())
             warn("\nwritten: {}\n", written);
@@ -147,7 +134,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.simulate_seconds = seconds_since(start);
 
     if (statistics.deadlocked())
-        return give_up(request, overrides, loaded, statistics, outputs);
+        return give_up(request, overrides, loaded, statistics, recorded, outputs);
     statistics.warnings = workload->warnings();
     for (std::string const& warning : extras.warnings(statistics.samples)) {
         say_warnings({warning});
@@ -203,9 +190,7 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
-            command.add_flag("--force", request->force,
-                             "Run even if it takes more than an hour or more memory than there is, or writes a "
-                             "waveform of more than 2 GB");
+            add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);

@@ -10,6 +10,7 @@ struct SensitivitiesRequest {
     std::string events;  ///< file
     std::string csv;     ///< file; empty: none
     std::string json;    ///< file; empty: none
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
 
 /// Returns the exit code; throws InputError on bad input.

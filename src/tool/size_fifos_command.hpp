@@ -16,6 +16,7 @@ struct SizeFifosRequest {
     unsigned front_points = 12;
     unsigned jobs = 0;  ///< threads; 0: the host's cores
     std::vector<std::string> overrides;
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
 
 /// Returns the exit code; throws InputError on bad input.

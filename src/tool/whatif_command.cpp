@@ -27,6 +27,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/results_folder.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -49,8 +50,10 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     paths.writes("--out", request.out, ResultsFolder::kind());
     std::unique_ptr<ResultsFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
+    Machine const machine = machine_of(changed.config);
+    announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
     auto const start = std::chrono::steady_clock::now();
-    RunStatistics const run = replay::retime(recorded.run, machine_of(changed.config));
+    RunStatistics const run = replay::retime(recorded.run, machine);
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
         warn("{}", report::deadlock_report(run));
@@ -99,6 +102,11 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
         machines.push_back(machine_of(config_of_row(request.matrix, row, base).config));
         table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), machines.back());
     }
+    if (!request.force)
+        for (Machine const& machine : machines)
+            require_memory(size_of_retimings("whatif", recorded.run, machine, 1));
+    announce_retimings("whatif", recorded.run, machine_of(base.config), static_cast<double>(list.size()),
+                       request.force);
     {
         ProgressLine progress("configurations");
         std::size_t done = 0;
@@ -150,6 +158,7 @@ Subcommand whatif_command() {
                     ->type_name("N")
                     ->capture_default_str()
                     ->check(CLI::Range(0, 1000000));
+                add_force(command, request->force);
                 return [request] { return whatif(*request); };
             }};
 }

@@ -15,6 +15,7 @@ struct WhatifRequest {
     std::string matrix;                  ///< file of configurations; empty: only the one
     std::string csv;                     ///< file, for the matrix; empty: print only
     std::int64_t top = 10;               ///< rows per list of the comparison
+    bool force = false;                  ///< however long it takes, whatever memory there is
 };
 
 /// Returns the exit code: exit_deadlock if the configuration deadlocks, unless it is one of a matrix. Throws InputError

@@ -52,7 +52,7 @@ class Together {
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();
         for (std::size_t const number : numbers) {
-            shares_.push_back(share_of(number, machine.cores, run.run().tape.samples()));
+            shares_.push_back(share_of(number, machine.cores, run.run().samples()));
             cores_.push_back(core_variant(*run.run().blueprint, machine));
             cores_.back()->let_follow(run.lead(), automaton);
             if (options.leave_trails)

@@ -47,9 +47,18 @@ std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
 
 enum class Source { scripts, operations };
 
-/// Of all samples, in a group that has followers.
+/// Of all samples, if they say the most of them.
 bool can_follow_scripts(ScriptedRun const& run, Machine const& machine) {
-    return machine.external_memory && !run.lead().followers.empty() && run.size() == run.run().tape.samples();
+    if (!machine.external_memory || run.lead().followers.empty() || run.size() != run.run().tape.samples())
+        return false;
+    std::size_t phrases = 0, operations_behind = 0;
+    for (std::size_t sample = 0; sample < run.size(); ++sample) {
+        phrases += run[sample].phrases.size();
+        for (std::vector<timing::Operation> const& process : run[sample].after)
+            operations_behind += process.size();
+    }
+    constexpr std::size_t usual_behind = 64;  // of a sample
+    return operations_behind <= phrases + usual_behind * run.size();
 }
 
 class Together {

@@ -29,6 +29,8 @@ ScriptedCore::ScriptedCore(ScriptedRun const& run, CoreShare share, timing::Core
 void ScriptedCore::go_on(timing::ProcessMask woken) {
     if (!is_following_)
         core_.resume(woken);
+    else if (still_waits(woken))
+        return note_who_is_done();
     while (!is_left_ && (is_following_ || fed_ < share_.count)) {
         if (!is_following_ && awaits_driver())
             return note_who_is_done();
@@ -40,9 +42,18 @@ void ScriptedCore::go_on(timing::ProcessMask woken) {
     }
 }
 
-/// Of a sample that is all logged, as scripts do not pay: no more of them at a time.
+/// The driver, which has yet to do what made it stop.
+bool ScriptedCore::still_waits(timing::ProcessMask woken) {
+    core_.resolve_processes(woken);
+    return !group_.driver().finished();
+}
+
+/// With a sample's worth of operations, as scripts do not pay, or end early: no more of them at a time.
 bool ScriptedCore::awaits_driver() const {
-    return fed_ > 0 && !core_.follows_script() && !group_.driver().finished();
+    constexpr std::size_t most_left = 4096;  // operations behind a script
+    timing::ProcessTiming const& driver = group_.driver();
+    bool const is_far_behind = !core_.follows_script() || driver.log().pending() > most_left;
+    return fed_ > 0 && is_far_behind && !driver.finished();
 }
 
 /// False: it waits for the memory.

@@ -26,6 +26,7 @@ class ScriptedCore {
     bool follow();
     void take_up_next();
     void end_sample();
+    bool still_waits(timing::ProcessMask woken);
     bool awaits_driver() const;
     void note_who_is_done();
     bool has_more(std::size_t process) const;

@@ -280,17 +280,29 @@ class Maker {
                 machine_.processes[module].loops.push_back(loop);
     }
 
-    /// What comes from memory, no state of a process tells: who takes it does not follow.
+    /// What comes from memory, no state of a process tells: who takes it only follows where it is ahead, and then last.
     void add_lead() {
         if (core_.pace.driver.empty() || uses_memory(core_.pace.driver))
             return;
         machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
-        for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
-            std::size_t const anchor = machine_.fifo(follower.anchor);
-            if (machine_.fifos[anchor].is_present && !uses_memory(follower.module))
-                machine_.lead.followers.push_back(
-                    {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
-        }
+        for (bool const uses_memory : {false, true})
+            for (CoreDescription::Pace::Follower const& follower : core_.pace.followers)
+                if (this->uses_memory(follower.module) == uses_memory)
+                    add_follower(follower, uses_memory);
+    }
+
+    void add_follower(CoreDescription::Pace::Follower const& follower, bool uses_memory) {
+        std::size_t const anchor = machine_.fifo(follower.anchor);
+        std::size_t const process = machine_.process(follower.module);
+        auto const is_ahead = [this](timing::Lead::Follower const& other) {
+            return machine_.fifos[other.anchor].writer == other.process;
+        };
+        timing::Lead::Follower const added{static_cast<unsigned>(process), static_cast<unsigned>(anchor)};
+        std::vector<timing::Lead::Follower>& followers = machine_.lead.followers;
+        bool const follows =
+            !uses_memory || (is_ahead(added) && std::none_of(followers.begin(), followers.end(), is_ahead));
+        if (machine_.fifos[anchor].is_present && follows)
+            followers.push_back(added);
     }
 
     bool uses_memory(std::string const& module) const {

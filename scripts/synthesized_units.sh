@@ -202,8 +202,9 @@ done
 for keys in default lanes=5 lanes=10; do span_units "$keys"; done
 unit lane_depth_unit default lane_depth_unit "depth_unit.sv lanes/lane_depth_unit.sv" "RECIPROCAL_BITS=39 DEPTH_BITS=20" \
     "forwards=1'b1 read_stage=6'd7 fraction=$(fractions)"
-for interval in 3 18; do
-    unit span_division "interval=$interval" span_division "lanes/span_divider.sv lanes/span_division.sv" \
+for keys in default interval=18; do # a triangle every third cycle, or one after the other
+    [[ $keys == default ]] && interval=3 || interval=18
+    unit span_division "$keys" span_division "lanes/span_divider.sv lanes/span_division.sv" \
         "CROSSING_BITS=25 DIFFERENCE_BITS=15 INTERVAL=$interval" ""
 done
 for depth in 1 2 3 4 8 16 17 32 33 64; do

@@ -8,7 +8,8 @@ namespace faster {
 /// are synthesized. The memory outside of it is no part of a core.
 bool has_lane_core(AcceleratorConfig const& config);
 
-/// Columns of a memory in cyclic banks, of which every lane has its own: no multiplexer leads from any lane to any bank.
+/// Columns of a memory in cyclic banks, of which every lane has its own: no multiplexer leads from any lane to any
+/// bank.
 bool banks_belong_to_lanes(AcceleratorConfig const& config, MachineMemory const& memory);
 
 }  // namespace faster

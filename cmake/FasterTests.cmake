@@ -48,7 +48,7 @@ function(faster_add_test name)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # Each file of tests is a namespace of its own, so the build can join them: what takes the compiler longest they share.
   # What supports them has helpers of its own.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   list(FILTER ARG_SOURCES INCLUDE REGEX "^support/")
   set_source_files_properties(${ARG_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_precompile_headers(${name} REUSE_FROM faster_test_header)

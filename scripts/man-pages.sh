@@ -12,7 +12,7 @@ page() {
     shift
     local summary
     summary="$("$@" --help | head -n 1)"
-    help2man --no-info --no-discard-stderr --section 1 --name "$summary" --version-string "$("$program" --version)" \
+    help2man --no-info --no-discard-stderr --section 1 --name "$summary" --version-string "$name $("$program" --version)" \
         --manual "faster-sim" --output "$folder/$name.1" "$*"
 }
 

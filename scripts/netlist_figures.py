@@ -25,9 +25,13 @@ DSP = (2.20, 2.60, 3.20)  # a product without registers, with its net
 BRAM_INPUT = (0.35, 0.55, 0.90)  # setup of an address or a word, with its net
 # Delay lines: paths into them may be spread over the stages behind them. By instance, the default number of stages.
 DELAY_LINES = {"command_line": 7, "fragment_depth_line": 7, "fragment_index_line": 7, "edge_token_line": 7,
-               "fragment_line": 7, "token_line": 2, "depth_line": 4, "edge_line": 4, "pipeline": 40, "valid_line": 36,
+               "fragment_line": 7, "address_line": 7, "token_line": 2, "depth_line": 4, "edge_line": 4, "pipeline": 40, "valid_line": 36,
                "output_line": 1, "sweep.tokens": 3}
-SETUP = {"rasterizer": (("v0", "v1", "v2"), 12)}  # inputs of work that has several cycles, and how many
+# Where work begins that has several cycles, and how many. Ahead of a scan a triangle comes every third cycle, and leaves
+# each register as many for what is behind it.
+SETUP = {"rasterizer": {("v0", "v1", "v2"): 12},
+         "lane_rasterizer": {("ahead.vertices_v0", "ahead.vertices_v1", "ahead.vertices_v2"): 3,
+                             ("ahead.set_up.held",): 2}}
 
 
 def total(cells, of):
@@ -73,7 +77,7 @@ class Timing:
     def line_of(self, bits):
         """The delay line whose nets these are, or none."""
         of_bits = [name for bit in bits for name in self.names.get(bit, [])]
-        return next((line for line in DELAY_LINES if any(name.startswith(f"{line}.") for name in of_bits)), None)
+        return next((line for line in DELAY_LINES if any(f".{line}." in f".{name}" for name in of_bits)), None)
 
     def _arcs(self, cell, inputs, outputs, delay, what):
         for output in outputs:
@@ -195,14 +199,15 @@ class Timing:
 def paths(unit, module):
     """(kind, stages, path): `cycle` has to close in one, `stages` may be spread over so many."""
     timing = Timing(module)
-    inputs, cycles = SETUP.get(unit, ((), 1))
-    is_setup = lambda names: any(name in inputs for name in names)
+    setups = SETUP.get(unit, {})
+    is_setup = lambda names: any(name in places for name in names for places in setups)
     found = [("cycle", 1, timing.worst(lambda names: not is_setup(names), lambda line: line is None))]
     for name, stages in DELAY_LINES.items():
         found.append(("stages", stages + 1,
                       timing.worst(lambda names: not is_setup(names), lambda line, name=name: line == name)))
-    if inputs:
-        found.append(("stages", cycles, timing.worst(is_setup, lambda line: line is None)))
+    for places, cycles in setups.items():
+        found.append(("stages", cycles, timing.worst(
+            lambda names, places=places: any(name in places for name in names), lambda line: line is None)))
     for kind, stages, path in found:
         if path is None or (kind == "stages" and path[0][1] < 3):
             continue

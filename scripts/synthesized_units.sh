@@ -18,7 +18,7 @@ log2() { # bits of a count
 reset_keys() {
     window=200 vertex_xy=4 area_reciprocal=30 fragment_depth=18 vertex_z=14 depth_buffer=9 width=640 height=480
     write_latency= ports=2 algorithm=dual_map clearing=loop neighbour_access=direct fragment_loop=per_triangle
-    flush_last=false when_full=freeze interval=1 edge_tokens=all depth= lanes=1
+    flush_last=false when_full=freeze interval=1 edge_tokens=all depth= lanes=1 buffers=1 region=window setups=12
 }
 # with KEYS COMMAND...: `default` or keys with their values, for a unit; a configuration's name may begin with `check.`
 apply() {
@@ -81,23 +81,61 @@ inlier_unit() {
         "WORDS=$((window * window)) PORTS=$((ports < 2 ? 2 : ports)) RECIPROCAL_BITS=$(reciprocal_bits) DEPTH_BITS=$((fragment_depth + 2))" \
         "clear_loop=$(hex_loop 1 2) fragment_loop=$(hex_loop 1 ${depth:-10}) sweep_loop=$(hex_loop $interval 8) ports=3'd$ports is_inner_border=$(truth $algorithm inner_border) has_line_buffers=$(truth $neighbour_access window) clears_on_read_out=$(truth $clearing on_read_out) is_flattened=$flattened forwards=$flattened window=9'd$window fraction=$(fractions)"
 }
-# What works in lanes, rtl/lanes: with the window, one buffer; a region and a second buffer change little.
+# The core with lanes, rtl/lanes
 lane_unit() { # NAME CONFIGURATION FILES PARAMETERS CONSTANTS
-    unit "$1" "$2" "$1" "lanes/lane_pkg.sv lanes/region_walk.sv $3 lanes/$1.sv" "$4" "$5 window=9'd$window"
+    unit "$1" "$2" "$1" "lanes/lane_pkg.sv $3 lanes/$1.sv" "$4" "$5"
 }
-lane_units() {
+lane_rasterizer() {
     apply "$1"
-    local constants="lanes=4'd$lanes" places=128
+    local item lines="" difference
+    difference=$(($(log2 $((width > height ? width : height))) + vertex_xy + 1))
+    for item in command fragment_depth fragment_index edge_token; do lines+=" ${item}_latency=6'd7"; done
+    lane_unit lane_rasterizer "$1" "triangle_setup.sv fifo_shift_register.sv $span_setup lanes/span_rows.sv lanes/span_scan.sv" \
+        "EDGE_BITS=$(edge_bits) Z_SUM_BITS=48 CROSSING_BITS=$(($(edge_bits) - vertex_xy)) DIFFERENCE_BITS=$difference SETUPS=$setups" \
+        "lanes=4'd$lanes scan_loop=$(hex_loop 1 8) setup_cycles=6'd30 setups_ahead=5'd$setups $lines sends_region=$(truth $region touched) width=16'd$width height=16'd$height window=9'd$window vertex_xy=4'd$vertex_xy"
+}
+span_setup="lanes/settled_register.sv lanes/span_divider.sv lanes/span_division.sv lanes/setup_ahead.sv"
+# Parts of it, for other designs with spans
+span_units() {
+    apply "$1"
+    lane_unit span_rows "$1" fifo_shift_register.sv "CROSSING_BITS=25 DIFFERENCE_BITS=15" "lanes=4'd$lanes"
+    lane_unit span_scan "$1" "" "Z_SUM_BITS=48" "lanes=4'd$lanes"
+}
+lane_inlier_unit() {
+    apply "$1"
+    lane_unit lane_inlier_unit "$1" "depth_unit.sv lanes/lane_depth_unit.sv" \
+        "Z_SUM_BITS=48 RECIPROCAL_BITS=$(reciprocal_bits) DEPTH_BITS=$((fragment_depth + 2)) LANES_BUILT=$lanes" \
+        "lanes=4'd$lanes fragment_loop=$(hex_loop 1 10) receives_region=$(truth $region touched) has_two_buffers=$(truth $buffers 2) forwards=1'b1 window=9'd$window fraction=$(fractions)"
+}
+lane_sweep() {
+    apply "$1"
+    lane_unit lane_sweep "$1" "pixel_comparison.sv lanes/region_walk.sv" "LANES_BUILT=$lanes" \
+        "lanes=4'd$lanes sweep_loop=$(hex_loop 1 8) sweeps_touched=$(truth $region touched) has_two_buffers=$(truth $buffers 2) fraction=4'd9 window=9'd$window"
+}
+lane_map_output() {
+    apply "$1"
+    local places=128
     while ((places < 2 * ((window + lanes - 1) / lanes))); do places=$((2 * places)); done
-    lane_unit lane_sweep "$1" pixel_comparison.sv "LANES_BUILT=$lanes" \
-        "$constants sweep_loop=$(hex_loop 1 8) sweeps_touched=1'b0 has_two_buffers=1'b0 fraction=4'd9"
-    lane_unit lane_map_output "$1" lanes/lane_border.sv "PLACES=$places" \
-        "$constants output_loop=$(hex_loop 1 3) edge_map_latency=6'd2 has_two_maps=1'b0"
+    lane_unit lane_map_output "$1" "lanes/region_walk.sv lanes/lane_border.sv" "PLACES=$places" \
+        "lanes=4'd$lanes output_loop=$(hex_loop 1 3) edge_map_latency=6'd2 has_two_maps=$(truth $buffers 2) window=9'd$window"
+}
+lane_map_builder() {
+    apply "$1"
     lane_unit lane_map_builder "$1" "" "" \
-        "$constants token_loop=$(hex_loop 1 4) receives_region=1'b0 has_two_maps=1'b0"
-    lane_unit lane_observation_reader "$1" "" "" \
-        "$constants read_loop=$(hex_loop 1 5) observed_depth_latency=6'd4 observed_edge_latency=6'd4 receives_region=1'b0 width=16'd$width height=16'd$height"
-    unit span_scan "$1" span_scan "lanes/lane_pkg.sv lanes/span_scan.sv" "EDGE_BITS=$(edge_bits) Z_SUM_BITS=48" "$constants"
+        "lanes=4'd$lanes token_loop=$(hex_loop 1 4) receives_region=$(truth $region touched) has_two_maps=$(truth $buffers 2) window=9'd$window"
+}
+lane_observation_reader() {
+    apply "$1"
+    lane_unit lane_observation_reader "$1" lanes/region_walk.sv "" \
+        "lanes=4'd$lanes read_loop=$(hex_loop 1 5) observed_depth_latency=6'd4 observed_edge_latency=6'd4 receives_region=$(truth $region touched) width=16'd$width height=16'd$height window=9'd$window"
+}
+# The window in as many banks as lanes; with their block RAMs
+banked() { # NAME BITS BANKS BUFFERS
+    reset_keys
+    local banks=$3 buffers=$4
+    unit "$1" "banks=$3 buffers=$4" banked_buffers "lanes/lane_pkg.sv lanes/banked_buffers.sv" \
+        "BITS=$2 BANKS=$banks BUFFERS=$buffers WORDS=$((window * ((window + banks - 1) / banks)))" \
+        "banks=4'd$banks lanes=8'b$(bits_of 4 "$banks" | cut -d b -f 2)$(bits_of 4 "$banks" | cut -d b -f 2) window=9'd$window"
 }
 fifo() { # KIND DEPTH BITS
     local places=$(($2 < 2 ? 2 : $2)) words=2 shape
@@ -138,10 +176,37 @@ unit result_collector default result_collector result_collector.sv "" ""
 reset_keys
 unit depth_unit default depth_unit depth_unit.sv "RECIPROCAL_BITS=39 DEPTH_BITS=20" "fraction=$(fractions)"
 unit zigzag_scan default zigzag_scan zigzag_scan.sv "EDGE_BITS=$(edge_bits) Z_SUM_BITS=48" "sends_edges=1'b0"
-for keys in default lanes=2 lanes=5 lanes=10; do lane_units "$keys"; done
+for keys in default lanes=5 lanes=10 region=touched buffers=2 "lanes=10 region=touched" "region=touched buffers=2" \
+    "lanes=5 region=touched buffers=2" "lanes=6 region=touched buffers=2"; do
+    lane_sweep "$keys"
+done
+for keys in default lanes=5 lanes=10 region=touched buffers=2 "lanes=5 region=touched" "region=touched buffers=2" \
+    "lanes=5 region=touched buffers=2" "lanes=6 region=touched buffers=2"; do
+    lane_map_builder "$keys"
+done
+for keys in default lanes=5 lanes=10 buffers=2 "lanes=5 buffers=2" "lanes=6 buffers=2"; do lane_map_output "$keys"; done
+for keys in default lanes=5 lanes=10 region=touched "lanes=5 region=touched" "lanes=6 region=touched" "lanes=10 region=touched"; do
+    lane_observation_reader "$keys"
+done
+for keys in default lanes=5 lanes=10 region=touched "lanes=5 region=touched" "lanes=6 region=touched"; do
+    lane_rasterizer "$keys"
+done
+for keys in default lanes=5 region=touched buffers=2 "lanes=5 region=touched" "region=touched buffers=2" \
+    "lanes=5 region=touched buffers=2" "lanes=6 region=touched buffers=2"; do
+    lane_inlier_unit "$keys"
+done
+for shape in "1 1" "1 2" "5 1" "5 2" "6 2" "10 1"; do # banks, buffers
+    banked banked_map 1 ${shape% *} ${shape#* }
+    banked banked_depths 11 ${shape% *} ${shape#* }
+done
+for keys in default lanes=5 lanes=10; do span_units "$keys"; done
 unit lane_depth_unit default lane_depth_unit "depth_unit.sv lanes/lane_depth_unit.sv" "RECIPROCAL_BITS=39 DEPTH_BITS=20" \
     "forwards=1'b1 read_stage=6'd7 fraction=$(fractions)"
-unit span_divider default divider "divider.sv iterative_divider.sv" "DIVIDEND_BITS=18 DIVISOR_BITS=18 STAGES=6" ""
+for keys in default interval=18; do # a triangle every third cycle, or one after the other
+    [[ $keys == default ]] && interval=3 || interval=18
+    unit span_division "$keys" span_division "lanes/span_divider.sv lanes/span_division.sv" \
+        "CROSSING_BITS=25 DIFFERENCE_BITS=15 INTERVAL=$interval" ""
+done
 for depth in 1 2 3 4 8 16 17 32 33 64; do
     for bits in 1 128; do fifo shift_register $depth $bits; done
 done

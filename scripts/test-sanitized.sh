@@ -28,12 +28,14 @@ cmake --preset asan-ubsan > /dev/null
 cmake --build --preset asan-ubsan --target faster-sim faster_kernel_tests faster_unit_tests faster_image_tests \
     faster_pose_tests faster_fuzz_tests faster_engine_tests faster_cli_tests -- -j "$jobs"
 # The leak sanitizer sometimes fails on the stacks of SystemC's processes. Tests that let calls of the system fail would
-# hit the sanitizer's own.
+# hit the sanitizer's own, as do those without descriptors: whether an object may be looked at, it asks by a pipe.
 asan=detect_stack_use_after_return=0:$(reports_of asan-ubsan)
 export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+# Instead of 20: each is three runs of a command, which takes ten times as long here.
+export FASTER_INTERRUPTIONS=8
 ASAN_OPTIONS=$asan ctest --test-dir build/asan-ubsan -j "$jobs" -L '^unit$' --output-on-failure || status=1
 ASAN_OPTIONS=$asan:detect_leaks=0 ctest --test-dir build/asan-ubsan -j "$jobs" -L '^(engine|cli)$' \
-    -E 'A call of the system that fails|A folder is replaced in two steps' --output-on-failure || status=1
+    -E 'A call of the system that fails|A folder is replaced in two|A signal that comes when|Whatever the number of desc' --output-on-failure || status=1
 show_reports asan-ubsan
 
 cmake --preset tsan > /dev/null

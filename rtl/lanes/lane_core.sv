@@ -248,7 +248,7 @@ module lane_core #(
     lane_rasterizer #(
         .EDGE_BITS(EDGE_BITS), .Z_SUM_BITS(Z_SUM_BITS)
     ) raster (
-        .clock, .reset, .scan_loop(settings.common.scan_loop), .setup_cycles(settings.common.setup_cycles),
+        .clock, .reset, .scan_loop(settings.common.scan_loop), .setup_cycles(6'(settings.common.setup_cycles)),
         .setups_ahead(settings.setups_ahead), .command_latency(settings.common.command_latency),
         .fragment_depth_latency(settings.common.fragment_depth_latency),
         .fragment_index_latency(settings.common.fragment_index_latency),
@@ -277,13 +277,12 @@ module lane_core #(
     );
 
     // The object map, and who draws it and reads it out
-    lane_pkg::lanes_t lanes[2];
+    logic [1:0][3:0] lanes;
     assign lanes[0] = settings.scan_lanes;
     assign lanes[1] = settings.sweep_lanes;
-    logic map_buffer[2];
-    logic [LANES-1:0] map_read[2], map_write[2], map_words[2];
-    logic [8:0] map_read_row[2], map_read_group[2], map_write_row[2], map_write_group[2];
-    logic [LANES-1:0] map_written[2];
+    logic [1:0] map_buffer;
+    logic [1:0][LANES-1:0] map_read, map_write, map_words, map_written;
+    logic [1:0][8:0] map_read_row, map_read_group, map_write_row, map_write_group;
     assign map_read[0] = '0;
     assign map_read_row[0] = '0;
     assign map_read_group[0] = '0;
@@ -334,10 +333,10 @@ module lane_core #(
     );
 
     // The depth buffer, and who draws it and sweeps it
-    logic depth_side_buffer[2];
-    logic [LANES-1:0] depth_read[2], depth_write[2];
-    logic [LANES*WORD_BITS-1:0] depth_words[2], depth_written[2];
-    logic [8:0] depth_read_row[2], depth_read_group[2], depth_write_row[2], depth_write_group[2];
+    logic [1:0] depth_side_buffer;
+    logic [1:0][LANES-1:0] depth_read, depth_write;
+    logic [1:0][LANES*WORD_BITS-1:0] depth_words, depth_written;
+    logic [1:0][8:0] depth_read_row, depth_read_group, depth_write_row, depth_write_group;
     assign depth_written[1] = '1;  // far
     banked_buffers #(
         .BITS(WORD_BITS), .WORDS(WORDS), .INITIAL(faster_pkg::FAR)
@@ -392,5 +391,5 @@ module lane_core #(
         if (settings.sweeps_touched) counters.valid_depth = valid_depth_out;
     end
 
-    wire unused = &{1'b0, settings};
+    wire unused = &{1'b0, settings, map_words[0]};
 endmodule

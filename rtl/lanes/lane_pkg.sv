@@ -4,6 +4,8 @@ package lane_pkg;
     localparam int GROUP_BITS = 32 + LANES;
     localparam int REGION_BITS = 64;
     localparam int FULL_BITS = 1 + 32 + REGION_BITS;
+    localparam int BOX_BITS = 1 + 5 * 16;
+    localparam int ROW_BITS = 3 + 5 * 16;
     typedef logic [3:0] lanes_t;
 
     // Pixels of a row relative to the window, which they may lie outside of: bit k of the mask is column col + k. Without
@@ -21,6 +23,32 @@ package lane_pkg;
         logic signed [15:0] last_row;
         logic signed [15:0] last_col;
     } region_t;
+
+    // Where an edge bounds a row; or it runs along the rows.
+    typedef enum logic [1:0] {FROM_LEFT, FROM_RIGHT, FLAT} side_t;
+
+    // Of a triangle, in pixels of the image: the scan starts in its first row.
+    typedef struct packed {
+        logic               is_drawn;
+        logic signed [15:0] col_min;
+        logic signed [15:0] col_max;
+        logic signed [15:0] row_max;
+        logic signed [15:0] start_row;
+        logic signed [15:0] start_col;
+    } box_t;
+
+    // A row of a triangle relative to the window: covered columns, and first columns of their groups in the direction of
+    // the scan.
+    typedef struct packed {
+        logic               is_empty;  // no column is covered
+        logic               is_last;   // of the triangle
+        logic               goes_right;
+        logic signed [15:0] row;
+        logic signed [15:0] first_col;
+        logic signed [15:0] last_col;
+        logic signed [15:0] first_group;
+        logic signed [15:0] last_group;
+    } row_t;
 
     // Rounded down.
     function automatic logic [15:0] divided(input logic [15:0] value, input lanes_t by);

@@ -7,12 +7,14 @@
 module lane_rasterizer #(
     parameter int EDGE_BITS = 36,
     parameter int Z_SUM_BITS = 56,
-    parameter int SETUPS = 32  // a power of two
+    parameter int CROSSING_BITS = 36,    // where an edge crosses a row
+    parameter int DIFFERENCE_BITS = 17,  // of two coordinates
+    parameter int SETUPS = 32
 ) (
     input  logic                         clock,
     input  logic                         reset,
     input  faster_pkg::loop_t            scan_loop,
-    input  faster_pkg::cycles_t          setup_cycles,  // divisions included
+    input  faster_pkg::stage_t           setup_cycles,  // divisions included; at least 24
     input  logic [4:0]                   setups_ahead,  // at least 1
     input  faster_pkg::stage_t           command_latency,
     input  faster_pkg::stage_t           fragment_depth_latency,
@@ -66,7 +68,7 @@ module lane_rasterizer #(
         .clock, .reset, .shape(scan_loop), .active(state == SCAN), .advance, .is_last, .begins, .ends
     );
 
-    // Vertices, and triangles that are being set up: a setup begins when the iteration with its third vertex is over
+    // Vertices; a setup begins when the iteration with its third vertex is over
     faster_pkg::vertex_t v0, v1;
     logic [3*faster_pkg::VERTEX_BITS-1:0] read_triangle;
     wire reads_vertex = begins && (work == READ_ONLY || (ordinal != 2'd3 && vertices_left != '0));
@@ -76,60 +78,49 @@ module lane_rasterizer #(
     wire is_over = advance && (begins ? scan_loop.ii == 8'd1 : steps_left == 8'd1);
     wire setup_begins = is_over && (begins ? reads_third : has_third);
 
-    logic [31:0] now;
-    logic [3*faster_pkg::VERTEX_BITS-1:0] triangles[SETUPS];
-    logic [31:0] ready_from[SETUPS];
-    localparam int PLACE_BITS = $clog2(SETUPS);
-    logic [PLACE_BITS-1:0] oldest, next;
-    logic [PLACE_BITS:0] count;
-    wire signed [31:0] ready_for = now - ready_from[oldest];
-    wire is_ready = count != '0 && ready_for >= 0;
-    faster_pkg::vertex_t of_setup[3];
-    assign {of_setup[0], of_setup[1], of_setup[2]} = triangles[oldest];
-
-    logic signed [15:0] col_min, col_max, row_max, start_row, start_col;
-    logic [3*EDGE_BITS-1:0] start_edges, edges_per_col, edges_per_row;
-    logic signed [Z_SUM_BITS-1:0] start_z_sum, z_sum_per_col, z_sum_per_row;
-    triangle_setup #(
-        .EDGE_BITS (EDGE_BITS),
-        .Z_SUM_BITS(Z_SUM_BITS)
-    ) setup (
-        .v0(of_setup[0]), .v1(of_setup[1]), .v2(of_setup[2]), .vertex_xy, .width, .height,
-        .area, .col_min, .col_max, .row_max, .start_row, .start_col, .start_edges, .edges_per_col, .edges_per_row,
-        .start_z_sum, .z_sum_per_col, .z_sum_per_row
+    logic is_ready, has_spans, take_spans;
+    logic signed [15:0] left_wall;
+    logic signed [Z_SUM_BITS-1:0] z_sum_at_wall, z_sum_per_col, z_sum_per_row;
+    lane_pkg::box_t box;
+    logic [5:0] sides;
+    logic [3*(DIFFERENCE_BITS-1)-1:0] divisors, remainders, remainder_steps;
+    logic [3*CROSSING_BITS-1:0] quotients;
+    logic [3*DIFFERENCE_BITS-1:0] quotient_steps;
+    setup_ahead #(
+        .EDGE_BITS(EDGE_BITS), .Z_SUM_BITS(Z_SUM_BITS), .CROSSING_BITS(CROSSING_BITS), .DIFFERENCE_BITS(DIFFERENCE_BITS),
+        .SETUPS(SETUPS)
+    ) ahead (
+        .clock, .reset, .begins(setup_begins), .triangle(begins ? {v0, v1, vertex} : read_triangle),
+        .cycles(setup_cycles), .width, .height, .vertex_xy,
+        .is_ready, .take(area_write), .area, .left_wall, .z_sum_at_wall, .z_sum_per_col, .z_sum_per_row,
+        .has_spans, .take_spans, .box, .sides, .divisors, .quotients, .remainders, .quotient_steps, .remainder_steps
     );
 
-    logic [3*EDGE_BITS-1:0] quotients, remainders, quotient_steps, remainder_steps, divisors;
-    for (genvar i = 0; i < 3; i = i + 1) begin : g_edge
-        span_division #(
-            .EDGE_BITS(EDGE_BITS)
-        ) division (
-            .at_start(start_edges[i*EDGE_BITS+:EDGE_BITS]), .from_left(17'(start_col) - 17'(col_min)),
-            .per_col(edges_per_col[i*EDGE_BITS+:EDGE_BITS]), .per_row(edges_per_row[i*EDGE_BITS+:EDGE_BITS]),
-            .quotient(quotients[i*EDGE_BITS+:EDGE_BITS]), .remainder(remainders[i*EDGE_BITS+:EDGE_BITS]),
-            .quotient_step(quotient_steps[i*EDGE_BITS+:EDGE_BITS]),
-            .remainder_step(remainder_steps[i*EDGE_BITS+:EDGE_BITS]), .divisor(divisors[i*EDGE_BITS+:EDGE_BITS])
-        );
-    end
+    logic has_row, take_row;
+    lane_pkg::row_t row;
+    span_rows #(
+        .CROSSING_BITS(CROSSING_BITS), .DIFFERENCE_BITS(DIFFERENCE_BITS)
+    ) rows (
+        .clock, .reset, .lanes, .origin_row, .origin_col, .has_spans, .take_spans, .box, .new_sides(sides),
+        .new_divisors(divisors), .new_quotients(quotients), .new_remainders(remainders),
+        .new_quotient_steps(quotient_steps), .new_remainder_steps(remainder_steps), .has_row, .take_row, .row
+    );
 
     // Iterations
     wire announces = begins && work == ANNOUNCE;
     wire is_drawn = area > 0;
-    logic scan_is_last;
+    wire visits = begins && work == VISIT;
+    logic scan_is_last, scan_sends;
     lane_pkg::group_t group;
     logic signed [Z_SUM_BITS-1:0] z_sum, z_step;
     span_scan #(
-        .EDGE_BITS (EDGE_BITS),
         .Z_SUM_BITS(Z_SUM_BITS)
     ) scan (
-        .clock, .load(announces && advance), .iterate(begins && work == VISIT && advance), .lanes,
-        .origin_row, .origin_col, .col_min, .col_max, .row_max, .start_row, .start_col,
-        .edges_per_col, .new_quotients(quotients), .new_remainders(remainders), .new_quotient_steps(quotient_steps),
-        .new_remainder_steps(remainder_steps), .new_divisors(divisors), .start_z_sum,
-        .new_z_sum_per_col(z_sum_per_col), .new_z_sum_per_row(z_sum_per_row),
-        .is_last(scan_is_last), .group, .z_sum, .z_sum_per_col(z_step)
+        .clock, .load(announces && advance), .iterate(visits && advance), .lanes, .new_left_wall(left_wall - origin_col),
+        .z_sum_at_wall, .new_z_sum_per_col(z_sum_per_col), .new_z_sum_per_row(z_sum_per_row), .row, .take_row,
+        .is_last(scan_is_last), .sends(scan_sends), .group, .z_sum, .z_sum_per_col(z_step)
     );
-    wire sends = begins && work == VISIT && group.mask != '0;
+    wire sends = visits && scan_sends;
     wire is_triangle_over = ordinal[1] && ((work == VISIT && scan_is_last) || work == NOTHING);
     assign is_last = is_triangle_over && triangles_left == 32'd1;
 
@@ -159,7 +150,7 @@ module lane_rasterizer #(
         .clock, .advance, .stages(edge_token_latency), .in({sends, group}), .out({token_leaves, scanned_token})
     );
     assign advance = state == SCAN && (!reads_vertex || vertex_has_token) && (!announces || (is_ready && area_has_room)) &&
-                     (!command_leaves || command_has_room) && (!depth_leaves || fragment_depth_has_room) &&
+                     (!visits || has_row) && (!command_leaves || command_has_room) && (!depth_leaves || fragment_depth_has_room) &&
                      (!index_leaves || fragment_index_has_room) && (!token_leaves || edge_token_has_room);
 
     // The region: rows and columns of what was sent of the window
@@ -226,12 +217,8 @@ module lane_rasterizer #(
 
     wire [31:0] samples_ahead = 32'(setups_ahead) < sample_raster.triangles ? 32'(setups_ahead) : sample_raster.triangles;
     always_ff @(posedge clock) begin
-        now <= reset ? '0 : now + 32'd1;
         if (reset) begin
             state <= TAKE_SAMPLE;
-            count <= '0;
-            oldest <= '0;
-            next <= '0;
         end else begin
             unique case (state)
                 TAKE_SAMPLE: begin
@@ -278,13 +265,6 @@ module lane_rasterizer #(
             end else if (advance) begin
                 steps_left <= steps_left == '0 ? '0 : steps_left - 8'd1;
             end
-            if (setup_begins) begin
-                triangles[next] <= begins ? {v0, v1, vertex} : read_triangle;
-                ready_from[next] <= now + 32'd1 + 32'(setup_cycles);
-                next <= next + PLACE_BITS'(1);
-            end
-            if (area_write) oldest <= oldest + PLACE_BITS'(1);
-            count <= count + (PLACE_BITS + 1)'(setup_begins) - (PLACE_BITS + 1)'(area_write);
         end
     end
 

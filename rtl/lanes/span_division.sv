@@ -1,27 +1,36 @@
 // Of an edge: where it crosses a triangle's first row, counted in columns from the left wall, and how far that moves from
-// row to row. Quotients and remainders, rounded down, so that additions stay exact. The rasterizer gives it 18 cycles
-// behind its setup.
+// row to row. Quotients and remainders, rounded down, so that additions stay exact. What a column and a row add are whole
+// pixels of an edge value, so its fractions of one decide nothing, and are left out.
 module span_division #(
-    parameter int EDGE_BITS = 36
+    parameter int CROSSING_BITS = 36,
+    parameter int DIFFERENCE_BITS = 17,  // of two coordinates
+    parameter int INTERVAL = 3,
+    parameter int CYCLES = 18
 ) (
-    input  logic signed [EDGE_BITS-1:0] at_start,   // value of the edge
-    input  logic signed [16:0]          from_left,  // of the start: columns behind the wall
-    input  logic signed [EDGE_BITS-1:0] per_col,
-    input  logic signed [EDGE_BITS-1:0] per_row,
-    output logic signed [EDGE_BITS-1:0] quotient,  // of an edge along the rows: its value
-    output logic signed [EDGE_BITS-1:0] remainder,
-    output logic signed [EDGE_BITS-1:0] quotient_step,
-    output logic signed [EDGE_BITS-1:0] remainder_step,
-    output logic signed [EDGE_BITS-1:0] divisor
+    input  logic                              clock,
+    input  logic                              begins,
+    input  logic signed [CROSSING_BITS-1:0]   at_wall,  // value of the edge at the left wall
+    input  logic signed [DIFFERENCE_BITS-1:0] per_col,
+    input  logic signed [DIFFERENCE_BITS-1:0] per_row,
+    output logic [DIFFERENCE_BITS-2:0]        divisor,  // as it begins
+    output logic                              crossing_is_there,
+    output logic signed [CROSSING_BITS-1:0]   quotient,  // of an edge along the rows: its value
+    output logic [DIFFERENCE_BITS-2:0]        remainder,
+    output logic                              step_is_there,
+    output logic signed [DIFFERENCE_BITS-1:0] quotient_step,
+    output logic [DIFFERENCE_BITS-2:0]        remainder_step
 );
-    typedef logic signed [EDGE_BITS-1:0] edge_t;
-    function automatic edge_t floored(input edge_t value, input edge_t by);  // by > 0
-        floored = value < 0 ? -((by - edge_t'(1) - value) / by) : value / by;
-    endfunction
-    wire edge_t at_wall = at_start - edge_t'(from_left) * per_col;
-    assign divisor = per_col == '0 ? edge_t'(1) : per_col < 0 ? -per_col : per_col;
-    assign quotient = floored(at_wall, divisor);
-    assign remainder = at_wall - quotient * divisor;
-    assign quotient_step = floored(per_row, divisor);
-    assign remainder_step = per_row - quotient_step * divisor;
+    localparam int DIVISOR_BITS = DIFFERENCE_BITS - 1;
+    assign divisor = per_col == '0 ? DIVISOR_BITS'(1) : DIVISOR_BITS'(per_col < 0 ? -per_col : per_col);
+    span_divider #(
+        .DIVIDEND_BITS(CROSSING_BITS), .DIVISOR_BITS(DIVISOR_BITS), .INTERVAL(INTERVAL), .CYCLES(CYCLES)
+    ) crossing (
+        .clock, .begins, .dividend(at_wall), .divisor, .ends(crossing_is_there), .quotient, .remainder
+    );
+    span_divider #(
+        .DIVIDEND_BITS(DIFFERENCE_BITS), .DIVISOR_BITS(DIVISOR_BITS), .INTERVAL(INTERVAL), .CYCLES(CYCLES)
+    ) step (
+        .clock, .begins, .dividend(per_row), .divisor, .ends(step_is_there), .quotient(quotient_step),
+        .remainder(remainder_step)
+    );
 endmodule

@@ -22,7 +22,9 @@ struct Recording {
 struct SimulationOptions {
     std::function<void(std::uint64_t done)> progress;  ///< called with the number of samples done; may be empty
     std::vector<Recording> recordings;
-    replay::RecordedRun* recorded = nullptr;  ///< takes down what was done; may be null
+    /// Takes down what was done; may be null. Of a run that gets stuck only what cores do that keep the time (as for a
+    /// critical path), for a look at it: samples that have not ended are there as far as they got.
+    replay::RecordedRun* recorded = nullptr;
     /// The run ends when the first core has done so many; what is recorded by then is handed over, and the figures are
     /// empty.
     std::size_t most_samples = ~std::size_t{0};

@@ -80,7 +80,8 @@ void Taping::begin_sample(std::size_t core, std::size_t process) {
     ++tapes_[core].begun[process];
 }
 
-void Taping::end_sample(std::size_t core, std::size_t process) {
+/// What the process has said of the sample that it is at goes to the open samples; returns its place there.
+std::size_t Taping::take_log(std::size_t core, std::size_t process) {
     CoreTape& tape = tapes_[core];
     std::size_t const at = tape.begun[process] - 1 - tape.done;
     while (tape.open.size() <= at) {
@@ -90,6 +91,12 @@ void Taping::end_sample(std::size_t core, std::size_t process) {
     timing::OperationLog& log = log_of(core, process);
     tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
     log.clear();
+    return at;
+}
+
+void Taping::end_sample(std::size_t core, std::size_t process) {
+    std::size_t const at = take_log(core, process);
+    CoreTape& tape = tapes_[core];
     ++tape.left[at];
     for (; !tape.left.empty() && tape.left.front() == taking_part_; ++tape.done) {
         writer_.put(accelerator_.cores()[core]->share().first + tape.done, std::move(tape.open.front()));
@@ -113,14 +120,29 @@ void Taping::note_sites() {
         }
 }
 
+/// What was done of the samples that did not end, and nothing of those that did not begin.
+void Taping::keep_unfinished() {
+    for (std::size_t core = 0; core < tapes_.size(); ++core) {
+        CoreTape& tape = tapes_[core];
+        CoreShare const share = accelerator_.cores()[core]->share();
+        tape.open.resize(share.count - tape.done, replay::SampleOperations(tape.logs.size()));
+        for (std::size_t i = tape.done; i < share.count; ++i)
+            run_.unfinished[share.first + i] = std::move(tape.open[i - tape.done]);
+    }
+}
+
 void Taping::finish() {
+    bool const is_stuck = timing_ == Timing::by_cores && !is_done();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         for (std::size_t process = 0; process < tapes_[core].logs.size(); ++process)
             if (tapes_[core].begun[process] > 0)
-                end_sample(core, process);
-        std::vector<Counters> const results = all_results(*accelerator_.cores()[core]);
+                is_stuck ? void(take_log(core, process)) : end_sample(core, process);
+        std::vector<Counters> results = all_results(*accelerator_.cores()[core]);
+        results.resize(accelerator_.cores()[core]->share().count);
         run_.counters.insert(run_.counters.end(), results.begin(), results.end());
     }
+    if (is_stuck)
+        keep_unfinished();
     writer_.finish();
     note_sites();
 }

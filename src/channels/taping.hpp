@@ -43,9 +43,11 @@ class Taping {
     void tape_memory();
     void start(std::size_t core);
     void begin_sample(std::size_t core, std::size_t process);
+    std::size_t take_log(std::size_t core, std::size_t process);
     void end_sample(std::size_t core, std::size_t process);
     timing::OperationLog& log_of(std::size_t core, std::size_t process);
     void note_sites();
+    void keep_unfinished();
     bool is_done() const;
     void tell_cores();
 

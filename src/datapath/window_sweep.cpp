@@ -1,6 +1,7 @@
 #include "datapath/window_sweep.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "common/fixed_point.hpp"
 
@@ -62,11 +63,11 @@ void WindowSweep::sweep_row(std::size_t count, std::uint16_t const* depth, std::
         counters.inlier += inliers;
         counters.valid_depth += valid;
         counters.valid_edge += edges;
-        for (std::size_t i = start; edges != 0 && i < stop; ++i)
-            if (edge[i] != 0) {
-                count_edge(depth + i, observed[i], observed_edge[i] != 0, counters);
-                --edges;
-            }
+        for (std::size_t at = start; edges != 0; ++at, --edges) {
+            at =
+                static_cast<std::size_t>(static_cast<std::uint8_t const*>(std::memchr(edge + at, 1, stop - at)) - edge);
+            count_edge(depth + at, observed[at], observed_edge[at] != 0, counters);
+        }
     }
 }
 

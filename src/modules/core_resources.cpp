@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "faster/lane_design.hpp"
 #include "faster/sweep_design.hpp"
 #include "faster/synthesized_units.hpp"
 #include "kernel/machine/machine_resources.hpp"
 #include "modules/counted_resources.hpp"
+#include "modules/lane_resources.hpp"
 #include "modules/raster_core_description.hpp"
+#include "modules/unit_logic.hpp"
 
 namespace faster {
 
@@ -16,36 +19,16 @@ namespace {
 constexpr Resources thesis_chip{212371, 193509, 654, 414};
 constexpr double thesis_cores = 10;
 
-using UnitKeys = std::vector<UnitKey>;
-
-template <class Number> UnitKey number(char const* name, Number value, int standard) {
-    return {name, std::to_string(value), std::to_string(standard)};
-}
-UnitKey choice(char const* name, bool holds, char const* value) { return {name, holds ? value : "", ""}; }
-
-/// Of a unit of the twin: what it takes, and its longest paths.
-struct Logic {
-    ResourceParts parts;
-    std::vector<UnitPath> paths;
-};
-
-/// Without its memories, which are counted for themselves.
-Logic logic(char const* unit, UnitKeys const& keys) {
-    ResourcePart part = synthesized_units().unit(unit, keys);
-    part.amount.ramb36 = 0;
-    return {{part}, synthesized_paths().paths(unit, differing_keys(keys))};
-}
-
 /// Longest paths of a unit with so many lanes, or with more where none has as many.
 std::vector<UnitPath> paths_with_lanes(char const* unit, int lanes) {
     if (lanes == 1)
         return synthesized_paths().paths(unit, {});
-    char const* const built = lanes <= 2 ? "2" : lanes <= 5 ? "5" : "10";
+    char const* const built = lanes <= 5 ? "5" : "10";
     return synthesized_paths().paths(unit, {{"lanes", built}});
 }
 
 /// With those besides its own.
-Logic with_paths(Logic logic, std::vector<UnitPath> const& more) {
+UnitLogic with_paths(UnitLogic logic, std::vector<UnitPath> const& more) {
     logic.paths.insert(logic.paths.end(), more.begin(), more.end());
     return logic;
 }
@@ -75,26 +58,16 @@ class CoreCount {
     CoreCount(AcceleratorConfig const& config, Machine const& machine) : config_(config), machine_(machine) {
         told_.modules.resize(machine.processes.size());
         told_.paths.resize(machine.processes.size());
-        add("sample_dispatcher", logic("sample_dispatcher", {}));
-        add("vertex_transform", logic("vertex_transform", {number("write_latency", latency("vertex"), 40)}),
+        add("sample_dispatcher", synthesized_logic("sample_dispatcher", {}));
+        add("vertex_transform",
+            synthesized_logic("vertex_transform", {number_key("write_latency", latency("vertex"), 40)}),
             counted_in_vertex_transform(config));
-        add("rasterizer", rasterizer(),
-            delays({{latency("command"), 7, 1},
-                    {latency("fragment_depth"), 7, 49},
-                    {latency("fragment_index"), 7, 33},
-                    {latency("edge_token"), 7, 35}}),
-            counted_in_rasterizer(config));
         add("area_reciprocal", area_reciprocal());
-        add("edge_map_builder", edge_map_builder(), delays({{latency("edge_map"), 2, 2}}),
-            counted_in_edge_map_builder(config, machine));
-        add("observation_reader", observation_reader(),
-            delays({{latency("observed_depth"), 4, 12}, {latency("observed_edge"), 4, 2}}),
-            counted_in_observation_reader(config));
-        add("inlier_unit", inlier_unit(), delays({{fragment_read_stage(), 7, 37}}),
-            counted_in_inlier_unit(config, machine));
-        add("result_collector", logic("result_collector", {}));
-        add("edge_map_output", {}, counted_in_read_out());
-        add("inlier_sweep", {}, counted_in_read_out());
+        if (has_lane_core(config))
+            add_lane_units();
+        else
+            add_thesis_units();
+        add("result_collector", synthesized_logic("result_collector", {}));
         for (MachineFifo const& fifo : machine.fifos)
             told_.fifos.push_back(fifo.is_present ? synthesized_units().fifo(fifo.kind, fifo.tokens(), fifo.bits)
                                                   : ResourcePart{});
@@ -103,7 +76,7 @@ class CoreCount {
     ToldResources told() && { return std::move(told_); }
 
   private:
-    template <class... More> void add(char const* module, Logic unit, More const&... more) {
+    template <class... More> void add(char const* module, UnitLogic unit, More const&... more) {
         (unit.parts.insert(unit.parts.end(), more.begin(), more.end()), ...);
         std::size_t const number = machine_.process(module);
         if (!machine_.processes[number].is_present)
@@ -112,61 +85,99 @@ class CoreCount {
         told_.paths[number] = std::move(unit.paths);
     }
 
+    void add_thesis_units() {
+        add("rasterizer", rasterizer(),
+            delays({{latency("command"), 7, 1},
+                    {latency("fragment_depth"), 7, 49},
+                    {latency("fragment_index"), 7, 33},
+                    {latency("edge_token"), 7, 35}}),
+            counted_in_rasterizer(config_));
+        add("edge_map_builder", edge_map_builder(), delays({{latency("edge_map"), 2, 2}}),
+            counted_in_edge_map_builder(config_, machine_));
+        add("observation_reader", observation_reader(),
+            delays({{latency("observed_depth"), 4, 12}, {latency("observed_edge"), 4, 2}}),
+            counted_in_observation_reader(config_));
+        add("inlier_unit", inlier_unit(), delays({{fragment_read_stage(), 7, 37}}),
+            counted_in_inlier_unit(config_, machine_));
+        add("edge_map_output", {}, counted_in_read_out());
+        add("inlier_sweep", {}, counted_in_read_out());
+    }
+    void add_lane_units() {
+        double const lanes = config_.rasterizer.lanes, sweep_lanes = config_.inlier_unit.sweep_lanes;
+        add("rasterizer", lane_rasterizer_logic(config_),
+            delays({{latency("command"), 7, 2},
+                    {latency("fragment_depth"), 7, 97},
+                    {latency("fragment_index"), 7, 33 + lanes},
+                    {latency("edge_token"), 7, 33 + lanes}}));
+        ResourceParts const output_delays = delays({{latency("edge_map"), 2, 1 + sweep_lanes}});
+        add("edge_map_builder", lane_map_builder_logic(config_, machine_), output_delays);
+        add("edge_map_output", lane_map_output_logic(config_), output_delays);
+        add("observation_reader", lane_observation_logic(config_),
+            delays({{latency("observed_depth"), 4, 1 + 11 * sweep_lanes},
+                    {latency("observed_edge"), 4, 1 + sweep_lanes}}));
+        add("inlier_unit", lane_inlier_logic(config_, machine_), delays({{fragment_read_stage(), 7, 18 + 21 * lanes}}));
+        add("inlier_sweep", lane_sweep_logic(config_));
+    }
+
     Cycles latency(char const* fifo) const { return machine_.fifos[machine_.fifo(fifo)].write_latency; }
     /// Of the depth buffer, as the twin has it: the eighth of ten stages, or the last but two.
     Cycles fragment_read_stage() const {
         Cycles const depth = machine_.loops[machine_.loop(machine_.process("inlier_unit"), "fragment")].depth;
         return std::clamp<Cycles>(depth, 3, 10) - 3;
     }
-    Logic with_sweep_lanes(char const* unit, Logic one_lane) const {
+    UnitLogic with_sweep_lanes(char const* unit, UnitLogic one_lane) const {
         int const lanes = config_.inlier_unit.sweep_lanes;
         return lanes > 1 ? with_paths(std::move(one_lane), paths_with_lanes(unit, lanes)) : one_lane;
     }
-    UnitKey window() const { return number("window", config_.window, 200); }
-    UnitKey vertex_xy() const { return number("vertex_xy", config_.fraction_bits.vertex_xy, 4); }
-    UnitKey reciprocal_bits() const { return number("area_reciprocal", config_.fraction_bits.area_reciprocal, 30); }
+    UnitKey window() const { return number_key("window", config_.window, 200); }
+    UnitKey vertex_xy() const { return number_key("vertex_xy", config_.fraction_bits.vertex_xy, 4); }
+    UnitKey reciprocal_bits() const { return number_key("area_reciprocal", config_.fraction_bits.area_reciprocal, 30); }
 
-    Logic rasterizer() const {
+    UnitLogic rasterizer() const {
         bool const object_only =
             config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
-        Logic scan = logic("rasterizer", {window(), vertex_xy(), choice("edge_tokens", object_only, "object")});
+        UnitLogic scan =
+            synthesized_logic("rasterizer", {window(), vertex_xy(), choice_key("edge_tokens", object_only, "object")});
         if (config_.rasterizer.scan != ScanPolicy::spans)
             return scan;
+        scan = with_paths(std::move(scan), paths_with_lanes("span_rows", config_.rasterizer.lanes));
         return with_paths(std::move(scan), paths_with_lanes("span_scan", config_.rasterizer.lanes));
     }
-    Logic area_reciprocal() const {
+    UnitLogic area_reciprocal() const {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];
-        return logic(
+        return synthesized_logic(
             "area_reciprocal",
-            {vertex_xy(), reciprocal_bits(), number("write_latency", fifo.write_latency, 36),
-             number("interval", machine_.processes[machine_.process("area_reciprocal")].numbers.at("interval"), 1),
-             choice("when_full", fifo.when_full == WhenFull::squeeze, "squeeze")});
+            {vertex_xy(), reciprocal_bits(), number_key("write_latency", fifo.write_latency, 36),
+             number_key("interval", machine_.processes[machine_.process("area_reciprocal")].numbers.at("interval"), 1),
+             choice_key("when_full", fifo.when_full == WhenFull::squeeze, "squeeze")});
     }
-    Logic edge_map_builder() const {
+    UnitLogic edge_map_builder() const {
         EdgeMapConfig const& map = config_.edge_map;
         return with_sweep_lanes(
             "lane_map_output",
-            logic("edge_map_builder",
-                  {window(), choice("algorithm", map.algorithm == EdgeMapAlgorithm::inner_border, "inner_border"),
-                   choice("clearing", map.clearing == MapClearing::on_read_out, "on_read_out"),
-                   choice("flush_last", map.flush_last, "true")}));
+            synthesized_logic(
+                "edge_map_builder",
+                {window(), choice_key("algorithm", map.algorithm == EdgeMapAlgorithm::inner_border, "inner_border"),
+                 choice_key("clearing", map.clearing == MapClearing::on_read_out, "on_read_out"),
+                 choice_key("flush_last", map.flush_last, "true")}));
     }
-    Logic observation_reader() const {
-        return with_sweep_lanes("lane_observation_reader", logic("observation_reader", {window()}));
+    UnitLogic observation_reader() const {
+        return with_sweep_lanes("lane_observation_reader", synthesized_logic("observation_reader", {window()}));
     }
-    Logic inlier_unit() const {
+    UnitLogic inlier_unit() const {
         InlierUnitConfig const& unit = config_.inlier_unit;
         bool const own_depth = contour_has_depth(config_);
         bool const has_lines = !own_depth && unit.neighbour_access == NeighbourAccess::window;
         return with_sweep_lanes(
             "lane_sweep",
-            logic("inlier_unit", {window(), vertex_xy(), reciprocal_bits(),
-                                  number("ports", machine_.memories[machine_.memory("depth_buffer")].ports, 2),
-                                  number("fragment_depth", config_.fraction_bits.fragment_depth, 18),
-                                  choice("algorithm", own_depth, "inner_border"),
-                                  choice("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
-                                  choice("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
-                                  choice("neighbour_access", has_lines, "window")}));
+            synthesized_logic("inlier_unit",
+                              {window(), vertex_xy(), reciprocal_bits(),
+                               number_key("ports", machine_.memories[machine_.memory("depth_buffer")].ports, 2),
+                               number_key("fragment_depth", config_.fraction_bits.fragment_depth, 18),
+                               choice_key("algorithm", own_depth, "inner_border"),
+                               choice_key("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
+                               choice_key("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
+                               choice_key("neighbour_access", has_lines, "window")}));
     }
 
     AcceleratorConfig const& config_;

@@ -1,5 +1,6 @@
 #include "modules/counted_resources.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "faster/sweep_design.hpp"
@@ -29,17 +30,22 @@ ResourcePart more_lanes(std::string name, char const* unit, int lanes) {
     return {std::move(name), part.amount - synthesized(unit), part.basis};
 }
 
-/// Extents of a triangle are divided by its steps: six quotients of 18 bits. Where triangles are set up ahead, one
-/// enters every third cycle, so each is six stages that take three steps one after the other: a third of one with three
-/// steps in a stage. Otherwise it works 18 cycles.
-Resources span_dividers(RasterizerConfig const& rasterizer) {
-    Resources const sixth = rasterizer.setup_overlap > 0 ? Resources{synthesized("span_divider").lut / 3, 516, 0, 0}
-                                                         : Resources{60, 55, 0, 0};
-    return 6.0 * sixth;
+/// Where edges cross rows, and how far from row to row: a triangle every third cycle where they are set up ahead.
+ResourcePart span_dividers(RasterizerConfig const& rasterizer) {
+    ResourcePart const of_edge =
+        synthesized_units().unit("span_division", {{"interval", rasterizer.setup_overlap > 0 ? "3" : "18", "3"}});
+    return {"dividers of spans", 3.0 * of_edge.amount, of_edge.basis};
+}
+
+/// Rows of spans, ahead of the scan, in place of the zigzag.
+ResourcePart span_scan(int lanes) {
+    ResourcePart const rows = with_lanes("span_rows", lanes), scan = with_lanes("span_scan", lanes);
+    return {"scan of spans, without the zigzag scan", rows.amount + scan.amount - synthesized("zigzag_scan"),
+            std::max(rows.basis, scan.basis)};
 }
 
 /// Of a memory in banks or buffers: an address bit of each bank is one of two, as are two bits of its word.
-Resources choice_of_banks(MachineMemory const& memory) {
+Resources bank_multiplexers(MachineMemory const& memory) {
     MemoryShape const& shape = memory.shape;
     auto const banks = static_cast<double>(shape.partition * shape.buffers);
     if (banks < 2 || shape.words == 0)
@@ -47,14 +53,6 @@ Resources choice_of_banks(MachineMemory const& memory) {
     double const address_bits =
         std::ceil(std::log2(static_cast<double>(shape.words) / static_cast<double>(shape.partition)));
     return {banks * (address_bits + static_cast<double>(shape.bits) / 2), 0, 0, 0};
-}
-
-void add_choice_of_banks(ResourceParts& parts, Machine const& machine, std::vector<std::string> const& memories) {
-    Resources sum;
-    for (std::string const& memory : memories)
-        sum += choice_of_banks(machine.memories[machine.memory(memory)]);
-    if (sum.lut > 0)
-        parts.push_back(counted("choice of banks and buffers", sum));
 }
 
 /// Corners of the region, and their tokens' number: with lanes, two divisions.
@@ -72,7 +70,18 @@ ResourcePart edge_extractor(EdgeExtractionConfig const& extraction) {
                                       roots * 44 + quotient * 75 + side * side * 11, 10 + side, 0});
 }
 
+void add(ResourceParts& parts, ResourceParts const& more) { parts.insert(parts.end(), more.begin(), more.end()); }
+
 }  // namespace
+
+ResourceParts choice_of_banks(Machine const& machine, std::vector<std::string> const& memories) {
+    Resources sum;
+    for (std::string const& memory : memories)
+        sum += bank_multiplexers(machine.memories[machine.memory(memory)]);
+    return sum.lut > 0 ? ResourceParts{counted("choice of banks and buffers", sum)} : ResourceParts{};
+}
+
+ResourcePart table_of_valid_depths() { return counted("four words of the table of valid depths", {80, 50, 1, 0}); }
 
 ResourceParts counted_in_vertex_transform(AcceleratorConfig const& config) {
     if (config.memory_placement.mesh == Placement::external)
@@ -89,11 +98,8 @@ ResourceParts counted_in_rasterizer(AcceleratorConfig const& config) {
     if (rasterizer.scan == ScanPolicy::early_exit)
         parts.push_back(counted("edge values of the row below", {90, 87, 0, 0}));
     if (rasterizer.scan == ScanPolicy::spans) {
-        parts.push_back(counted("dividers of spans", span_dividers(rasterizer)));
-        ResourcePart scan = with_lanes("span_scan", rasterizer.lanes);
-        scan.name = "scan of spans, without the zigzag scan";
-        scan.amount = scan.amount - synthesized("zigzag_scan");
-        parts.push_back(std::move(scan));
+        parts.push_back(span_dividers(rasterizer));
+        parts.push_back(span_scan(rasterizer.lanes));
     } else if (rasterizer.lanes > 1) {
         parts.push_back(counted("z sums and masks of lanes", count(rasterizer.lanes - 1) * Resources{163, 210, 0, 0}));
     }
@@ -107,7 +113,7 @@ ResourceParts counted_in_edge_map_builder(AcceleratorConfig const& config, Machi
     EdgeMapAlgorithm const algorithm = config.edge_map.algorithm;
     if (algorithm != EdgeMapAlgorithm::dual_map && algorithm != EdgeMapAlgorithm::inner_border)
         parts.push_back(counted("this algorithm, as much as dual_map", nothing));
-    add_choice_of_banks(parts, machine, {"edge_map", "object_map"});
+    add(parts, choice_of_banks(machine, {"edge_map", "object_map"}));
     if (config.inlier_unit.sweep_lanes > 1)
         parts.push_back(more_lanes("lanes of the map's output", "lane_map_output", config.inlier_unit.sweep_lanes));
     if (config.rasterizer.lanes > 1)
@@ -124,7 +130,7 @@ ResourceParts counted_in_observation_reader(AcceleratorConfig const& config) {
             more_lanes("lanes of the observation", "lane_observation_reader", config.inlier_unit.sweep_lanes));
     if (config.inlier_unit.sweep_region == SweepRegion::touched) {
         parts.push_back(corners(config));
-        parts.push_back(counted("four words of the table of valid depths", {80, 50, 1, 0}));
+        parts.push_back(table_of_valid_depths());
     }
     return parts;
 }
@@ -137,7 +143,7 @@ ResourceParts counted_in_inlier_unit(AcceleratorConfig const& config, Machine co
                          ResourceBasis::synthesized});
     if (config.inlier_unit.sweep_lanes > 1)
         parts.push_back(more_lanes("lanes of the sweep", "lane_sweep", config.inlier_unit.sweep_lanes));
-    add_choice_of_banks(parts, machine, {"depth_buffer"});
+    add(parts, choice_of_banks(machine, {"depth_buffer"}));
     if (config.inlier_unit.sweep_region == SweepRegion::touched)
         parts.push_back(corners(config));
     if (config.flow == Flow::fpga_grip)

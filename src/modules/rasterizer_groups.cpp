@@ -1,5 +1,3 @@
-#include "datapath/early_exit_scan.hpp"
-#include "datapath/span_scan.hpp"
 #include "kernel/base/each_bit.hpp"
 #include "modules/rasterizer_scan.hpp"
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "datapath/early_exit_scan.hpp"
+#include "datapath/span_scan.hpp"
 #include "modules/rasterizer.hpp"
 
 // How a scan tells what it does. For the files that instantiate it: rasterizer.cpp for the thesis's design alone, so
@@ -106,5 +108,13 @@ template <bool Ahead> void Rasterizer::send_edge(int row, int col) {
         hand_over();
     iterate<Ahead>(edge_port_, 1);
 }
+
+extern template void Rasterizer::scan<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::ZigzagScan, true>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, true>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::SpanScan, false>(datapath::TriangleSetup const& setup);
+extern template void Rasterizer::scan_groups<datapath::SpanScan, true>(datapath::TriangleSetup const& setup);
 
 }  // namespace faster

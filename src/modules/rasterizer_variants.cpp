@@ -1,18 +1,8 @@
 #include <algorithm>
 
-#include "datapath/early_exit_scan.hpp"
-#include "datapath/span_scan.hpp"
 #include "modules/rasterizer_scan.hpp"
 
 namespace faster {
-
-extern template void Rasterizer::scan<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::ZigzagScan, true>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, false>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::EarlyExitScan, true>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::SpanScan, false>(datapath::TriangleSetup const& setup);
-extern template void Rasterizer::scan_groups<datapath::SpanScan, true>(datapath::TriangleSetup const& setup);
 
 /// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
 template <bool Ahead> void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {

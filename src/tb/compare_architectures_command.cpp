@@ -24,12 +24,14 @@
 #include "modules/faster_simulation.hpp"
 #include "reference/quality/sample_judge.hpp"
 #include "tb/commands.hpp"
+#include "tb/workload_iterations.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -44,6 +46,7 @@ struct CompareArchitecturesRequest {
     std::vector<std::string> overrides;  ///< KEY=VALUE, for all
     std::int64_t jobs = 0;               ///< simulations at once; 0: the host's cores
     std::int64_t judged_samples = 0;     ///< how many edge maps to judge in every run
+    bool force = false;                  ///< however long each takes, whatever memory there is
     std::string csv;                     ///< file; empty: none
     std::string html;                    ///< the same
 };
@@ -75,6 +78,7 @@ void EdgeMapJudge::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
 }
 
 constexpr double time_limit_s = 3600;
+constexpr double forced_time_limit_s = 86'400;
 constexpr char row_mark = 'r';
 constexpr char error_mark = 'e';
 
@@ -161,9 +165,21 @@ quality::ContourSide contour_side(AcceleratorConfig const& config) {
     return config.flow == Flow::fpga_grip ? quality::ContourSide::inside : quality::side_of(config.edge_map.algorithm);
 }
 
-report::ArchitectureRow measured(Point const& point, std::size_t judged_samples) {
+/// Each for itself: they are done side by side, and each has a time limit.
+void require_feasible(LoadedConfig const& loaded, Stimulus const& stimulus) {
+    WorkSize size =
+        size_of_run(loaded.config, machine_of(loaded.config), stimulus.samples.size(), loop_iterations(stimulus));
+    size.command = "compare-architectures";
+    require_memory(size);
+    require_time(size);
+}
+
+report::ArchitectureRow measured(Point const& point, CompareArchitecturesRequest const& request) {
+    auto const judged_samples = static_cast<std::size_t>(request.judged_samples);
     LoadedConfig loaded = point.loaded;
     Stimulus const stimulus = load_stimulus(loaded);
+    if (!request.force)
+        require_feasible(loaded, stimulus);
     AcceleratorConfig const& config = accelerator_of(loaded.config);
     EdgeMapJudge judge(stimulus, contour_side(config), judged_samples);
     report::ArchitectureRow row = report::architecture_row(
@@ -173,9 +189,9 @@ report::ArchitectureRow measured(Point const& point, std::size_t judged_samples)
 }
 
 /// A row as text, or what is wrong with the input: some of it shows only while the workload is built.
-std::string simulate_point(Point const& point, std::size_t judged_samples) {
+std::string simulate_point(Point const& point, CompareArchitecturesRequest const& request) {
     try {
-        return std::string(1, row_mark) + to_text(measured(point, judged_samples));
+        return std::string(1, row_mark) + to_text(measured(point, request));
     } catch (InputError const& error) {
         return std::string(1, error_mark) + error.what();
     }
@@ -183,11 +199,11 @@ std::string simulate_point(Point const& point, std::size_t judged_samples) {
 
 std::vector<processes::Outcome> simulate_all(std::vector<Point> const& points,
                                              CompareArchitecturesRequest const& request) {
-    auto const judged_samples = static_cast<std::size_t>(request.judged_samples);
+    double const limit_s = request.force ? forced_time_limit_s : time_limit_s;
     std::vector<processes::Task> tasks;
     tasks.reserve(points.size());
     for (Point const& point : points)
-        tasks.push_back({[&point, judged_samples] { return simulate_point(point, judged_samples); }, time_limit_s});
+        tasks.push_back({[&point, &request] { return simulate_point(point, request); }, limit_s});
     processes::SignalWatch const watch;
     ProgressLine progress("simulations");
     return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch,
@@ -221,8 +237,8 @@ int compare_architectures(CompareArchitecturesRequest const& request) {
     std::vector<report::ArchitectureRow> rows;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (outcomes[i].kind != processes::Outcome::Kind::done) {
-            warn("faster-sim: {} on {}: the simulation crashed, failed or took more than an hour\n",
-                 points[i].architecture, points[i].workload);
+            warn("faster-sim: {} on {}: the simulation crashed, failed or took too long\n", points[i].architecture,
+                 points[i].workload);
             return exit_failed_check;
         }
         rows.push_back(row_of(points[i], outcomes[i]));
@@ -256,6 +272,7 @@ Subcommand compare_architectures_command() {
                     ->type_name("CONFIG");
                 add_overrides(command, request->overrides);
                 add_jobs(command, request->jobs, "Simulations at once");
+                add_force(command, request->force);
                 command
                     .add_option("--quality", request->judged_samples,
                                 "Judge the edge maps of the first N samples of each run")

@@ -17,6 +17,7 @@
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/files/png_image.hpp"
 #include "workload/models/builtin_models.hpp"
 #include "workload/pictures/drawing.hpp"
@@ -32,6 +33,7 @@ struct EdgeQualityRequest {
     std::int64_t seed = 1;                ///< of the poses
     std::vector<std::string> classes;     ///< built-in objects; empty: all
     std::vector<std::string> algorithms;  ///< of accelerator.edge_map.algorithm; empty: all
+    bool force = false;                   ///< however long it takes
     std::string out;                      ///< folder for quality.csv and pictures; empty: print only
 };
 
@@ -63,6 +65,16 @@ void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> co
     }
 }
 
+WorkSize size_of(std::size_t objects, std::size_t algorithms, std::size_t poses) {
+    constexpr double maps_per_s = 1000;
+    auto const maps = static_cast<double>(objects * algorithms * poses);
+    WorkSize size;
+    size.command = "edge-quality";
+    size.amount = fmt::format("{:.0f} edge maps", maps);
+    size.seconds = maps / maps_per_s;
+    return size;
+}
+
 /// Judges the edge maps of the algorithms. Throws InputError on bad input.
 int edge_quality(EdgeQualityRequest const& request) {
     Words const objects = chosen("--classes", request.classes, models::names());
@@ -71,6 +83,7 @@ int edge_quality(EdgeQualityRequest const& request) {
         algorithms.push_back(choice_from_name<EdgeMapAlgorithm>(name));
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, quality_folder);
+    announce(size_of(objects.size(), algorithms.size(), static_cast<std::size_t>(request.poses)), request.force);
     std::vector<quality::PoseSurvey> rows;
     ProgressLine line("edge maps");
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -121,6 +134,7 @@ Subcommand edge_quality_command() {
                     .add_option("--out", request->out,
                                 "Write quality.csv and pictures of the best and worst poses to this folder")
                     ->type_name("DIR");
+                add_force(command, request->force);
                 return [request] { return edge_quality(*request); };
             }};
 }

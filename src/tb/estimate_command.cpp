@@ -20,6 +20,7 @@
 #include "tb/estimate_report.hpp"
 #include "tb/estimate_scene.hpp"
 #include "tb/estimate_scorers.hpp"
+#include "tb/estimate_size.hpp"
 #include "tb/timed_iterations.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
@@ -27,6 +28,7 @@
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recording_options.hpp"
+#include "tool/work_size.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/build_stimulus.hpp"
 #include "workload/files/png_image.hpp"
@@ -50,7 +52,7 @@ struct EstimateRequest {
     std::uint64_t recorded_iteration = 0;
     std::string events;          ///< file of that iteration's events; empty: none
     RecordingRequest recording;  ///< of that iteration
-    bool force = false;          ///< even a waveform of more than 2 GB
+    bool force = false;          ///< however long it takes, and even a waveform of more than 2 GB
 
     bool records() const { return !events.empty() || recording.has_waveform() || !recording.timeline.empty(); }
 };
@@ -97,6 +99,16 @@ class EstimateRun {
           loaded_(loaded),
           jobs_(jobs_or_host_cores(request.jobs)),
           scene_(request.bop.folder.empty() ? configured_scene(loaded) : bop_scene(loaded, request.bop)) {}
+
+    WorkSize size() const {
+        WorkSize size;
+        size.command = "estimate";
+        size.amount = fmt::format("{} iterations of {} samples", estimator_of(loaded_.config).iterations,
+                                  workload_of(loaded_.config).samples.count);
+        size.seconds =
+            seconds_of_estimate(loaded_.config, scene_.observed, !request_.untimed) / static_cast<double>(jobs_);
+        return size;
+    }
 
     void find_pose() {
         EstimatorConfig const& config = estimator_of(loaded_.config);
@@ -255,6 +267,7 @@ int estimate_pose(EstimateRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
+    announce(run.size(), request.force);
     run.find_pose();
     if (!run.find_times(folder.get()))
         return exit_deadlock;
@@ -314,7 +327,7 @@ Subcommand estimate_command() {
                 .add_option("--events", request->events, "Write what that iteration did, for whatif and sensitivities")
                 ->type_name("FILE");
             add_recording_options(command, request->recording);
-            command.add_flag("--force", request->force, "Write even a waveform of more than 2 GB");
+            add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             return [request] { return estimate_pose(*request); };
         }};
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,12 +16,14 @@
 #include "kernel/config/layered_config.hpp"
 #include "tb/commands.hpp"
 #include "tb/estimate_scene.hpp"
+#include "tb/estimate_size.hpp"
 #include "tb/evaluate_command.hpp"
 #include "tb/experiment_estimates.hpp"
 #include "tb/experiment_failures.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
+#include "tool/work_size.hpp"
 #include "workload/bop/pose_results.hpp"
 #include "workload/bop/read_dataset.hpp"
 #include "workload/experiments/boxes_of_detector.hpp"
@@ -37,6 +40,7 @@ struct ExperimentRequest {
     std::string file;
     std::string out;
     std::int64_t jobs = 0;     ///< processes at once; 0: the host's cores
+    bool force = false;        ///< however long it takes
     std::size_t failures = 8;  ///< pictures of a setting
 };
 
@@ -152,6 +156,20 @@ class Worker {
     }
 
     std::size_t pending() const { return pending_.size(); }
+    /// Of an estimate by each method, the first stands for all.
+    WorkSize size(std::size_t jobs) const {
+        std::map<MethodData const*, double> seconds;
+        WorkSize size;
+        size.command = "experiment";
+        size.amount = fmt::format("{} estimates", pending_.size());
+        for (WantedEstimate const* const each : pending_) {
+            auto const [of_method, is_first] = seconds.try_emplace(each->method, 0);
+            if (is_first)
+                of_method->second = seconds_of_estimate(each->method->loaded.config, scene_of(*each).observed, false);
+            size.seconds += of_method->second / static_cast<double>(jobs);
+        }
+        return size;
+    }
     std::size_t failed() const { return failed_; }
 
     void work(std::size_t jobs, std::size_t all) {
@@ -168,13 +186,10 @@ class Worker {
     }
 
   private:
-    static constexpr double time_limit_s = 3600;
-
     std::optional<processes::Task> task(std::size_t number) const {
         if (number >= pending_.size())
             return std::nullopt;
-        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); },
-                               time_limit_s};
+        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); }};
     }
 
     void take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
@@ -316,6 +331,7 @@ int experiment(ExperimentRequest const& request) {
     std::vector<SettingData> const settings = prepared(wish, out, jobs);
     std::vector<WantedEstimate> const wanted = wanted_estimates(settings, methods);
     Worker worker(wanted, journal);
+    announce(worker.size(jobs), request.force);
     fmt::print("{} estimates, {} of them done already\n", wanted.size(), wanted.size() - worker.pending());
     std::fflush(stdout);
     worker.work(jobs, wanted.size());
@@ -344,6 +360,7 @@ Subcommand experiment_command() {
                                 "Pictures of the worst estimates of a setting, a sheet for each (8)")
                     ->type_name("N");
                 add_jobs(command, request->jobs, "Processes at once");
+                add_force(command, request->force);
                 return [request] { return experiment(*request); };
             }};
 }

@@ -43,7 +43,7 @@ class Contents {
     std::map<std::filesystem::path, std::string> hashes_;
 };
 
-std::string pose_text(Pose const& pose) {
+std::string pose_identity(Pose const& pose) {
     std::string text;
     for (Eigen::Index i = 0; i < 9; ++i)
         text += fmt::format("{} ", pose.rotation(i / 3, i % 3));
@@ -59,7 +59,7 @@ std::string target_text(SettingData const& setting, bop::Target const& target, C
                     model.unit_m, image.depth_unit_m, c.fx, c.fy, c.cx, c.cy);
     for (bop::GroundTruth const& object : image.objects)
         if (object.obj_id == target.obj_id)
-            text += pose_text(object.pose) + "\n";
+            text += pose_identity(object.pose) + "\n";
     for (bop::Detection const& box : setting.boxes_of(target))
         text += fmt::format("{} {} {} {} {}\n", box.box.left, box.box.top, box.box.width, box.box.height, box.score);
     return text;

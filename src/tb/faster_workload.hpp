@@ -2,12 +2,9 @@
 #include "channels/simulated_design.hpp"
 #include "common/stimulus.hpp"
 #include "modules/core_context.hpp"
+#include "tb/workload_iterations.hpp"
 
 namespace faster {
-
-/// Each sample clears, compares and reads out its window, one pixel as the other, and scans the boxes around its
-/// triangles, of which some are looked at.
-LoopIterations loop_iterations(Stimulus const& stimulus);
 
 /// What raster cores work on, and who watches them.
 struct FasterWorkload final : Workload {

@@ -25,12 +25,15 @@
 #include "reference/grip/score_poses.hpp"
 #include "reference/scorer.hpp"
 #include "tb/commands.hpp"
+#include "tb/estimate_size.hpp"
+#include "tb/workload_iterations.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/object_pose.hpp"
 
 namespace faster {
@@ -43,6 +46,7 @@ struct GripRequest {
     std::vector<std::string> overrides;
     std::string out;        ///< folder for scores.csv and summary.json; empty: print only
     std::int64_t jobs = 0;  ///< threads; 0: the host's cores
+    bool force = false;     ///< however long it takes, whatever memory there is
     double inlier_distance_m = 0.008;
 };
 
@@ -234,6 +238,17 @@ std::vector<grip::PoseScore> scores_by_grip(Stimulus const& stimulus, grip::Sett
                              [&line](std::size_t done, std::size_t all) { line.show(done, all); });
 }
 
+/// Both score all samples, one after the other.
+WorkSize size_of(Stimulus const& stimulus, std::size_t jobs) {
+    LoopIterations const iterations = loop_iterations(stimulus);
+    WorkSize size;
+    size.command = "grip";
+    size.amount = fmt::format("{} samples, about {:.2g} loop iterations", stimulus.samples.size(), iterations.all());
+    size.seconds = seconds_by_grip(stimulus, stimulus.samples.size()) / static_cast<double>(jobs) +
+                   seconds_by_reference(iterations);
+    return size;
+}
+
 GripComparison compare_with_flow(GripRequest const& request, RunConfig const& config, Stimulus const& stimulus) {
     GripComparison comparison;
     comparison.flow = accelerator_of(config).flow;
@@ -262,6 +277,7 @@ int grip_baseline(GripRequest const& request) {
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
     Stimulus const stimulus = load_stimulus(loaded);
     say_warnings(stimulus_warnings(stimulus, workload_of(loaded.config)));
+    announce(size_of(stimulus, jobs_or_host_cores(request.jobs)), request.force);
     GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
     if (folder != nullptr) {
         io::write_file(folder->path() / "scores.csv", grip_csv(comparison));
@@ -288,6 +304,7 @@ Subcommand grip_command() {
                 ->type_name("DIR");
             add_overrides(command, request->overrides);
             add_jobs(command, request->jobs, "Threads");
+            add_force(command, request->force);
             command
                 .add_option("--inlier-distance", request->inlier_distance_m, "Points closer than this agree (eq. 2.1)")
                 ->type_name("METRES")

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/files/trace.hpp"
 
 namespace faster {
@@ -21,7 +23,23 @@ struct RecordRequest {
     std::string config;
     std::vector<std::string> overrides;
     std::string out;
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
+
+/// All triangles are held, once as such and once as text.
+WorkSize size_of(Stimulus const& stimulus) {
+    constexpr double triangles_per_s = 2.5e6;
+    constexpr double bytes_per_triangle = 85;
+    double const triangles = stimulus.is_posed() ? static_cast<double>(stimulus.samples.size()) *
+                                                       static_cast<double>(stimulus.posed.mesh.faces.size())
+                                                 : static_cast<double>(stimulus.triangles.size());
+    WorkSize size;
+    size.command = "record";
+    size.amount = fmt::format("{} samples, about {:.2g} triangles", stimulus.samples.size(), triangles);
+    size.seconds = triangles / triangles_per_s;
+    size.bytes = triangles * bytes_per_triangle;
+    return size;
+}
 
 /// Returns the exit code; throws InputError on bad input.
 int record(RecordRequest const& request) {
@@ -32,6 +50,7 @@ int record(RecordRequest const& request) {
     paths.writes("--out", request.out, io::trace_kind());
     Stimulus const posed = load_stimulus(loaded);
     say_warnings(stimulus_warnings(posed, workload_of(loaded.config)));
+    announce(size_of(posed), request.force);
     Stimulus const stimulus = with_explicit_triangles(posed);
     io::write_trace(stimulus, request.out);
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
@@ -47,6 +66,7 @@ Subcommand record_command() {
             command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");
             command.add_option("--out", request->out, "Folder of the trace")->required()->type_name("DIR");
             add_overrides(command, request->overrides);
+            add_force(command, request->force);
             return [request] { return record(*request); };
         }};
 }

@@ -14,14 +14,13 @@
 #include "modules/faster_simulation.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
-#include "tool/run_size.hpp"
+#include "tool/waveform_size.hpp"
 #include "workload/build_stimulus.hpp"
 
 namespace faster {
 
 namespace {
 
-constexpr double time_limit_s = 3600;
 constexpr char cost_mark = 'c';
 constexpr char deadlock_mark = 'd';
 constexpr char difference_mark = 'x';
@@ -101,8 +100,7 @@ std::vector<processes::Outcome> simulate_all(IterationSimulation const& simulati
                                              std::vector<ScoredPoses> const& iterations, std::size_t jobs) {
     std::vector<processes::Task> tasks;
     for (std::size_t i = 0; i < iterations.size(); ++i)
-        tasks.push_back(
-            {[&simulation, &iterations, i] { return simulation.simulated(iterations[i], i); }, time_limit_s});
+        tasks.push_back({[&simulation, &iterations, i] { return simulation.simulated(iterations[i], i); }});
     processes::SignalWatch const watch;
     ProgressLine progress("iterations simulated");
     return processes::run_all(tasks, jobs, watch,

@@ -16,6 +16,7 @@
 
 #include "kernel/base/input_error.hpp"
 #include "kernel/base/signal_watch.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/event_file_format.hpp"
 #include "kernel/explore/answers.hpp"
@@ -27,6 +28,7 @@
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
 #include "tool/standard_commands.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -37,7 +39,7 @@ struct ExploreRequest {
     std::string input;                   ///< event file, or a configuration to be run first
     std::vector<std::string> overrides;  ///< KEY=VALUE, of that run
     int port = 0;                        ///< 0: any
-    bool force = false;                  ///< run however much memory there is
+    bool force = false;                  ///< however long the run takes, whatever memory there is
 };
 
 /// The page of an exploration over HTTP, for this host only and for who knows the token in its address.
@@ -177,6 +179,7 @@ std::unique_ptr<Recorded> record(ExploreRequest const& request) {
     auto recorded = std::make_unique<Recorded>();
     recorded->loaded = load_config(request.input, request.overrides);
     auto const workload = simulated_design().load_workload(recorded->loaded);
+    announce(size_of_run(recorded->loaded.config, machine_of(recorded->loaded.config), *workload), request.force);
     ProgressLine progress("samples");
     SimulationOptions options;
     options.recorded = &recorded->run;
@@ -187,6 +190,14 @@ std::unique_ptr<Recorded> record(ExploreRequest const& request) {
         return recorded;
     warn("{}", report::deadlock_report(run));
     return nullptr;
+}
+
+explore::Exploration::Require require_room(ExploreRequest const& request) {
+    if (request.force)
+        return {};
+    return [](replay::RecordedRun const& run, Machine const& machine) {
+        require_memory(size_of_retimings("explore", run, machine, 1));
+    };
 }
 
 std::string host_name() {
@@ -202,7 +213,7 @@ int explore_run(ExploreRequest const& request) {
     if (!recorded)
         return exit_deadlock;
     explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
-                                     std::move(recorded->loaded), std::move(recorded->run));
+                                     std::move(recorded->loaded), std::move(recorded->run), require_room(request));
     explore::Answers answers(exploration);
     ExploreServer server(answers, request.port);
     say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",
@@ -227,7 +238,7 @@ Subcommand explore_command() {
                     ->type_name("PORT")
                     ->capture_default_str()
                     ->check(CLI::Range(0, 65535));
-                command.add_flag("--force", request->force, "Run even if it takes more memory than there is");
+                add_force(command, request->force);
                 add_overrides(command, request->overrides);
                 return [request] { return explore_run(*request); };
             }};

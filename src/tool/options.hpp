@@ -24,6 +24,11 @@ inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides
         ->allow_extra_args(false);
 }
 
+/// Of work whose size is announced beforehand. `more`: what else it allows.
+inline void add_force(CLI::App& command, bool& force, std::string const& more = "") {
+    command.add_flag("--force", force, "Do it even if it takes more than an hour or more memory than there is" + more);
+}
+
 template <class Number> void add_jobs(CLI::App& command, Number& jobs, std::string const& what) {
     command.add_option("-j,--jobs", jobs, what + " (the host's cores)")->type_name("N")->check(CLI::Range(1, 1024));
 }

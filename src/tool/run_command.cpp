@@ -31,9 +31,10 @@
 #include "tool/progress_line.hpp"
 #include "tool/recorded_events.hpp"
 #include "tool/results_folder.hpp"
-#include "tool/run_size.hpp"
 #include "tool/say.hpp"
 #include "tool/simulated_run.hpp"
+#include "tool/waveform_size.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -63,7 +64,7 @@ std::vector<SampleStatistics> shown_samples(RunStatistics const& run, std::vecto
     return samples;
 }
 
-std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& recorded, Machine const& machine,
+std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& recorded, RunStatistics const& run,
                                                      std::vector<SampleStatistics> const& samples) {
     if (samples.empty())
         return {};
@@ -72,12 +73,24 @@ std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& 
     std::size_t done = 0;
     std::size_t const bars = std::min(most_bars / samples.size(), most_bars_of_sample);
     std::vector<report::PackedTimeline> packed(samples.size());
-    explore::replay_timelines(recorded, machine, samples, [&](std::size_t i, SampleTimeline const& timeline) {
-        packed[i] = report::packed_timeline(machine, timeline, bars);
+    explore::replay_timelines(recorded, run.machine, samples, [&](std::size_t i, SampleTimeline timeline) {
+        packed[i] = report::packed_timeline(run.machine, report::with_endless_waits(std::move(timeline), run), bars);
         std::lock_guard<std::mutex> const lock(mutex);
         progress.show(++done, samples.size());
     });
     return packed;
+}
+
+/// That of the core with the circle first.
+std::vector<SampleStatistics> stuck_samples(RunStatistics const& run) {
+    constexpr std::size_t most_shown = 10;
+    std::vector<SampleStatistics> samples = run.unfinished;
+    std::vector<StuckProcess> const circle = run.wait_cycle();
+    std::stable_partition(samples.begin(), samples.end(), [&circle](SampleStatistics const& sample) {
+        return !circle.empty() && sample.core == circle.front().core;
+    });
+    samples.resize(std::min(samples.size(), most_shown));
+    return samples;
 }
 
 /// The samples that --report-samples asks for: "all", or numbers and ranges such as 0-9,617. Errors: InputError for
@@ -99,17 +112,17 @@ void write_report(io::OutputFile const& file, std::string const& config, LoadedC
                   RunStatistics const& run, replay::RecordedRun const& recorded, std::vector<std::size_t> const& asked,
                   RunExtras const& extras) {
     std::vector<ResolvedKey> const keys = resolved_keys(loaded.config);
-    std::vector<report::PackedTimeline> const timelines =
-        packed_timelines(recorded, run.machine, shown_samples(run, asked));
+    std::vector<report::PackedTimeline> const timelines = packed_timelines(recorded, run, shown_samples(run, asked));
     file.commit(report::html_report({title_of(config), run, keys, timelines, extras.pictures()}));
 }
 
-/// Writes the page of a run that got stuck. `overrides`: its settings.
+/// Writes the page of a run that got stuck, with the timelines of samples that did not end. `overrides`: its settings.
 void write_deadlock_page(io::OutputFile const& file, std::string const& config,
                          std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-                         RunStatistics const& run) {
+                         RunStatistics const& run, replay::RecordedRun const& recorded) {
     report::RunCommand const command{program_name() + " run " + config, overrides};
-    file.commit(report::deadlock_html(title_of(config), command, run, resolved_keys(loaded.config)));
+    file.commit(report::deadlock_html(title_of(config), command, run, resolved_keys(loaded.config),
+                                      packed_timelines(recorded, run, stuck_samples(run))));
 }
 
 namespace fs = std::filesystem;
@@ -158,26 +171,13 @@ void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& 
         run.memory->compute_alone = alone.total_cycles;
 }
 
-/// A long run says beforehand how long; one that is too long has to be forced.
-void announce(RunSize const& size, bool force) {
-    constexpr double long_s = 60;
-    if (!force) {
-        require_memory(size);
-        require_time(size);
-    }
-    if (size.seconds < long_s)
-        return;
-    say("{}\n", text_of(size));
-    finish_saying();
-}
-
 int give_up(RunRequest const& request, std::vector<std::string> const& overrides, LoadedConfig const& loaded,
-            RunStatistics const& run, Outputs const& outputs) {
+            RunStatistics const& run, replay::RecordedRun const& recorded, Outputs const& outputs) {
     warn("{}", report::deadlock_report(run));
     if (outputs.folder)
         outputs.folder->write_deadlock(loaded.config, run);
     if (outputs.report)
-        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run);
+        write_deadlock_page(*outputs.report, request.config, overrides, loaded, run, recorded);
     for (std::string const& written : {request.out, request.report, written_files(request.recording)})
         if (!written.empty())
             warn("\nwritten: {}\n", written);
@@ -230,7 +230,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     host.simulate_seconds = seconds_since(start);
 
     if (statistics.deadlocked())
-        return give_up(request, overrides, loaded, statistics, outputs);
+        return give_up(request, overrides, loaded, statistics, recorded, outputs);
     statistics.warnings = workload->warnings();
     for (std::string const& warning : extras.warnings(statistics.samples)) {
         say_warnings({warning});
@@ -286,9 +286,7 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
                              "Work out what one step of each timing key changes (retimes the run about 100 times)");
-            command.add_flag("--force", request->force,
-                             "Run even if it takes more than an hour or more memory than there is, or writes a "
-                             "waveform of more than 2 GB");
+            add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             extras->declare(command);

@@ -2,6 +2,8 @@
 #include <string>
 
 #include "kernel/base/files/output_file.hpp"
+#include "kernel/config/design.hpp"
+#include "kernel/config/keys.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/replay/slack.hpp"
@@ -12,6 +14,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
 #include "tool/standard_commands.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -22,7 +25,14 @@ struct SensitivitiesRequest {
     std::string events;  ///< file
     std::string csv;     ///< file; empty: none
     std::string json;    ///< file; empty: none
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
+
+/// Of steps, of other choices, and of the search for slack.
+double retimings_of(LoadedConfig const& loaded) {
+    constexpr double per_key = 8;
+    return per_key * static_cast<double>(timing_keys(loaded.config).size());
+}
 
 RunStatistics with_sensitivities(events::EventFile const& recorded) {
     RunStatistics run;
@@ -46,6 +56,8 @@ int print_sensitivities(SensitivitiesRequest const& request) {
     events::EventFile const recorded = events::read_event_file(request.events);
     auto const csv = io::optional_output_file(request.csv);
     auto const json = io::optional_output_file(request.json);
+    announce_retimings("sensitivities", recorded.run, machine_of(recorded.loaded.config), retimings_of(recorded.loaded),
+                       request.force);
     RunStatistics const run = with_sensitivities(recorded);
     if (csv)
         csv->commit(report::sensitivities_csv(run));
@@ -70,6 +82,7 @@ Subcommand sensitivities_command() {
                 command.add_option("--csv", request->csv, "Write a row per key and direction to this file")
                     ->type_name("FILE");
                 command.add_option("--json", request->json, "Write the same as JSON to this file")->type_name("FILE");
+                add_force(command, request->force);
                 return [request] { return print_sensitivities(*request); };
             }};
 }

@@ -1,7 +1,7 @@
 #include "tool/simulated_run.hpp"
 
 #include "kernel/config/design.hpp"
-#include "tool/run_size.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 

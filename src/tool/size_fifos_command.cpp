@@ -11,6 +11,7 @@
 #include "kernel/base/on_threads.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/config/configuration_hash.hpp"
+#include "kernel/config/design.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/events/event_file.hpp"
 #include "kernel/events/retimed_config.hpp"
@@ -23,6 +24,7 @@
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
 #include "tool/standard_commands.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -37,6 +39,7 @@ struct SizeFifosRequest {
     unsigned front_points = 12;
     unsigned jobs = 0;  ///< threads; 0: the host's cores
     std::vector<std::string> overrides;
+    bool force = false;  ///< however long it takes, whatever memory there is
 };
 
 io::FolderKind const sizing_folder{"sizing", "sizing.json", {"pareto.csv", "depths.yaml", "sizing.html"}};
@@ -48,6 +51,13 @@ sizing::SizingOptions options_of(SizeFifosRequest const& request) {
     options.front_points = request.front_points;
     options.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     return options;
+}
+
+/// For each bound, each FIFO is looked at a few times. One core is enough to break a bound, unless they share a memory.
+double retimings_of(SizeFifosRequest const& request, Machine const& machine) {
+    constexpr double per_fifo = 7;
+    double const cores = machine.external_memory ? 1 : static_cast<double>(machine.cores);
+    return per_fifo * static_cast<double>(fifos_of(machine).size() * (request.front_points + 1)) / cores;
 }
 
 sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile const& recorded, RunConfig const& config) {
@@ -81,6 +91,8 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     events::EventFile const recorded = events::read_event_file(request.events);
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
     auto const folder = request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, sizing_folder);
+    Machine const machine = machine_of(changed.config);
+    announce_retimings("size-fifos", recorded.run, machine, retimings_of(request, machine), request.force);
     auto const start = std::chrono::steady_clock::now();
     sizing::Sizing const sizing = worked_out(request, recorded, changed.config);
     double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -125,6 +137,7 @@ Subcommand size_fifos_command() {
                     ->check(CLI::Range(0, 1000));
                 add_jobs(command, request->jobs, "Threads");
                 add_overrides(command, request->overrides);
+                add_force(command, request->force);
                 command.footer(
                     "Only depths are searched; kinds stay as configured, auto being a memory above depth 2. "
                     "Cores that share a memory are all retimed for each question; the answer says what is "

@@ -30,9 +30,8 @@ namespace faster {
 
 namespace {
 
-using Status = sweeps::PointResult::Status;
-
-std::size_t count_of(Status status, sweeps::Manifest const& manifest, sweeps::Results const& results) {
+std::size_t count_of(sweeps::PointResult::Status status, sweeps::Manifest const& manifest,
+                     sweeps::Results const& results) {
     std::size_t count = 0;
     for (sweeps::Manifest::Point const& point : manifest.points) {
         auto const found = results.find(point.id);
@@ -45,7 +44,7 @@ std::size_t count_of(Status status, sweeps::Manifest const& manifest, sweeps::Re
 void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& results, std::size_t count) {
     for (std::size_t i = 0; i < manifest.points.size(); ++i) {
         auto const found = results.find(manifest.points[i].id);
-        if (found == results.end() || found->second.status != Status::failed)
+        if (found == results.end() || found->second.status != sweeps::PointResult::Status::failed)
             continue;
         warn("{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
              found->second.message);
@@ -58,9 +57,9 @@ int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest cons
                         sweeps::Results const& results) {
     io::write_file_durably(folder.table(), sweeps::results_csv(manifest, results));
     io::write_file_durably(folder.page(), sweeps::sweep_page(manifest, results));
-    std::size_t const failed = count_of(Status::failed, manifest, results);
-    std::size_t const done = count_of(Status::done, manifest, results);
-    std::size_t const deadlocked = count_of(Status::deadlock, manifest, results);
+    std::size_t const failed = count_of(sweeps::PointResult::Status::failed, manifest, results);
+    std::size_t const done = count_of(sweeps::PointResult::Status::done, manifest, results);
+    std::size_t const deadlocked = count_of(sweeps::PointResult::Status::deadlock, manifest, results);
     std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
     say("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
         there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),

@@ -22,7 +22,6 @@ namespace faster {
 
 namespace {
 
-using Kind = sweeps::Assignment::Kind;
 using sweeps::PointResult;
 
 /// Configurations and what they name are read again by each process, and may be other files than when the sweep began.
@@ -66,7 +65,7 @@ void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& s
     std::unique_ptr<Workload> workload;
     replay::RecordedRun recorded;
     SimulationOptions options;
-    options.recorded = assignment.kind == Kind::record ? &recorded : nullptr;
+    options.recorded = assignment.kind == sweeps::Assignment::Kind::record ? &recorded : nullptr;
     RunStatistics run;
     try {
         workload = simulated_design().load_workload(loaded);
@@ -81,7 +80,7 @@ void simulate_point(sweeps::Assignment const& assignment, sweeps::Sweep const& s
         return;
     }
     PointResult const result = sweeps::result_of(run);
-    if (assignment.kind == Kind::record && result.status == PointResult::Status::done) {
+    if (assignment.kind == sweeps::Assignment::Kind::record && result.status == PointResult::Status::done) {
         write_events(io::OutputFile(events), loaded, recorded, run, assignment.function);
         reply.has_events = true;
     }
@@ -127,7 +126,7 @@ SweepReply work_on(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
     SweepReply reply;
     PointCheck check(sweep, identities);
     try {
-        if (assignment.kind == Kind::retime)
+        if (assignment.kind == sweeps::Assignment::Kind::retime)
             retime_points(assignment, sweep, check, events, reply);
         else
             simulate_point(assignment, sweep, check, events, reply);

@@ -29,6 +29,7 @@
 #include "tool/results_folder.hpp"
 #include "tool/say.hpp"
 #include "tool/standard_commands.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -42,6 +43,7 @@ struct WhatifRequest {
     std::string matrix;                  ///< file of configurations; empty: only the one
     std::string csv;                     ///< file, for the matrix; empty: print only
     std::int64_t top = 10;               ///< rows per list of the comparison
+    bool force = false;                  ///< however long it takes, whatever memory there is
 };
 
 runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
@@ -61,8 +63,10 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     paths.writes("--out", request.out, ResultsFolder::kind());
     std::unique_ptr<ResultsFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
+    Machine const machine = machine_of(changed.config);
+    announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
     auto const start = std::chrono::steady_clock::now();
-    RunStatistics const run = replay::retime(recorded.run, machine_of(changed.config));
+    RunStatistics const run = replay::retime(recorded.run, machine);
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
         warn("{}", report::deadlock_report(run));
@@ -111,6 +115,11 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
         machines.push_back(machine_of(config_of_row(request.matrix, row, base).config));
         table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), machines.back());
     }
+    if (!request.force)
+        for (Machine const& machine : machines)
+            require_memory(size_of_retimings("whatif", recorded.run, machine, 1));
+    announce_retimings("whatif", recorded.run, machine_of(base.config), static_cast<double>(list.size()),
+                       request.force);
     {
         ProgressLine progress("configurations");
         std::size_t done = 0;
@@ -164,6 +173,7 @@ Subcommand whatif_command() {
                     ->type_name("N")
                     ->capture_default_str()
                     ->check(CLI::Range(0, 1000000));
+                add_force(command, request->force);
                 return [request] { return whatif(*request); };
             }};
 }

@@ -159,8 +159,9 @@ TEST_CASE("The page of a deadlock draws the circle, and says what frees it, on a
         return;
     TempFolder const folder;
     std::string const key = "accelerator.fifos.edge_token.depth";
-    folder.write("deadlock.html", report::deadlock_html(hostile_text, {"faster-sim run a.yaml", {key + "=2", "b=1"}},
-                                                        stuck_run(), example_keys()));
+    folder.write("deadlock.html",
+                 report::deadlock_html(hostile_text, {"faster-sim run a.yaml", {key + "=2", "b=1"}}, stuck_run(),
+                                       example_keys(), {packed_example_timeline(0, 0, 1)}));
     LiveBrowser browser(390, 900);
     browser.open("file://" + (folder / "deadlock.html").string());
     REQUIRE(browser.becomes_true("document.readyState == 'complete'"));
@@ -184,6 +185,11 @@ TEST_CASE("The page of a deadlock draws the circle, and says what frees it, on a
     CHECK(browser.value("document.querySelectorAll('#graph-box .process.stuck').length") == 3);
     CHECK(browser.value("document.querySelectorAll('#graph-box .process.waiting:not(.stuck)').length") == 1);
     CHECK(browser.value("document.querySelectorAll('h1 *, td *:not(.tag)').length") == 0);
+
+    CHECK(browser.becomes_true("document.querySelector('#timeline-chart')?.dataset.shown == '0'"));
+    CHECK(texts("#timeline-note")[0] ==
+          "Sample 0 on core 0: 345,000 cycles, 1 to 345,000. Nothing moves after cycle 300.");
+    CHECK(browser.value(of_timeline("data.datasets.some((set) => set.data.length > 0)")) == true);
 
     std::string const held = "#fifo-table tr:has(th:first-child) td:nth-child(4)";
     Plain const of_first = texts(held);

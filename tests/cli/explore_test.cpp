@@ -75,6 +75,19 @@ TEST_CASE("explore answers what whatif says, and what it exports runs as long") 
     CHECK(explored.process().interrupt() == 0);
 }
 
+TEST_CASE("The page is told where a machine does not fit into memory") {
+    Explored explored;
+    Words settings{"accelerator.raster_cores=1024"};
+    for (std::string const fifo : {"edge_token", "command", "fragment_depth", "fragment_index", "observed_depth",
+                                   "observed_edge", "edge_map", "area", "area_reciprocal", "vertex"})
+        settings.push_back("accelerator.fifos." + fifo + ".depth=1048576");
+    for (Words const& asked :
+         {Words{"retime", ""}, Words{"path", ""}, Words{"start", "sensitivities"}, Words{"start", "sizing"}}) {
+        Json const answer = explored.ask(asked[0], {{"set", settings}, {"job", asked[1]}, {"within", 5}}, 400);
+        CHECK_THAT(answer.dump(), Contains("explore: would take about ") && Contains("of memory"));
+    }
+}
+
 TEST_CASE("A sample's timeline lies where the run has the sample, and has parts") {
     Explored explored;
     require_done(explored.tool({"run", "config.yaml", "--report", "report.html", "--report-samples", "1"}));

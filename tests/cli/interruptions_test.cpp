@@ -161,8 +161,10 @@ std::map<std::string, Words> const& errors_of_calls() {
 /// Libraries, locales and what the host is like are not the command's.
 constexpr std::array<char const*, 5> host_places{"/usr/", "/lib/", "/proc/", "/sys/", "/etc/"};
 
+/// Faults are for our own processes: what a program that they start makes of its own is not ours to say. Graphviz's dot
+/// ends well even where it cannot read its fonts; what follows when it fails is in report_test.cpp.
 Words traced(WritingCommand const& command, Words const& options) {
-    Words words{"-f", "-y", "-qq", "-s", "0"};
+    Words words{"-f", "--detach-on=execve", "-y", "-qq", "-s", "0"};
     words.insert(words.end(), options.begin(), options.end());
     words.push_back(FASTER_SIM_BINARY);
     words.insert(words.end(), command.words.begin(), command.words.end());
@@ -321,6 +323,23 @@ TEST_CASE("A folder is replaced in two steps where the file system cannot do it 
     for (unsigned const number : {5U, 6U, 7U})
         for (std::string const how : {"KILL", "EIO"})
             check_fault(scene, {"rename", number, how, true, "", how == "KILL"}, random, without_exchange);
+}
+
+TEST_CASE("A signal that comes when one of two waveforms is finished leaves nothing of the other") {
+    if (strace_is_missing())
+        return;
+    std::vector<WritingCommand> const commands = writing_commands();
+    auto const is_it = [](WritingCommand const& each) { return each.name == "run into an FST"; };
+    WritingScene const scene(*std::find_if(commands.begin(), commands.end(), is_it));
+    for (unsigned const number : {1U, 2U, 3U}) {
+        TempFolder const folder;
+        scene.lay_out(folder.path());
+        std::string const fault = "inject=rename:signal=TERM:when=" + std::to_string(number);
+        CAPTURE(fault);
+        // strace ends as what it traces does
+        CHECK_THROWS(run_traced(scene.command(), {"-o", "/dev/null", "-e", "trace=rename", "-e", fault}, folder));
+        CHECK(scene.complaint(folder.path(), false) == "");
+    }
 }
 
 /// Runs `$4...` on a file system of its own, which has $3 kilobytes of room beside the content of $2, and moves what is

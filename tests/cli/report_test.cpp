@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
 
 #include "support/command.hpp"
@@ -7,6 +8,7 @@
 #include "support/small_workspace.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
+#include "support/unpacked_timeline.hpp"
 
 namespace report_test {
 
@@ -60,6 +62,38 @@ TEST_CASE("The HTML report may lie in the folder of the results, new or old") {
         CHECK(entries_in(workspace.folder() / "out") == 7);
         CHECK(entries_in(workspace.folder().path()) == 2);
     }
+}
+
+/// A run with a `dot` that is this script, or none.
+CommandResult run_with_dot(Workspace const& workspace, std::string const& script) {
+    fs::create_directory(workspace.folder() / "bin");
+    if (!script.empty()) {
+        workspace.folder().write("bin/dot", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(workspace.folder() / "bin/dot", fs::perms::owner_all);
+    }
+    return run_command("/usr/bin/env",
+                       {"PATH=" + (workspace.folder() / "bin").string(), FASTER_SIM_BINARY, "run", "config.yaml",
+                        "--report", "report.html"},
+                       workspace.folder().path());
+}
+
+TEST_CASE("A Graphviz that fails fails the report in one line, and without any the page has no graph") {
+    Workspace const workspace;
+    require_done(run_with_dot(workspace, ""));
+    std::string const page = workspace.text("report.html");
+    CHECK(json_element(page, "data")["graph"]["wide"].is_null());
+    auto const [script, message] = GENERATE(table<std::string, std::string>(
+        {{"exit 3", "dot: failed (exit code 3), expected a program that works"},
+         {"kill -9 $$", "dot: was killed, expected a program that works"},
+         {"exit 0", "dot: wrote nothing of the graph, expected a Graphviz that works"},
+         {R"(echo '{"bb": "0,0,1,1", "objects": [{"pos": ')",
+          "dot: wrote no more than a part of the graph, expected a Graphviz that works"},
+         {R"(echo '{"bb": "0,0,1,1", "objects": []}')",
+          "dot: wrote no more than a part of the graph, expected a Graphviz that works"}}));
+    CAPTURE(script);
+    check_bad_input(run_with_dot(workspace, script), {message});
+    CHECK(workspace.text("report.html") == page);
+    CHECK(entries_in(workspace.folder().path()) == 3);  // with bin
 }
 
 TEST_CASE("The HTML report and summary.json agree") {
@@ -169,6 +203,55 @@ TEST_CASE("A deadlock's page says who waits for whom, what the FIFOs hold, and w
     CHECK(data["command"] == "faster-sim run config.yaml");
     CHECK(data["settings"] == Json::array({key + "=1"}));
     require_done(workspace.run({"--set", key + "=4096"}));  // as the page tells to
+}
+
+using Cycles = std::uint64_t;
+
+/// The bars of the finest level: [module, kind, item] from begin to end.
+std::map<Json, std::vector<std::pair<Cycles, Cycles>>> bars_of(Json const& timeline) {
+    Json const content = unpacked(timeline["packed"]);
+    Json const& finest = content["levels"].back();
+    std::map<Json, std::vector<std::pair<Cycles, Cycles>>> bars;
+    auto begin = timeline["begin"].get<Cycles>();
+    for (std::size_t i = 0; i < finest["item"].size(); ++i) {
+        begin += finest["begin"][i].get<Cycles>();
+        bars[content["items"][finest["item"][i].get<std::size_t>()]].emplace_back(
+            begin, begin + finest["length"][i].get<Cycles>());
+    }
+    return bars;
+}
+
+TEST_CASE("A deadlock's page shows the samples that got stuck up to there, and the waits that never end") {
+    Workspace const workspace;
+    auto const page_of = [&](Words words, std::string const& name) {
+        words.insert(words.end(), {"--set", "accelerator.fifos.fragment_depth.depth=1", "--report", name});
+        CHECK(workspace.run(words).exit_code == 3);
+        return json_element(workspace.text(name), "data");
+    };
+    auto const external = GENERATE(Words{}, Words{"--set", "accelerator.memory.model=axi"});
+    Json const data = page_of(external, "report.html");
+    Json const& timelines = data["timelines"];
+    REQUIRE(timelines.size() == 2);  // of either core the first sample
+    for (Json const& timeline : timelines) {
+        CHECK(timeline["sample"] == (timeline["core"] == 0 ? 0 : 2));
+        CHECK(timeline["end"].get<Cycles>() == data["deadlock"]["cycle"].get<Cycles>() + 1);
+        auto const bars = bars_of(timeline);
+        CHECK(bars.count(Json{"inlier_unit", "loop", "clear"}) == 1);
+        CHECK(bars.count(Json{"vertex_transform", "loop", "vertex"}) == 1);
+        for (Json const& wait : data["deadlock"]["stuck"])
+            if (wait["core"] == timeline["core"]) {
+                auto const found = bars.find(
+                    Json{wait["process"], wait["to"] == "write" ? "full_stall" : "empty_stall", wait["fifo"]});
+                CAPTURE(wait.dump());
+                REQUIRE(found != bars.end());
+                CHECK(found->second.back().first <=
+                      std::max(wait["since_cycle"].get<Cycles>(), timeline["begin"].get<Cycles>()));
+                CHECK(found->second.back().second == timeline["end"]);
+            }
+    }
+    Words lockstep = external;
+    lockstep.insert(lockstep.end(), {"--set", "simulation.engine=lockstep"});
+    CHECK(page_of(lockstep, "lockstep.html")["timelines"] == timelines);
 }
 
 TEST_CASE("The page shows the samples that are asked for besides those that stand for others") {

@@ -139,6 +139,8 @@ void give_lanes(AcceleratorConfig& config, std::mt19937_64& random) {
     for (FifoId const id : {FifoId::region, FifoId::valid_depth, FifoId::map_full, FifoId::map_free, FifoId::depth_full,
                             FifoId::depth_free})
         config.fifo(id).depth = draw(1, 4);
+    std::optional<Cycles>& setup = config.setup("rasterizer");
+    setup = std::max<Cycles>(*setup, 6);
     FifoSettings& area = config.fifo(FifoId::area);  // it leaves at once, its command when it has passed the loop
     if (random() % 8 != 0)
         area.depth = std::max(area.depth.value_or(2), config.loop(LoopId::scan).depth.value_or(8));

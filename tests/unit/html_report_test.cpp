@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <zlib.h>
 
 #include "kernel/report/latencies.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"
 #include "support/raster_machine.hpp"
 #include "support/report_page.hpp"
+#include "support/unpacked_timeline.hpp"
 
 namespace faster::report::html_report_test {
 
@@ -18,6 +18,7 @@ using test::example_run;
 using test::hostile_text;
 using test::json_element;
 using test::packed_example_timeline;
+using test::unpacked;
 
 std::string example_page() {
     return html_report({"example.yaml",
@@ -82,23 +83,6 @@ TEST_CASE("The stalls in the page name FIFO, reason and partner, and add up to t
     REQUIRE(row != data["stalls"].end());
     CHECK((*row)["kind"] == "full_stall");
     CHECK((*row)["waits_for"] == "edge_map_builder");
-}
-
-/// What is in a page's string.
-Json unpacked(std::string const& text) {
-    std::string const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::vector<Bytef> bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (char const letter : text.substr(0, text.find('='))) {
-        bits = (bits << 6) | static_cast<std::uint32_t>(letters.find(letter));
-        for (count += 6; count >= 8; count -= 8)
-            bytes.push_back(static_cast<Bytef>(bits >> (count - 8)));
-    }
-    std::vector<Bytef> json(10'000'000);
-    uLongf length = json.size();
-    REQUIRE(uncompress(json.data(), &length, bytes.data(), bytes.size()) == Z_OK);
-    return Json::parse(json.begin(), json.begin() + static_cast<std::ptrdiff_t>(length));
 }
 
 TEST_CASE("A timeline in the page has named bars and occupancies", "[html]") {

@@ -153,7 +153,7 @@ TEST_CASE("Ranges are cut at multiples of bursts, and bursts widened to beats", 
     CHECK(cutter.burst().address == 0x1000 + 256);
     CHECK(cutter.burst().beats == 1);
     CHECK(cutter.burst().tokens == 2);
-    CHECK(cutter.burst().beat_of(0, shape.port_bytes) == 0);
+    CHECK(cutter.burst().last_byte_of(0) == 0x1000 + 259);
     CHECK_FALSE(cutter.burst().opens_entry);
     CHECK_FALSE(cutter.next());
 }
@@ -175,8 +175,8 @@ TEST_CASE("Tokens that lie beside what is fetched need nothing", "[memory]") {
     REQUIRE(cutter.next());
     CHECK(cutter.take_free_tokens() == 10 + 2);
     CHECK(cutter.burst().tokens == 6);  // 2 .. 7
-    CHECK(cutter.burst().beat_of(0, 16) == 0);
-    CHECK(cutter.burst().beat_of(5, 16) == 1);
+    CHECK(cutter.burst().last_byte_of(0) == 0x1001);
+    CHECK(cutter.burst().last_byte_of(5) == 0x1013);
     REQUIRE(cutter.next());
     CHECK(cutter.take_free_tokens() == 2 + 2);
     CHECK(cutter.burst().address == 0x1400);

@@ -14,7 +14,7 @@ namespace faster::processes {
 /// Work for a process of its own: what it returns is sent back. Exceptions end the process with exit code 1.
 struct Task {
     std::function<std::string()> work;
-    double time_limit_s = 60;  ///< from the start of its process on
+    double time_limit_s = 3600;  ///< from the start of its process on
     /// Of what is sent back. A process that sends more is killed, and has failed.
     std::uint64_t most_output_bytes = std::numeric_limits<std::uint64_t>::max();
 };

@@ -1,6 +1,9 @@
 #include "kernel/base/program_output.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,7 +31,11 @@ std::string read_all(std::FILE* file) {
     return text;
 }
 
-/// Whether it ran, and ended well.
+[[noreturn]] void fail(std::string const& program, std::string const& what) {
+    throw HostError(fmt::format("{}: {}, expected a program that works", program, what));
+}
+
+/// False if there is no such program.
 bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
@@ -43,12 +50,18 @@ bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
     pid_t process = 0;
     int const error = posix_spawnp(&process, arguments.front(), &files, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&files);
-    int status = 0;
-    if (error != 0 || waitpid(process, &status, 0) != process)
+    if (error == ENOENT || error == EACCES || error == ENOTDIR)
         return false;
+    if (error != 0)
+        fail(words.front(), fmt::format("cannot be started ({})", std::strerror(error)));
+    int status = 0;
+    if (waitpid(process, &status, 0) != process)
+        fail(words.front(), "cannot be waited for");
     if (WIFSIGNALED(status))
-        throw HostError(words.front() + ": was killed, expected a program that ends by itself");
-    return WEXITSTATUS(status) == 0;
+        fail(words.front(), "was killed");
+    if (WEXITSTATUS(status) != 0)
+        fail(words.front(), fmt::format("failed (exit code {})", WEXITSTATUS(status)));
+    return true;
 }
 
 }  // namespace
@@ -58,9 +71,10 @@ std::optional<std::string> program_output(std::vector<std::string> words, std::s
     // gone.
     io::CFile const in(std::tmpfile());
     io::CFile const out(std::tmpfile());
-    if (!in || !out || !write_all(input, in.get()) || !run(words, in.get(), out.get()))
-        return std::nullopt;
-    return read_all(out.get());
+    if (!in || !out || !write_all(input, in.get()))
+        throw HostError(fmt::format("temporary file: cannot be written for {} ({}), expected room for it",
+                                    words.front(), std::strerror(errno)));
+    return run(words, in.get(), out.get()) ? std::optional(read_all(out.get())) : std::nullopt;
 }
 
 }  // namespace faster

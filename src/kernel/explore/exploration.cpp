@@ -197,14 +197,18 @@ std::size_t last_core(RunStatistics const& run) {
 
 }  // namespace
 
-Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run)
+Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require)
     : title_(std::move(title)),
       recorded_(std::move(recorded)),
       run_(std::move(run)),
+      require_(std::move(require)),
       scripted_(run_, run_.lead(machine_of(recorded_.config))) {}
 
 RunConfig Exploration::changed(Overrides const& overrides) const {
-    return events::retimed_config(recorded_, overrides).config;
+    RunConfig config = events::retimed_config(recorded_, overrides).config;
+    if (require_)
+        require_(run_, machine_of(config));
+    return config;
 }
 
 Json Exploration::design() const {
@@ -290,6 +294,7 @@ Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycle
 }
 
 Job::Work Exploration::sensitivities(Overrides const& overrides) const {
+    changed(overrides);  // or there is no room for it
     LoadedConfig const loaded = events::retimed_config(recorded_, overrides);
     return [this, loaded](Job::Progress const& progress) {
         RunStatistics run;

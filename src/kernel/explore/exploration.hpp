@@ -23,7 +23,11 @@ using Overrides = std::vector<std::string>;
 class Exploration {
   public:
     /// `title`: what the page is called.
-    Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run);
+    /// Throws InputError for a machine that the host has no room for.
+    using Require = std::function<void(replay::RecordedRun const& run, Machine const& machine)>;
+
+    /// `require`: asked before anything is retimed; may be empty.
+    Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require = {});
 
     std::string const& title() const { return title_; }
     /// Everything about the run that no override changes: the graph, the keys that may be changed and what they mean.
@@ -48,6 +52,7 @@ class Exploration {
     std::string title_;
     LoadedConfig recorded_;
     replay::RecordedRun run_;
+    Require require_;
     replay::ScriptedRun scripted_;  ///< of the run
 
     struct KeptRun {

@@ -108,7 +108,7 @@ std::vector<WantedOfCore> passes_of(std::vector<SampleStatistics> const& samples
 /// A core whose memory is ideal needs no other.
 void replay_core(replay::RecordedRun const& run, Machine const& machine, std::size_t number,
                  std::vector<Wanted> const& wanted, TakeTimeline const& take) {
-    CoreShare const share = share_of(number, machine.cores, run.tape.samples());
+    CoreShare const share = share_of(number, machine.cores, run.samples());
     std::unique_ptr<timing::CoreTiming> const core = replay::core_variant(*run.blueprint, machine);
     core->let_follow(run.lead(machine), std::make_shared<timing::Automaton>());
     replay::PlainReader reader(run, run.lead(machine));
@@ -165,7 +165,7 @@ void replay_alone(replay::RecordedRun const& run, Machine const& machine, Wanted
 
 void replay_together(replay::ScriptedRun const& run, Machine const& machine, WantedOfCore const& wanted,
                      TakeTimeline const& take) {
-    SharedRecording recording(machine, run.run().tape.samples(), wanted, take);
+    SharedRecording recording(machine, run.run().samples(), wanted, take);
     replay::retime_together(run, machine, false, &recording);
 }
 

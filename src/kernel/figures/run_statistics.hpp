@@ -61,6 +61,7 @@ struct RunStatistics {
     std::vector<CoreStatistics> cores;
     std::optional<MemoryTraffic> memory;        ///< of an external memory that is not ideal
     std::vector<StuckProcess> stuck;            ///< empty unless the run deadlocked
+    std::vector<SampleStatistics> unfinished;   ///< likewise; of each stuck core the first that began and did not end
     std::vector<Sensitivity> sensitivities;     ///< if asked for, else empty
     std::vector<Alternative> alternatives;      ///< likewise
     std::optional<CriticalPath> critical_path;  ///< if asked for, unless the run deadlocked

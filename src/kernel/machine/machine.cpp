@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "kernel/machine/lead_of.hpp"
+
 namespace faster {
 
 namespace {
@@ -101,7 +103,7 @@ class Maker {
         }
         machine_.begins = machine_.process(core.begins);
         machine_.ends = machine_.process(core.ends);
-        add_lead();
+        machine_.lead = lead_of(core_.pace, machine_);
     }
 
     Machine machine() && { return std::move(machine_); }
@@ -278,25 +280,6 @@ class Maker {
         for (std::size_t loop = 0; loop < machine_.loops.size(); ++loop)
             if (machine_.loops[loop].is_present && machine_.loops[loop].process == module)
                 machine_.processes[module].loops.push_back(loop);
-    }
-
-    /// What comes from memory, no state of a process tells: who takes it does not follow.
-    void add_lead() {
-        if (core_.pace.driver.empty() || uses_memory(core_.pace.driver))
-            return;
-        machine_.lead.driver = static_cast<unsigned>(machine_.process(core_.pace.driver));
-        for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
-            std::size_t const anchor = machine_.fifo(follower.anchor);
-            if (machine_.fifos[anchor].is_present && !uses_memory(follower.module))
-                machine_.lead.followers.push_back(
-                    {static_cast<unsigned>(machine_.process(follower.module)), static_cast<unsigned>(anchor)});
-        }
-    }
-
-    bool uses_memory(std::string const& module) const {
-        return std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
-            return stream.is_present && machine_.processes[stream.process].name == module;
-        });
     }
 
     std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {

@@ -138,9 +138,9 @@ class Lanes {
     std::vector<Cycles> free_from_;
 };
 
-class Writer {
+class TimelineWriter {
   public:
-    explicit Writer(double clock_mhz) : ns_per_cycle_(1e3 / clock_mhz) {}
+    explicit TimelineWriter(double clock_mhz) : ns_per_cycle_(1e3 / clock_mhz) {}
 
     void add(CoreTimeline const& core) {
         process_ = core.core;
@@ -240,7 +240,7 @@ MemoryTimeline make_memory_timeline(RecordedMemory const& memory, Cycles from, C
 
 std::string timeline_json(std::vector<CoreTimeline> const& timelines, std::optional<MemoryTimeline> const& memory,
                           double clock_mhz) {
-    Writer writer(clock_mhz);
+    TimelineWriter writer(clock_mhz);
     for (CoreTimeline const& timeline : timelines)
         writer.add(timeline);
     if (memory)

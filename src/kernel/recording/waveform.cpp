@@ -163,8 +163,8 @@ void Waveform::change(Signal signal, Bits value) {
 
 void Waveform::finish() {
     advance(all_windows_.second + 2);
-    for (auto const& file : files_)
-        file->finish();
+    for (auto file = files_.rbegin(); file != files_.rend(); ++file)  // the first lets signals through
+        (*file)->finish();
 }
 
 }  // namespace faster::recording

@@ -170,6 +170,15 @@ void add_samples(FinishedCore const& core, std::uint64_t index, Machine const& m
         rows.push_back({core.share.first + i, index, begins[i], ends[i], core.counters[i]});
 }
 
+/// Up to the deadlock.
+void add_unfinished(FinishedCore const& core, std::uint64_t index, RunStatistics& run) {
+    auto const is_of_core = [index](StuckProcess const& process) { return process.core == index; };
+    std::vector<Cycles> const& begins = core.timing.process(run.machine.begins).stamps();
+    std::size_t const done = core.timing.process(run.machine.ends).stamps().size();
+    if (begins.size() > done && std::any_of(run.stuck.begin(), run.stuck.end(), is_of_core))
+        run.unfinished.push_back({core.share.first + done, index, begins[done], run.deadlock_cycle(), {}});
+}
+
 void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckProcess>& stuck) {
     for (timing::Wait const& wait : core.waits())
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
@@ -210,6 +219,7 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
         CycleSorter const sorter(cores[k].timing, machine, run.total_cycles);
         for (std::size_t i = 0; i < machine.processes.size(); ++i)
             run.cores[k].processes.push_back(sorter.row_of(i));
+        add_unfinished(cores[k], k, run);
     }
     if (memory != nullptr) {  // the cycles of the cores begin behind it
         run.load_cycles = load_cycles(machine, loaded);

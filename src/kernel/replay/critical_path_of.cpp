@@ -9,7 +9,6 @@ namespace faster::replay {
 namespace {
 
 using Part = timing::Region::Part;
-using Share = timing::PathSums::Share;
 
 /// The sums of one process as rows.
 class ProcessRows {
@@ -38,16 +37,16 @@ class ProcessRows {
         PathRow row = base_;
         row.loop = loop_at(region);
         row.cause = cause_of(region.part());
-        row.cycles = sums_.of(process_.index(), region, Share::own);
+        row.cycles = sums_.of(process_.index(), region, timing::PathSums::Share::own);
         put(row);
         row.cause = PathCause::fill_drain;
-        row.cycles = sums_.of(process_.index(), region, Share::flight);
+        row.cycles = sums_.of(process_.index(), region, timing::PathSums::Share::flight);
         put(row);
         row.cause = PathCause::recurrence;
-        row.cycles = sums_.of(process_.index(), region, Share::recurrence);
+        row.cycles = sums_.of(process_.index(), region, timing::PathSums::Share::recurrence);
         put(row);
         row.cause = PathCause::port_conflict;
-        row.cycles = sums_.of(process_.index(), region, Share::port_conflict);
+        row.cycles = sums_.of(process_.index(), region, timing::PathSums::Share::port_conflict);
         if (row.cycles > 0)
             row.bram = process_.loops()[region.loop()].interval.bram;
         put(row);
@@ -137,7 +136,7 @@ CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& core
         return path;
     auto const last = static_cast<unsigned>(machine.ends);
     timing::PathSums sums = timing::critical_path(core, last, ends.back());
-    ++sums.of(last, timing::Region(), Share::own);  // the cycle of the last stamp itself
+    ++sums.of(last, timing::Region(), timing::PathSums::Share::own);  // the cycle of the last stamp itself
     for (unsigned process = 0; process < core.processes().size(); ++process)
         ProcessRows(machine, core, process, sums, path.rows).add();
     std::stable_sort(path.rows.begin(), path.rows.end(),

@@ -5,9 +5,11 @@
 namespace faster::replay {
 
 PlainReader::PlainReader(RecordedRun const& run, timing::Lead const& lead)
-    : tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
+    : run_(run), tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
 
 SampleOperations PlainReader::read(std::size_t sample) {
+    if (auto const unfinished = run_.unfinished.find(sample); unfinished != run_.unfinished.end())
+        return unfinished->second;
     return joined(tape_.read(sample), tape_.known().book(), tape_.known().lead().group);
 }
 

@@ -7,13 +7,14 @@
 
 namespace faster::replay {
 
-/// Reads samples from the tape of a run as operations, no phrases.
+/// Reads samples of a run, which must outlive it, as operations, no phrases.
 class PlainReader {
   public:
     PlainReader(RecordedRun const& run, timing::Lead const& lead);
     SampleOperations read(std::size_t sample);
 
   private:
+    RecordedRun const& run_;
     TapeReader tape_;
 };
 

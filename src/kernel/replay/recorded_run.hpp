@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +10,7 @@
 #include "kernel/figures/run_statistics.hpp"
 #include "kernel/replay/operation_tape.hpp"
 #include "kernel/replay/recorded_memory.hpp"
+#include "kernel/replay/sample_operations.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster::replay {
@@ -18,9 +21,15 @@ struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
     OperationTape tape;
+    /// Of a run that got stuck: samples that are not on the tape, as far as they got. It can be looked at then, but not
+    /// retimed.
+    std::map<std::size_t, SampleOperations> unfinished;
     std::vector<Counters> counters;        ///< the samples' results
     std::optional<RecordedMemory> memory;  ///< of a machine with an external memory
 
+    std::size_t samples() const {
+        return unfinished.empty() ? tape.samples() : std::max(tape.samples(), unfinished.rbegin()->first + 1);
+    }
     /// That of the phrases on the tape, for a run on `machine`, or on one like it that is to be retimed.
     timing::Lead const& lead(Machine const& machine) const { return memory ? memory->lead : machine.lead; }
 };

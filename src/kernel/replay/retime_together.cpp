@@ -1,6 +1,7 @@
 #include "kernel/replay/retime_together.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "kernel/replay/critical_path_of.hpp"
 #include "kernel/replay/plain_reader.hpp"
 #include "kernel/replay/sample_cutter.hpp"
+#include "kernel/replay/scripted_core.hpp"
 #include "kernel/timing/memory/memory_system.hpp"
 
 namespace faster::replay {
@@ -43,23 +45,39 @@ std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
     return tokens;
 }
 
+enum class Source { scripts, operations };
+
+/// Of all samples, if they say the most of them.
+bool can_follow_scripts(ScriptedRun const& run, Machine const& machine) {
+    if (!machine.external_memory || run.lead().followers.empty() || run.size() != run.run().tape.samples())
+        return false;
+    std::size_t phrases = 0, operations_behind = 0;
+    for (std::size_t sample = 0; sample < run.size(); ++sample) {
+        phrases += run[sample].phrases.size();
+        for (std::vector<timing::Operation> const& process : run[sample].after)
+            operations_behind += process.size();
+    }
+    constexpr std::size_t usual_behind = 64;  // of a sample
+    return operations_behind <= phrases + usual_behind * run.size();
+}
+
 class Together {
   public:
     Together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& numbers,
-             CoreOptions const& options, CoreWatch* watch = nullptr)
+             CoreOptions const& options, Source source, CoreWatch* watch = nullptr)
         : run_(run), machine_(machine), options_(options), watch_(watch), samples_(run), is_left_(numbers.size()) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
         auto const automaton = std::make_shared<timing::Automaton>();
         for (std::size_t const number : numbers) {
-            shares_.push_back(share_of(number, machine.cores, run.run().tape.samples()));
+            shares_.push_back(share_of(number, machine.cores, run.run().samples()));
             cores_.push_back(core_variant(*run.run().blueprint, machine));
             cores_.back()->let_follow(run.lead(), automaton);
             if (options.leave_trails)
                 cores_.back()->leave_trail();
-            if (memory_)
-                memory_->add_core(*cores_.back(), shares_.back().count > 0);
         }
+        for (std::size_t core = 0; memory_ && core < cores_.size(); ++core)
+            source == Source::scripts ? add_scripted(core) : memory_->add_core(*cores_[core], shares_[core].count > 0);
         for (std::size_t core = 0; watch != nullptr && core < cores_.size(); ++core)
             watch->start(core, *cores_[core]);
         for (std::size_t core = 0; memory_ && core < cores_.size(); ++core)
@@ -68,7 +86,8 @@ class Together {
 
     /// False: the watch wants to know no more.
     bool go_on() {
-        for (std::size_t i = 0; i < shares_.front().count && has_more(); ++i) {  // the first has the most
+        for (std::size_t i = 0; scripted_.empty() && i < shares_.front().count && has_more();
+             ++i) {  // the first has the most
             for (std::size_t core = 0; core < cores_.size(); ++core)
                 if (i < shares_[core].count && !is_left_[core] && !feed(core, i))
                     return false;
@@ -96,10 +115,29 @@ class Together {
     }
 
     Cores take_cores() { return std::move(cores_); }
+    /// It may have served memory in another order than there is: to be done again without scripts.
+    bool is_in_doubt() const {
+        return std::any_of(scripted_.begin(), scripted_.end(),
+                           [](ScriptedCore const& core) { return core.has_more_to_say(); });
+    }
 
   private:
     RecordedMemory const& recorded() const { return *run_.run().memory; }
     bool has_more() const { return std::find(is_left_.begin(), is_left_.end(), false) != is_left_.end(); }
+
+    void add_scripted(std::size_t core) {
+        ScriptedCore& scripted = scripted_.emplace_back(
+            run_, shares_[core], *cores_[core], [this](timing::CoreTiming const& timing) { return leaves(timing); });
+        memory_->add_core(*cores_[core], shares_[core].count > 0,
+                          [&scripted](timing::ProcessMask woken) { scripted.go_on(woken); });
+    }
+
+    /// Where one is left that shares the memory, all are.
+    bool leaves(timing::CoreTiming const& timing) {
+        bool const leaves = options_.leaves && options_.leaves(timing);
+        is_left_.front() = is_left_.front() || leaves;
+        return memory_->shape().is_shared ? is_left_.front() : leaves;
+    }
 
     void leave() {
         for (std::size_t core = 0; options_.leaves && core < cores_.size(); ++core)
@@ -148,7 +186,7 @@ class Together {
             timing::MemoryStream& stream = cores_[core]->stream(master);
             stream.forget_taken(stream.is_write() ? 0 : stream.taken());
             for (timing::MemoryEntry const& entry : masters[master])
-                stream.deliver(stream.is_write() ? 0 : tokens_of(entry), 0);
+                stream.deliver(stream.is_write() ? 0 : tokens_of(entry), Cycles{0});
         }
     }
 
@@ -160,6 +198,7 @@ class Together {
     std::vector<CoreShare> shares_;
     Cores cores_;
     std::optional<timing::MemorySystem> memory_;
+    std::deque<ScriptedCore> scripted_;
     std::vector<bool> is_left_;  // by core
 };
 
@@ -168,15 +207,28 @@ class Together {
 RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bool leave_trails, CoreWatch* watch) {
     std::vector<std::size_t> numbers(machine.cores);
     std::iota(numbers.begin(), numbers.end(), 0U);
-    Together together(run, machine, numbers, {leave_trails, nullptr}, watch);
+    if (!leave_trails && watch == nullptr && can_follow_scripts(run, machine)) {
+        Together together(run, machine, numbers, {}, Source::scripts);
+        together.go_on();
+        RunStatistics statistics = together.statistics();
+        if (!together.is_in_doubt() && !statistics.deadlocked())
+            return statistics;
+    }
+    Together together(run, machine, numbers, {leave_trails, nullptr}, Source::operations, watch);
     return together.go_on() ? together.statistics() : RunStatistics();
 }
 
 Cores retime_cores_together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                             CoreOptions const& options) {
-    Together together(run, machine, cores, options);
-    together.go_on();
-    return together.take_cores();
+    for (Source const source : {Source::scripts, Source::operations}) {
+        if (source == Source::scripts && (options.leave_trails || !can_follow_scripts(run, machine)))
+            continue;
+        Together together(run, machine, cores, options, source);
+        together.go_on();
+        if (!together.is_in_doubt())
+            return together.take_cores();
+    }
+    return {};
 }
 
 }  // namespace faster::replay

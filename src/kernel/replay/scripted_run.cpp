@@ -55,7 +55,7 @@ void renumber(Share& share, PhraseBook& book) {
 }  // namespace
 
 ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, std::size_t jobs) : run_(&run), lead_(lead) {
-    std::size_t const samples = run.tape.samples();
+    std::size_t const samples = run.unfinished.empty() ? run.tape.samples() : run.unfinished.begin()->first;
     if (jobs == 0)
         jobs = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
     std::vector<Share> shares(jobs);

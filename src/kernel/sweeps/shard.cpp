@@ -26,11 +26,10 @@ void require_same_sweep(Manifest const& first, fs::path const& first_folder, Man
 }
 
 void add(PointResult const& result, std::string const& point, fs::path const& folder, Results& results) {
-    using Status = PointResult::Status;
     auto const [known, is_new] = results.try_emplace(point, result);
-    if (is_new || result.status == Status::failed)
+    if (is_new || result.status == PointResult::Status::failed)
         return;
-    if (known->second.status != Status::failed && !(known->second == result))
+    if (known->second.status != PointResult::Status::failed && !(known->second == result))
         throw InputError(
             fmt::format("{}: has another result than the folders before it for point {}, expected the same",
                         folder.string(), point));

@@ -216,10 +216,15 @@ bool CoreTiming::set_out() {
             if (let_driver_go() || moved)
                 continue;
         }
+        if (follows_ && awaits_memory())
+            return false;
         write_next();
     }
     return false;
 }
+
+/// The driver waits for somebody who may wait for the memory.
+bool CoreTiming::awaits_memory() const { return !streams_.empty() && !group_->driver().finished(); }
 
 void CoreTiming::arrive() {
     bool const moved = automaton_->arrive(walk_);
@@ -227,9 +232,11 @@ void CoreTiming::arrive() {
         write_next();
 }
 
+void CoreTiming::let_walk() { automaton_->go_on({&walk_}); }
+
 void CoreTiming::walk_through() {
     while (set_out()) {
-        automaton_->go_on({&walk_});
+        let_walk();
         arrive();
     }
 }

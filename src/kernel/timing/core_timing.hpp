@@ -67,10 +67,15 @@ class CoreTiming {
     ///         core.arrive();
     ///     }
     void take_up(Script& script);
-    /// As far as a walk; false: the script is done.
+    /// Otherwise all of a script goes to the logs.
+    bool follows_script() const { return follows_; }
+    /// As far as a walk; false: the script is done, or, behind a memory, the driver waits: it goes on from there once
+    /// the memory has brought more.
     bool set_out();
     Automaton::Walk& walk() { return walk_; }
     void arrive();
+    /// Between them, for a core that does not take turns.
+    void let_walk();
     /// All of this, for a core that does not take turns.
     void walk_through();
 
@@ -118,6 +123,7 @@ class CoreTiming {
     bool keep_more();
     bool group_has_started(ProcessMask all);
     bool let_driver_go();
+    bool awaits_memory() const;
     ProcessMask all_processes() const {
         return processes_.empty() ? 0 : ~ProcessMask{0} >> (most_processes - processes_.size());
     }

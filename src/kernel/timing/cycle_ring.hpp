@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -27,6 +28,20 @@ class CycleRing {
     void append(Cycles cycle) {
         cycles_[appended_at_ + (appended_ & mask_)] = cycle;
         ++appended_;
+    }
+
+    /// Appends `cycle(0)`, `cycle(1)`, ... In pieces that lie side by side, so that a compiler can make vectors of
+    /// them.
+    template <class CycleOf> void append(std::uint64_t count, CycleOf const& cycle) {
+        for (std::uint64_t done = 0; done < count;) {
+            std::uint64_t const at = appended_ & mask_;
+            std::uint64_t const now = std::min(count - done, mask_ + 1 - at);
+            Cycles* const to = cycles_.data() + appended_at_ + at;
+            for (std::uint64_t i = 0; i < now; ++i)
+                to[i] = cycle(done + i);
+            appended_ += now;
+            done += now;
+        }
     }
 
     /// Many at once: what is to be consumed, and what is to be appended; the line itself changes with consume() and

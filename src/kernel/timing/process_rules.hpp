@@ -93,12 +93,28 @@ template <class Process, class Port> class ProcessRules {
         return state_.in_loop ? state_.time + static_cast<Time>(std::min<std::int64_t>(plan_->drain, 0)) : state_.time;
     }
 
+    /// What it has yet to read and to write must be told. Not of a loop that takes from memory: see alike_iterations().
+    bool has_delay_line() const { return state_.in_loop && !plan_->aligned && !is_in_memory_loop(); }
+    bool is_in_memory_loop() const { return state_.in_loop && shape_->loops[state_.loop].uses_memory; }
+    /// Iterations at hand of a loop that takes from memory, if all that are in its pipeline access what they do: as
+    /// long as what they take is there, each does what an iteration does of a loop that takes nothing.
+    std::uint32_t alike_iterations() const {
+        if (log_.exhausted() || !is_in_memory_loop())
+            return 0;
+        Operation const& operation = log_.front();
+        bool const is_plain = operation.kind() == Kind::iterate && operation.own_tail_ports() == 0;
+        return is_plain && is_uniform(operation) ? operation.count() : 0;
+    }
+
     /// Takes up where another state has left a process: its loop, from 1 on, or 0, and how many iterations have begun.
-    /// What it has yet to write is a delay line, from the latest iteration on.
+    /// What it has yet to write is a delay line, from the latest iteration on. Of a loop that takes from memory only
+    /// the time.
     void restore(Time time, unsigned loop, std::uint64_t iterations) {
         state_.time = time;
-        state_.iterations = iterations;
         ++run_;
+        if (is_in_memory_loop())
+            return;
+        state_.iterations = iterations;
         be_in_loop(loop);
         if (!state_.in_loop)
             return;
@@ -221,6 +237,13 @@ template <class Process, class Port> class ProcessRules {
                 out.end.access(cycle);
                 self().note(out, 1);
             });
+    }
+    /// In the pipeline, which is full of iterations that access the same ports.
+    void go_on_alike(Ports::Number ports, std::uint64_t iterations) {
+        state_.pipeline.iteration += iterations;
+        state_.pipeline.alike += iterations;
+        for (std::uint64_t lag = std::min(iterations, plan_->longest_lag); lag > 0; --lag)
+            state_.delayed(lag) = ports;
     }
     /// All of an iteration that is split off an operation, which may become its tail; or the next is the front one.
     void take_off(Operation& operation, std::uint32_t count) {
@@ -467,11 +490,7 @@ template <class Process, class Port> class ProcessRules {
             run(port_set(operation.ports()), wanted, [stride](std::uint32_t /*i*/) { return stride; });
         if (done == 0)
             return false;
-        Ports::Number const ports = operation.ports();
-        state_.pipeline.iteration += done;
-        state_.pipeline.alike += done;
-        for (std::uint64_t lag = std::min<std::uint64_t>(done, plan_->longest_lag); lag > 0; --lag)
-            state_.delayed(lag) = ports;
+        go_on_alike(operation.ports(), done);
         count(done);
         take_off(operation, done);
         return done == wanted;

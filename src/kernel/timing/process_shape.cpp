@@ -47,6 +47,18 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
         delay_line_length *= 2;
 }
 
+ProcessShape ProcessShape::fed(unsigned stream_port) const {
+    ProcessShape shape = *this;
+    shape.plans.clear();
+    for (LoopShape& loop : shape.loops) {
+        auto const is_fed = [stream_port](LoopRead const& read) { return read.port == stream_port; };
+        loop.reads.erase(std::remove_if(loop.reads.begin(), loop.reads.end(), is_fed), loop.reads.end());
+        loop.uses_memory = false;
+        shape.plans.emplace_back(loop);
+    }
+    return shape;
+}
+
 /// From so many on, (n - 1) II + L covers n times what II is above its target: see loop_end().
 std::uint64_t iterations_that_count(LoopShape const& loop) {
     InitiationInterval const& interval = loop.interval;

@@ -73,6 +73,9 @@ struct ProcessShape {
     Cycles stamps_back = 0;       ///< cycles between what a stamp notes and the local time
     Cycles flushing_stages = 0;   ///< of its FlushingPipeline; 0: it has none
     unsigned flushing_port = 0;   ///< by which tokens leave that
+
+    /// That of a process which finds whatever it takes from memory, at a port, there.
+    ProcessShape fed(unsigned stream_port) const;
 };
 
 }  // namespace faster::timing

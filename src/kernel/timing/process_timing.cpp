@@ -45,6 +45,38 @@ void ProcessTiming::set_neighbour(unsigned port, ProcessMask process_bit) {
     forget_port_sets();
 }
 
+bool ProcessTiming::takes_from_memory() const { return stream_ != nullptr && !stream_->is_write(); }
+
+std::shared_ptr<ProcessShape> ProcessTiming::fed_shape() const {
+    return takes_from_memory() ? std::make_shared<ProcessShape>(shape_->fed(stream_port_)) : shape_;
+}
+
+/// What comes from memory never comes earlier than what came before it.
+std::uint64_t ProcessTiming::fed_iterations() const {
+    std::uint64_t const alike = takes_from_memory() && trail_ == nullptr ? alike_iterations() : 0;
+    if (alike == 0)
+        return 0;
+    FifoTiming const& fifo = stream_->fifo();
+    std::uint64_t const most = std::min(alike, fifo.known_reads());
+    if (most > 0 && fifo.earliest_read(most - 1) <= state_.time)
+        return most;
+    std::uint64_t fed = 0;
+    while (fed < most && fifo.earliest_read(fed) <= state_.time + fed * plan_->ii)
+        ++fed;
+    return fed;
+}
+
+void ProcessTiming::take_fed(std::vector<Cycles> const& cycles) {
+    if (cycles.empty())
+        return;
+    go_on_alike(log_.front().ports(), cycles.size());
+    log_.front().subtract(static_cast<std::uint32_t>(cycles.size()));
+    FifoTiming::End const end = stream_->fifo().end(false);
+    for (Cycles const cycle : cycles)
+        end.access(cycle);
+    stream_->fifo().note(false, cycles.size());
+}
+
 ProcessTiming::Status ProcessTiming::front() {
     stops_ = true;
     go_on();

@@ -65,6 +65,7 @@ struct ProcessFigures {
 class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
   public:
     using Rules = ProcessRules<ProcessTiming, ProcessPort>;
+    using Rules::alike_iterations;
     using Rules::finished;
     using Rules::flushes;
     using Rules::in_loop;
@@ -117,6 +118,16 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
     /// With `pause`, not beyond the first step behind the next stamp.
     ProcessMask advance(bool pause = false);
+    /// Iterations at hand that are ahead of the memory's delays: they find what they take there, however soon they
+    /// come, and otherwise only write. 0 where a trail would have to tell of them.
+    std::uint64_t fed_iterations() const;
+    /// Some of those have been done elsewhere, in these cycles.
+    void take_fed(std::vector<Cycles> const& cycles);
+    /// The shape it has as far as that is true.
+    std::shared_ptr<ProcessShape> fed_shape() const;
+    /// It reads from memory.
+    bool takes_from_memory() const;
+
     /// Tells which process is at the other end of a port, as a bit for advance().
     void set_neighbour(unsigned port, ProcessMask process_bit);
 

@@ -17,7 +17,10 @@ constexpr std::uint64_t most_lane_memory_words = 4094;
 constexpr std::uint64_t most_lanes = 10;
 constexpr std::uint64_t most_setups_ahead = 31;
 constexpr std::uint64_t default_setup_cycles = 12;
-constexpr std::uint64_t most_setup_cycles = most_cycles - 18;  // spans are divided for besides; the twin knows
+// With lanes spans are divided for 18 cycles besides, which the twin knows, and all of it goes through a delay line;
+// and its first row takes 6 more.
+constexpr std::uint64_t most_lane_setup_cycles = most_stages - 18;
+constexpr std::uint64_t least_lane_setup_cycles = 6;
 constexpr int largest_window = 255;
 
 [[noreturn]] void refuse(std::string const& key, std::string const& found, std::string const& expected) {
@@ -177,8 +180,8 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
         settings.ports[i] = static_cast<std::uint8_t>(
             in_range(std::string("brams.") + memories[i] + ".ports", config.memory(memories[i]).ports, 1, most_cycles));
     settings.setup_cycles = static_cast<std::uint8_t>(
-        in_range("loops.rasterizer.setup.depth", config.setup("rasterizer").value_or(default_setup_cycles), 1,
-                 most_setup_cycles));
+        in_range("loops.rasterizer.setup.depth", config.setup("rasterizer").value_or(default_setup_cycles),
+                 settings.lanes ? least_lane_setup_cycles : 1, settings.lanes ? most_lane_setup_cycles : most_cycles));
     settings.fifo_rules = static_cast<std::uint8_t>(config.fifo_rules);
     for (std::size_t i = 0; i < twin_fifos.size(); ++i)
         settings.fifos[i] = fifo_settings(machine.fifos[machine.fifo(twin_fifos[i])], settings.lanes.has_value());

@@ -1,5 +1,7 @@
 #include "kernel/report/html/deadlock_html.hpp"
 
+#include <algorithm>
+
 #include "kernel/base/files/json_file.hpp"
 #include "kernel/base/program_name.hpp"
 #include "kernel/config/configuration_hash.hpp"
@@ -53,7 +55,59 @@ Json fifos(RunStatistics const& run) {
     return rows;
 }
 
+/// The names of modules and loops, as the timeline's colours go by them.
+Json modules(Machine const& machine) {
+    Json rows = Json::array();
+    for (std::size_t const i : modules_of(machine))
+        rows.push_back({{"module", machine.processes[i].name}});
+    return rows;
+}
+
+Json loops(Machine const& machine) {
+    Json rows = Json::array();
+    for (std::size_t const i : loops_of(machine))
+        rows.push_back({{"core", 0},
+                        {"module", machine.processes[machine.loops[i].process].name},
+                        {"loop", machine.loops[i].name}});
+    return rows;
+}
+
+Json timeline_rows(std::vector<PackedTimeline> const& timelines) {
+    Json rows = Json::array();
+    for (PackedTimeline const& timeline : timelines)
+        rows.push_back(packed_timeline_json(timeline, {"one that got stuck"}));
+    return rows;
+}
+
+std::size_t process_number(Machine const& machine, std::string const& name) {
+    auto const is_it = [&name](MachineProcess const& process) { return process.name == name; };
+    return static_cast<std::size_t>(std::find_if(machine.processes.begin(), machine.processes.end(), is_it) -
+                                    machine.processes.begin());
+}
+
+TimelineSpan span_of(StuckProcess const& process, Machine const& machine, SampleTimeline const& timeline) {
+    TimelineSpan span;
+    span.module = process_number(machine, process.process);
+    span.kind = process.waits_for_memory ? TimelineSpan::Kind::memory_stall
+                : process.to_write       ? TimelineSpan::Kind::full_stall
+                                         : TimelineSpan::Kind::empty_stall;
+    span.item = process.waits_for_memory ? machine.fifos.size() : machine.fifo(process.fifo);
+    span.begin = std::max(process.since_cycle, timeline.begin);
+    span.end = timeline.end;
+    span.count = span.end - span.begin;
+    return span;
+}
+
 }  // namespace
+
+SampleTimeline with_endless_waits(SampleTimeline timeline, RunStatistics const& run) {
+    for (StuckProcess const& process : run.stuck)
+        if (process.core == timeline.core && process.since_cycle < timeline.end)
+            timeline.spans.push_back(span_of(process, run.machine, timeline));
+    std::stable_sort(timeline.spans.begin(), timeline.spans.end(),
+                     [](TimelineSpan const& a, TimelineSpan const& b) { return a.begin < b.begin; });
+    return timeline;
+}
 
 Json deadlock_data(RunStatistics const& run) {
     Json data = deadlock_json(run);
@@ -68,7 +122,7 @@ Json deadlock_data(RunStatistics const& run) {
 }
 
 std::string deadlock_html(std::string const& title, RunCommand const& command, RunStatistics const& run,
-                          std::vector<ResolvedKey> const& keys) {
+                          std::vector<ResolvedKey> const& keys, std::vector<PackedTimeline> const& timelines) {
     Json data;
     data["format"] = "faster-deadlock";
     data["version"] = 1;
@@ -79,6 +133,9 @@ std::string deadlock_html(std::string const& title, RunCommand const& command, R
     data["deadlock"] = deadlock_data(run);
     data["cycle_classes"] = cycle_class_data(run.machine);
     data["graph"] = graph_data(run.machine);
+    data["modules"] = modules(run.machine);
+    data["loops"] = loops(run.machine);
+    data["timelines"] = timeline_rows(timelines);
     data["fifos"] = fifos(run);
     data["configuration"] = configuration_data(keys);
     return filled_page(deadlock_page, title, made_by_html(configuration_hash(keys)), io::text_of(data));

@@ -5,6 +5,7 @@
 #include "kernel/base/json.hpp"
 #include "kernel/config/resolved_config.hpp"
 #include "kernel/figures/run_statistics.hpp"
+#include "kernel/report/html/packed_timeline.hpp"
 
 namespace faster::report {
 
@@ -18,8 +19,12 @@ struct RunCommand {
     std::vector<std::string> settings;  ///< KEY=VALUE
 };
 
-/// One HTML page of a run that got stuck, which needs nothing else.
+/// A timeline that ends with a deadlock, and the waits that do not end as stalls up to there.
+SampleTimeline with_endless_waits(SampleTimeline timeline, RunStatistics const& run);
+
+/// One HTML page of a run that got stuck, which needs nothing else. `timelines`: of its unfinished samples; may be
+/// none.
 std::string deadlock_html(std::string const& title, RunCommand const& command, RunStatistics const& run,
-                          std::vector<ResolvedKey> const& keys);
+                          std::vector<ResolvedKey> const& keys, std::vector<PackedTimeline> const& timelines);
 
 }  // namespace faster::report

@@ -135,14 +135,13 @@ Json placed_edges(Json const& edges, std::vector<Part> const& names, Frame const
     return placed;
 }
 
-/// Null without dot, or if what it says is not understood. Errors: HostError if it says nothing.
+/// Null without dot. Errors: HostError if it fails, or ends well and says nothing or half of it: some of its own errors
+/// it does not look at.
 Json layout(Machine const& machine, char const* direction) {
     DotGraph const graph = graph_of(machine, direction);
     std::optional<std::string> const output = program_output({"dot", "-Tjson0"}, graph.text());
     if (!output)
         return nullptr;
-    if (output->empty())  // it ends well even where it cannot read
-        throw HostError("dot: wrote nothing of the graph, expected a program that can read and write");
     try {
         Json const drawing = io::parse_json(*output);
         std::istringstream box(drawing.at("bb").get<std::string>());
@@ -155,7 +154,8 @@ Json layout(Machine const& machine, char const* direction) {
                 {"nodes", placed_nodes(drawing.at("objects"), graph.nodes(), frame)},
                 {"edges", placed_edges(drawing.value("edges", Json::array()), graph.edges(), frame)}};
     } catch (std::exception const&) {
-        return nullptr;
+        throw HostError(fmt::format("dot: wrote {} of the graph, expected a Graphviz that works",
+                                    output->empty() ? "nothing" : "no more than a part"));
     }
 }
 

@@ -50,16 +50,11 @@ Json pictures(std::vector<ReportPicture> const& files) {
 Json timelines(HtmlReportInput const& input) {
     Json rows = Json::array();
     for (PackedTimeline const& timeline : input.timelines) {
-        Json is = Json::array();
+        std::vector<std::string> is;
         for (StandoutSample const& standout : standout_samples(input.run))
             if (standout.sample->sample == timeline.sample)
-                is.push_back(standout.is);
-        rows.push_back({{"sample", timeline.sample},
-                        {"core", timeline.core},
-                        {"begin", timeline.begin},
-                        {"end", timeline.end},
-                        {"is", is},
-                        {"packed", timeline.packed}});
+                is.emplace_back(standout.is);
+        rows.push_back(packed_timeline_json(timeline, is));
     }
     return rows;
 }

@@ -91,4 +91,13 @@ PackedTimeline packed_timeline(Machine const& machine, SampleTimeline const& tim
     return {timeline.core, timeline.sample, timeline.begin, timeline.end, base64(deflated(io::text_of(data)))};
 }
 
+Json packed_timeline_json(PackedTimeline const& timeline, std::vector<std::string> const& is) {
+    return {{"sample", timeline.sample},
+            {"core", timeline.core},
+            {"begin", timeline.begin},
+            {"end", timeline.end},
+            {"is", is},
+            {"packed", timeline.packed}};
+}
+
 }  // namespace faster::report

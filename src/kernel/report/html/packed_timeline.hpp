@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "kernel/base/json.hpp"
 #include "kernel/figures/sample_timeline.hpp"
 #include "kernel/machine/machine.hpp"
 
@@ -25,5 +27,8 @@ struct PackedTimeline {
 
 /// The coarsest level is as fine as a wide screen, the finest as fine as `most_bars` bars can be.
 PackedTimeline packed_timeline(Machine const& machine, SampleTimeline const& timeline, std::size_t most_bars);
+
+/// As a page has it in its list. `is`: what the sample stands for, such as "slowest".
+Json packed_timeline_json(PackedTimeline const& timeline, std::vector<std::string> const& is);
 
 }  // namespace faster::report

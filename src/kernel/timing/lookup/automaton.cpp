@@ -43,34 +43,13 @@ bool can_follow(Group const& group) {
     for (Group::Member const& member : group.members()) {
         if (member.process->loops().size() > TransitionBench::most_loops || !can_flush(member, group))
             return false;
-        for (LoopShape const& loop : member.process->loops())
+        for (LoopShape const& loop : member.process->fed_shape()->loops)
             if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
                 return false;
     }
     return true;
 }
 
-/// The driver's next step only reads what comes from memory, and need not wait for it: done, and it leaves a step that
-/// accesses nothing, which takes as long. Who writes there goes on. Not where trails are left, which tell all in the
-/// order of causes.
-bool take_in(Group const& group, Cycles time) {
-    ProcessTiming& driver = group.driver();
-    if (driver.log().exhausted() || driver.trail() != nullptr)
-        return false;
-    Operation const step = driver.log().whole_front();
-    if (step.kind() != Operation::Kind::step || step.ports() == 0)
-        return false;
-    unsigned const port = Ports(step.ports()).first();
-    if (Ports::of(port) != Ports(step.ports()) || group.feeder(port) == nullptr)
-        return false;
-    FifoTiming& fifo = driver.fifo(port);
-    if (fifo.known_reads() == 0 || fifo.earliest_read() > time)
-        return false;
-    fifo.read(time);
-    driver.log().whole_front() = Operation(Operation::Kind::wait, 0, 0, step.count());
-    group.feeder(port)->advance();
-    return true;
-}
 }  // namespace
 
 Automaton::Automaton() = default;
@@ -118,35 +97,57 @@ std::uint32_t Automaton::going_on_elsewhere(Group const& group) {
     return members;
 }
 
+/// The next phrase. Of a supplier that takes from memory it says nothing: what that has to do is
+/// supplies_of_phrase(), and must be less than it is sure to find.
+Phrase::Reading Automaton::read(Group const& group, std::uint32_t frozen) {
+    Phrase::Reading const reading = phrase_.read(group, frozen | group.fed());
+    std::uint64_t const supplies = supplies_of_phrase(group, frozen);
+    if (reading != Phrase::Reading::complete || supplies == 0 || session_->fed + supplies < session_->fed_before)
+        return reading;
+    ProcessTiming const& supplier = *group.members()[group.supplier()].process;
+    bool const has_said_all = supplier.log().pending() > 1;
+    bool const has_more = session_->fed + supplies < supplier.alike_iterations();
+    return has_said_all || has_more ? Phrase::Reading::foreign : Phrase::Reading::logs_end;
+}
+
+std::uint64_t Automaton::fed_iterations(Group const& group) {
+    return group.fed() == 0 ? 0 : group.members()[group.supplier()].process->fed_iterations();
+}
+
+/// What the driver's accesses of the phrase ask of a supplier that takes from memory, and takes part.
+std::uint32_t Automaton::supplies_of_phrase(Group const& group, std::uint32_t frozen) const {
+    std::uint32_t const bit = group.suppliers() & group.fed() & ~frozen;
+    Group::Lanes const due = phrase_.due() >> (Group::lane_bits * (group.supplier() - 1));
+    return bit == 0 ? 0 : static_cast<std::uint32_t>(due & Group::lane_mask);
+}
+
 Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
     Progress progress;
     session_ = &session;
     phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
-    Phrase::Reading reading = phrase_.read(group, 0);
+    session.fed = 0;
+    session.fed_before = fed_iterations(group);
+    Phrase::Reading reading = read(group, 0);
     if (reading == Phrase::Reading::logs_end)
         return {false, true};
     if (is_far_apart(group))
         return progress;
     if (std::uint32_t const elsewhere = going_on_elsewhere(group); elsewhere != 0)
-        reading = phrase_.read(group, elsewhere);
+        reading = read(group, elsewhere);
     progress.later = reading == Phrase::Reading::logs_end;
     if (reading != Phrase::Reading::complete || !begin(group))
         return progress;
     if (!is_worthwhile())
         reading = Phrase::Reading::foreign;
-    auto const read_next = [&] {
-        reading = phrase_.read(group, session.frozen);
-        if (reading == Phrase::Reading::foreign && take_in(group, session.time))
-            reading = phrase_.read(group, session.frozen);
-    };
-    for (; reading == Phrase::Reading::complete; read_next()) {
+    for (; reading == Phrase::Reading::complete; reading = read(group, session.frozen)) {
         Print const print = phrase_.print(session.state + std::uint64_t{1});
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
         if (slot == nullptr)
-            slot = work_out(print);
+            slot = work_out(print, group);
         if (slot == nullptr)
             break;
         phrase_.consume();
+        session.fed += supplies_of_phrase(group, session.frozen);
         session.history.push_back(slot->number);
         apply(*slot);
     }
@@ -164,7 +165,7 @@ void Automaton::apply(Slot const& slot) {
         Transition const& loose = session.loose[slot.number - first_loose];
         session.time += loose.cycles;
         session.entered |= loose.entered;
-        note(session, loose.froze, loose.rooms, session.time);
+        note(session, loose.notes, session.time);
         return;
     }
     if (slot.notable)
@@ -186,26 +187,32 @@ void Automaton::note(Session& session, Number number, Cycles begin) const {
     for (Number const piece : store_.pieces(number)) {
         begin += store_.brief(piece).cycles();
         if (store_.brief(piece).notable())
-            note(session, store_.notes(piece).froze, store_.notes(piece).rooms, begin);
+            note(session, store_.notes(piece), begin);
     }
 }
 
-void Automaton::note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end) {
-    session.frozen |= froze;
-    for (Room const& room : rooms) {
+void Automaton::note(Session& session, Transition::Notes const& notes, Cycles end) {
+    session.frozen |= notes.froze;
+    for (Room const& room : notes.rooms) {
         std::vector<Cycles>& times = session.rooms[room.fifo];
         if (room.all)
             times.clear();
         for (std::int64_t from : room.from)
             times.push_back(end + static_cast<Cycles>(from));
     }
+    for (std::int64_t const since_end : notes.fed)
+        session.fed_cycles.push_back(end + static_cast<Cycles>(since_end));
 }
 
 /// Null if the driver cannot finish the phrase.
-Automaton::Slot const* Automaton::work_out(Print const& print) {
+Automaton::Slot const* Automaton::work_out(Print const& print, Group const& group) {
+    std::uint32_t const supplies = supplies_of_phrase(group, session_->frozen);
+    if (supplies > Operation::longest_mix)
+        return nullptr;
     once_ = Slot();
     once_.print = print;
-    task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), 0};
+    task_ = {phrase_.codes(), phrase_.size(), phrase_.active(), supplies};
+    task_.active |= supplies > 0 ? 1U << group.supplier() : 0U;
     if (!work_out(once_))
         return nullptr;
     return once_.number < first_loose ? table_.add(once_) : &once_;

@@ -100,8 +100,11 @@ class Automaton {
     void apply(Slot const& slot);
     void make_room_for_uses(Session& session) const;
     void note(Session& session, Number number, Cycles begin) const;
-    static void note(Session& session, std::uint32_t froze, std::vector<Room> const& rooms, Cycles end);
-    Slot const* work_out(Print const& print);
+    static void note(Session& session, Transition::Notes const& notes, Cycles end);
+    Phrase::Reading read(Group const& group, std::uint32_t frozen);
+    static std::uint64_t fed_iterations(Group const& group);
+    std::uint32_t supplies_of_phrase(Group const& group, std::uint32_t frozen) const;
+    Slot const* work_out(Print const& print, Group const& group);
     bool perform(StateView from);
     Number number_of_state();
     bool work_out(Slot& slot);
@@ -192,6 +195,11 @@ struct Automaton::Session {
     std::vector<Entry> entry;  ///< where each follower stood, in absolute cycles
     std::vector<std::vector<Cycles>> rooms;
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
+    // Iterations of a supplier that takes from memory: those that it had to do and was sure to find at the begin, those
+    // done while logs are followed, and the cycles of all done.
+    std::uint64_t fed_before = 0;
+    std::uint64_t fed = 0;
+    std::vector<Cycles> fed_cycles;
 
     /// The loop that a member is in since a session, of whose iterations states tell few: they are summed up when
     /// somebody asks, mostly never.

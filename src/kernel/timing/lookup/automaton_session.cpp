@@ -171,6 +171,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     session_->entered = 0;
     session_->entry.clear();
     session_->rooms.assign(group.fifos().size(), {});
+    session_->fed_cycles.clear();
     if (!find_outlooks(group, script, real))
         return false;
     for (unsigned f = 0; f < group.fifos().size(); ++f)
@@ -223,6 +224,8 @@ void Automaton::end(Group const& group, Script* script) {
         for (unsigned m = 1; m < group.members().size(); ++m)
             script->next_ports[m] = real.outlooks()[m].next_ports;
     restore_stands(real);
+    if (group.fed() != 0)
+        group.members()[group.supplier()].process->take_fed(session_->fed_cycles);
     if (group.driver().trail() != nullptr)
         extend(*group.driver().trail());
     keep_history(real, iterations_before);

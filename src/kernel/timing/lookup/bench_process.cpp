@@ -5,7 +5,7 @@
 namespace faster::timing {
 
 BenchProcess::BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail)
-    : Rules(process.shape(), process.index()), ports_(process.port_count()) {
+    : Rules(process.fed_shape(), process.index()), ports_(process.port_count()) {
     trail_ = trail;
     for (LoopShape const& loop : shape_->loops) {
         figures_.push_back({figures, RelativeState::blocks_of(loop)});

@@ -17,6 +17,12 @@ bool is_in_masks(ProcessTiming const& process, FifoTiming const& fifo) {
     return true;
 }
 
+void find_fed_ports(Group::Member& member) {
+    bool const is_fed = member.writes_anchor && member.process->takes_from_memory();
+    if (is_fed && member.process->stream_port() < Ports::in_masks)
+        member.fed_ports = Ports::of(member.process->stream_port()).number();
+}
+
 bool can_follow(CoreTiming const& core, Lead const& lead) {
     return lead.followers.size() <= Group::most_followers &&
            std::all_of(lead.followers.begin(), lead.followers.end(), [&](Lead::Follower const& follower) {
@@ -65,6 +71,8 @@ Group::Group(CoreTiming& core, Lead const& lead) {
                 members_[m].driver_port = Ports::of(port).number();
     }
     for (unsigned m = 1; m < members_.size(); ++m) {
+        find_fed_ports(members_[m]);
+        fed_ |= members_[m].fed_ports != 0 ? 1U << m : 0U;
         if (!members_[m].writes_anchor)
             readers_ |= 1U << m;
         else if (supplier_ == 0)
@@ -74,18 +82,6 @@ Group::Group(CoreTiming& core, Lead const& lead) {
         for (unsigned m = 1; m < members_.size(); ++m)
             if ((ports & members_[m].driver_port) != 0)
                 followers_at_[ports] |= Lanes{1} << (lane_bits * (m - 1));
-    find_feeders(core);
-}
-
-void Group::find_feeders(CoreTiming& core) {
-    feeders_.resize(driver().port_count());
-    for (unsigned port = 0; port < feeders_.size(); ++port)
-        for (std::size_t number = 0; number < core.processes().size() && !driver().writes(port); ++number) {
-            ProcessTiming& process = core.process(number);
-            for (unsigned other = 0; other < process.port_count() && process.stream() != nullptr; ++other)
-                if (process.writes(other) && &process.fifo(other) == &driver().fifo(port))
-                    feeders_[port] = &process;
-        }
 }
 
 unsigned Group::other_end(unsigned member, unsigned port) const {

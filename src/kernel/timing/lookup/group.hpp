@@ -20,6 +20,7 @@ class Group {
         Ports::Number driver_port = 0;  ///< mask: the driver's end of the anchor
         bool writes_anchor = false;
         Ports::Number inner_ports = 0;  ///< mask: ports whose FIFO has both ends in the group
+        Ports::Number fed_ports = 0;    ///< mask: what it takes from memory; see ProcessTiming::fed_iterations()
     };
     struct Inner {
         FifoTiming* fifo = nullptr;
@@ -47,21 +48,19 @@ class Group {
     std::uint32_t suppliers() const { return has_supplier() ? 1U << supplier_ : 0; }
     /// All other followers, a bit each.
     std::uint32_t readers() const { return readers_; }
+    /// The suppliers that take from memory, a bit each.
+    std::uint32_t fed() const { return fed_; }
     /// The inner FIFO at a port, and who is at its other end.
     unsigned fifo_at(unsigned member, unsigned port) const { return fifo_at_[member][port]; }
     unsigned other_end(unsigned member, unsigned port) const;
-    /// Who writes what the driver reads at a port, if that is somebody outside who takes from memory; or null.
-    ProcessTiming* feeder(unsigned driver_port) const { return feeders_[driver_port]; }
 
   private:
-    void find_feeders(CoreTiming& core);
-
     std::vector<Member> members_;
     unsigned supplier_ = 0;
     std::uint32_t readers_ = 0;
+    std::uint32_t fed_ = 0;
     std::vector<Lanes> followers_at_ = std::vector<Lanes>(Ports::numbers);  ///< beyond masks: none
     std::vector<Inner> fifos_;
-    std::vector<ProcessTiming*> feeders_;         // by port of the driver
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
 };
 

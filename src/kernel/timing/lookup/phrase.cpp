@@ -124,8 +124,10 @@ Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
     if (from >= log.pending())
         return {};
     Operation const& operation = log.begin()[from];
-    bool const inside = (operation.ports() & ~member.inner_ports) == 0;
-    return {inside ? operation.ports() : Ports::Number{0}, true};
+    auto const ports = static_cast<Ports::Number>(operation.ports() & ~member.fed_ports);
+    bool const is_fed = member.fed_ports == 0 || member.process->fed_iterations() > 0;
+    bool const inside = is_fed && (ports & ~member.inner_ports) == 0;
+    return {inside ? ports : Ports::Number{0}, true};
 }
 
 /// As many of a follower's operations as the driver's accesses of its anchor ask for, and those after them up to its

@@ -7,7 +7,8 @@ namespace faster::timing {
 
 Ports::Number RelativeState::next_ports(unsigned member) const {
     ProcessTiming const& p = process(member);
-    return p.log_.exhausted() ? outlooks_[member].next_ports : p.log().front().ports();
+    return p.log_.exhausted() ? outlooks_[member].next_ports
+                              : p.log().front().ports() & ~group_->members()[member].fed_ports;
 }
 
 void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {

@@ -19,6 +19,8 @@ std::uint64_t regular_supplies(Group::Member const& supplier) {
     if (log.exhausted())
         return 0;
     Operation const& front = log.front();
+    if (supplier.fed_ports != 0)
+        return supplier.process->fed_iterations();
     bool const is_regular = front.kind() == Operation::Kind::iterate && front.ports() == 1U << supplier.anchor_port &&
                             front.gap() == 0 && front.tail_ports() == 0;
     return is_regular ? front.count() : 0;
@@ -75,8 +77,12 @@ void Automaton::find_regular_part(Walk& walk) {
     if (!walk.group->has_supplier() || goes_on_elsewhere(supplier))
         return;
     std::uint64_t const left = regular_supplies(supplier);
-    while (walk.end != script.next && walk.due_behind + left <= script.due)
-        walk.due_behind += (*script.book)[*--walk.end].due;
+    if (left > script.due)
+        return;
+    std::uint64_t due = 0;
+    for (walk.end = script.next; walk.end != script.end && due + (*script.book)[*walk.end].due < left; ++walk.end)
+        due += (*script.book)[*walk.end].due;
+    walk.due_behind = script.due - due;
 }
 
 Automaton::Place Automaton::place_of(Walk const& walk) {
@@ -274,7 +280,7 @@ bool Automaton::arrive(Walk& walk) {
     std::uint64_t due = walk.due_behind;
     for (auto number = script.next; number != walk.end; ++number)
         due += (*script.book)[*number].due;
-    if (group.has_supplier() && due != script.due && !is_frozen(group.supplier()))
+    if (group.has_supplier() && group.fed() == 0 && due != script.due && !is_frozen(group.supplier()))
         group.members()[group.supplier()].process->log().consume(0, static_cast<std::uint32_t>(script.due - due));
     script.due = due;
     end(group, &script);

@@ -170,7 +170,7 @@ template <class Time> StateWord const* load_flushing(FlushingPipeline<Time>& flu
 /// What the words of a process say besides where it stands: `flags` has what the process itself does not know.
 template <class Process> void save_process(Process const& process, ProcessFlags flags, bool with_log, StatePage& page) {
     auto const& state = process.state();
-    bool const has_delay_line = state.in_loop && !process.plan().aligned;
+    bool const has_delay_line = process.has_delay_line();
     flags.loop = state.in_loop ? state.loop + 1 : 0;
     flags.begun = state.in_loop ? std::min(state.iterations, process.plan().counting) : 0;
     flags.left = with_log ? process.log().pending() : 0;
@@ -192,7 +192,7 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
     flags = ProcessFlags::of(words);
     words += ProcessFlags::words;
     process.restore(time, flags.loop, flags.begun);
-    bool const has_delay_line = flags.loop != 0 && !process.plan().aligned;
+    bool const has_delay_line = process.has_delay_line();
     for (std::uint64_t lag = 1; has_delay_line && lag <= process.plan().longest_lag; ++lag)
         process.restore_delayed(lag, static_cast<Ports::Number>(*words++));
     if (process.flushes())

@@ -118,6 +118,8 @@ std::uint64_t SteadyState::free_accesses(End const& end) {
     }
     std::uint64_t free = port.free_until - next;
     Cycles const interval = process.plan().ii;
+    if (free < end.known() && end.earliest(end.known() - 1) <= process.state_.time + free * interval)
+        free = end.known();  // none is legal later than the one behind it
     while (free < end.known() && end.earliest(free) <= process.state_.time + free * interval)
         ++free;
     port.free_until = next + free;
@@ -265,8 +267,12 @@ void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t p
         return;
     FifoTiming::End const fifo_end = end.fifo->end(end.writes);
     CycleRing::Writer const line = fifo_end.appends->writer(accesses);
-    for (std::uint64_t i = 0; i < accesses; ++i)
-        line[i] = line[i - accesses / periods] + cycles / periods;
+    std::uint64_t const in_period = accesses / periods;
+    for (std::uint64_t i = 0; i < in_period; ++i) {
+        Cycles cycle = line[i - in_period];
+        for (std::uint64_t at = i; at < accesses; at += in_period)
+            line[at] = cycle += cycles / periods;
+    }
     fifo_end.consumes->consume(accesses);
     fifo_end.appends->done(accesses);
     end.fifo->note(end.writes, accesses);

@@ -27,24 +27,36 @@ struct Transition {
         bool all;
         std::vector<std::int64_t> from;
     };
+    /// What few transitions have to tell.
+    struct Notes {
+        std::uint32_t froze = 0;  ///< members, a bit each
+        std::vector<Room> rooms;
+        std::vector<std::int64_t> fed;  ///< cycles of the supplier's iterations, if it takes from memory
+
+        bool is_empty() const { return froze == 0 && rooms.empty() && fed.empty(); }
+        void clear() {
+            froze = 0;
+            rooms.clear();
+            fed.clear();
+        }
+    };
 
     Cycles cycles = 0;
-    std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
-    std::uint32_t froze = 0;
+    std::uint32_t entered = 0;                             ///< members that entered a loop, a bit each
     std::array<std::uint64_t, most_members> iterations{};  ///< of the loop entry at hand, by member
     FigureBlocks figures;
     std::vector<Stand> stands;
-    std::vector<Room> rooms;
+    Notes notes;
     std::vector<TrailEvent> trail;
 
     /// Becomes empty, and keeps its storage.
     void clear() {
         cycles = 0;
-        entered = froze = 0;
+        entered = 0;
         iterations.fill(0);
         figures.clear();
         stands.clear();
-        rooms.clear();
+        notes.clear();
         trail.clear();
     }
 };

@@ -25,6 +25,7 @@ TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool 
     }
     supplier_ = group.supplier();
     supplier_port_ = group.members()[supplier_].anchor_port;
+    is_fed_ = group.fed() != 0;
     connect(group);
 }
 
@@ -177,7 +178,7 @@ void TransitionBench::tell(Task const& task, Transition& transition) {
         task.codes, task.size,
         [this](unsigned member, Operation const& operation) { members_[member].process.append(operation); },
         [&](unsigned member, Ports::Number next_ports, bool frozen) {
-            transition.froze |= frozen ? 1U << member : 0U;
+            transition.notes.froze |= frozen ? 1U << member : 0U;
             members_[member].process.set_outlook(next_ports, frozen);
         });
     if (task.supplies == 0)
@@ -222,6 +223,8 @@ bool TransitionBench::describe(Transition& transition) {
     base_ = members_.front().process.time();
     if (froze)
         describe_rooms(transition);
+    if (is_fed_)
+        describe_fed(transition);
     return true;
 }
 
@@ -260,14 +263,23 @@ void TransitionBench::describe_rooms(Transition& transition) {
         if (!writer.is_frozen())
             continue;
         BenchLine const& free = fifos_[f].fifo.free;
-        bool const froze = ((transition.froze >> fifos_[f].writer) & 1U) != 0;
+        bool const froze = ((transition.notes.froze >> fifos_[f].writer) & 1U) != 0;
         std::uint64_t const fresh = froze ? free.known() : std::min(free.known(), free.appended());
         Transition::Room room{f, froze, {}};
         for (std::uint64_t i = free.known() - fresh; i < free.known(); ++i)
             room.from.push_back((froze ? std::max<std::int64_t>(free[i], writer.time()) : free[i]) - base_);
         if (froze || fresh > 0)
-            transition.rooms.push_back(std::move(room));
+            transition.notes.rooms.push_back(std::move(room));
     }
+}
+
+/// What it takes, the supplier takes in the step in which it writes.
+void TransitionBench::describe_fed(Transition& transition) {
+    if (members_[supplier_].process.is_frozen() || !members_[supplier_].has_accessed)
+        return;
+    FifoEnd<BenchLine> const& end = members_[supplier_].process.port(supplier_port_).end;
+    for (std::uint64_t i = 0; i < end.appends->appended(); ++i)
+        transition.notes.fed.push_back(end.appends->fresh()[i] - end.later - base_);
 }
 
 /// Those of whatever has done something, which are zero behind this.

@@ -68,6 +68,7 @@ class TransitionBench {
     void save();
     void describe_stands(std::uint32_t told, Transition& transition);
     void describe_rooms(Transition& transition);
+    void describe_fed(Transition& transition);
     void take_figures(FigureBlocks& figures);
 
     struct Fifo {
@@ -95,6 +96,7 @@ class TransitionBench {
     std::vector<Fifo> fifos_;
     std::vector<Member> members_;
     unsigned supplier_ = 0, supplier_port_ = 0;
+    bool is_fed_ = false;               ///< the supplier takes from memory
     std::size_t words_of_fifos_ = 0;    ///< of a state, at most
     std::uint32_t of_loops_ = 0;        ///< blocks of figures; behind them, those of FIFOs
     std::vector<FigureBlock> figures_;  ///< by number: zero between transitions

@@ -34,7 +34,7 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     std::transform(transition.iterations.begin(), transition.iterations.end(), tally.iterations.begin(),
                    [](std::uint64_t iterations) { return static_cast<std::uint16_t>(iterations); });
     tally.entered = static_cast<std::uint16_t>(transition.entered);
-    briefs_.emplace_back(transition.cycles, transition.entered, is_notable(transition));
+    briefs_.emplace_back(transition.cycles, transition.entered, !transition.notes.is_empty());
     tallies_.push_back(tally);
     pieces_.push_back(number);
     std::size_t const figures = transition.figures.size();
@@ -42,8 +42,11 @@ TransitionStore::Number TransitionStore::add(Transition const& transition) {
     figures_.push_back({kept, kept + figures});
     stands_.insert(stands_.end(), transition.stands.begin(), transition.stands.end());
     end();
-    if (is_notable(transition))
-        notes_[number] = {transition.froze, transition.rooms};
+    if (!transition.notes.is_empty()) {
+        places_of_notes_.resize(number + std::size_t{1});
+        places_of_notes_[number] = static_cast<std::uint32_t>(notes_.size());
+        notes_.push_back(transition.notes);
+    }
     if (!transition.trail.empty()) {
         trails_.resize(number + std::size_t{1});
         trails_[number] = transition.trail;

@@ -2,7 +2,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "kernel/timing/lookup/transition.hpp"
@@ -45,10 +44,6 @@ class TransitionStore {
         std::array<std::uint16_t, Transition::most_members> iterations;  ///< of the entry at hand, by member
         std::uint16_t entered;                                           ///< members that entered one, a bit each
     };
-    struct Notes {
-        std::uint32_t froze;
-        std::vector<Transition::Room> rooms;
-    };
     template <class Element> struct Range {
         Element const* first;
         Element const* last;
@@ -78,10 +73,8 @@ class TransitionStore {
     /// Of no sequence: those of Transition.
     Range<FigureBlock> figures(Number number) const { return figures_[number]; }
     Range<Transition::Stand> stands(Number number) const { return part(stands_, &Ends::stands, number); }
-    Notes const& notes(Number number) const { return notes_.at(number); }
+    Transition::Notes const& notes(Number number) const { return notes_[places_of_notes_[number]]; }
     std::vector<TrailEvent> const& trail(Number number) const;
-
-    static bool is_notable(Transition const& transition) { return transition.froze != 0 || !transition.rooms.empty(); }
 
   private:
     /// Where a transition's share of what all have ends.
@@ -104,7 +97,8 @@ class TransitionStore {
     WordArena<FigureBlock> kept_figures_;
     std::vector<Range<FigureBlock>> figures_;  ///< of a sequence: none
     std::vector<Transition::Stand> stands_;
-    std::unordered_map<Number, Notes> notes_;
+    std::vector<Transition::Notes> notes_;
+    std::vector<std::uint32_t> places_of_notes_;   ///< by transition, up to the last that has any
     std::vector<std::vector<TrailEvent>> trails_;  ///< up to the last that left any
 };
 

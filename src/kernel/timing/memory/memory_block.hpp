@@ -38,10 +38,9 @@ struct MemoryBurst {
     std::uint64_t token_bytes = 1;
     bool opens_entry = false;  ///< the first of an entry
 
-    /// In which of its beats a token ends.
-    std::uint64_t beat_of(std::uint64_t token, std::uint64_t port_bytes) const {
+    std::uint64_t last_byte_of(std::uint64_t token) const {
         std::uint64_t const last = first_last + token * token_bytes;
-        return ((last < last_last ? last : last_last) - address) / port_bytes;
+        return last < last_last ? last : last_last;
     }
 };
 

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "kernel/base/integer_bits.hpp"
+
 namespace faster::timing {
-
-namespace {
-
-/// The first token of a burst that ends behind one of its beats, in which some end.
-std::uint64_t first_behind(MemoryBurst const& burst, std::uint64_t beat, std::uint64_t port_bytes) {
-    std::uint64_t const end = burst.address + (beat + 1) * port_bytes;
-    if (burst.last_last < end)
-        return burst.tokens;
-    return std::min(burst.tokens, (end - burst.first_last + burst.token_bytes - 1) / burst.token_bytes);
-}
-
-}  // namespace
 
 MemoryMaster::MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch,
                            HandedOut const& handed_out)
@@ -96,6 +86,16 @@ void MemoryMaster::free_slots(HandedOut* handing_out) {
     forgotten_ += taken;
 }
 
+/// From when on the first can be read.
+Cycles MemoryMaster::deliver(MemoryBurst const& burst, Cycles first_beat) {
+    auto const readable = [from = first_beat + 1, address = burst.address, beat = bits_for(shape_.port_bytes - 1)](
+                              std::uint64_t last_byte) { return from + ((last_byte - address) >> beat); };
+    stream_.deliver(burst.tokens - 1, [readable, first = burst.first_last, bytes = burst.token_bytes](
+                                          std::uint64_t token) { return readable(first + token * bytes); });
+    stream_.deliver(1, readable(burst.last_byte_of(burst.tokens - 1)));
+    return readable(burst.last_byte_of(0));
+}
+
 Cycles MemoryMaster::served(Cycles cycle) {
     MemoryBurst const& burst = cutter_.burst();
     Cycles const asked = *ask_;
@@ -110,14 +110,8 @@ Cycles MemoryMaster::served(Cycles cycle) {
     if (stream_.is_write()) {
         free_from_.push_back(done + 1);
     } else {
-        for (std::uint64_t token = 0; token < burst.tokens;) {
-            std::uint64_t const beat = burst.beat_of(token, shape_.port_bytes);
-            std::uint64_t const next = first_behind(burst, beat, shape_.port_bytes);
-            stream_.deliver(next - token, cycle + beat + 1);
-            token = next;
-        }
         if (burst.tokens > 0)
-            first = cycle + burst.beat_of(0, shape_.port_bytes) + 1;
+            first = deliver(burst, cycle);
         delivered_ += burst.tokens;
         if (burst.tokens == 0 && served_.empty())  // done, and nobody will be woken to see that
             free_from_.push_back(done + 1);

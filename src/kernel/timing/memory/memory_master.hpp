@@ -40,6 +40,7 @@ class MemoryMaster {
         Cycles after_last_beat = 0;
     };
 
+    Cycles deliver(MemoryBurst const& burst, Cycles first_beat);
     void take_up_next();
     void find_ask();
     void free_slots(HandedOut* handing_out);

@@ -16,6 +16,12 @@ struct DeliveryTape {
         Cycles cycle = 0;
     };
     std::vector<Delivery> deliveries;
+
+    void add(Cycles cycle) {
+        if (deliveries.empty() || deliveries.back().cycle != cycle)
+            deliveries.push_back({0, cycle});
+        ++deliveries.back().tokens;
+    }
 };
 
 /// A process's end of the external memory. To the process it is a FIFO with the memory at the other end: tokens that it
@@ -58,11 +64,17 @@ class MemoryStream {
 
     /// The next tokens can be read from a cycle on.
     void deliver(std::uint64_t tokens, Cycles cycle) {
+        deliver(tokens, [cycle](std::uint64_t /*token*/) { return cycle; });
+    }
+    /// Each from its own, cycle(0), cycle(1), ..., which never fall.
+    template <class CycleOf> void deliver(std::uint64_t tokens, CycleOf const& cycle) {
+        if (tokens == 0)
+            return;
         for (DeliveryTape* const tape : tapes_)
-            tape->deliveries.push_back({tokens, cycle});
-        for (; tokens > 0; --tokens)
-            fifo_.deliver(cycle);
-        readable_ = cycle;
+            for (std::uint64_t token = 0; token < tokens; ++token)
+                tape->add(cycle(token));
+        fifo_.deliver(tokens, cycle);
+        readable_ = cycle(tokens - 1);
     }
     void add_tape(DeliveryTape& tape) { tapes_.push_back(&tape); }
     void remove_tape(DeliveryTape& tape) {

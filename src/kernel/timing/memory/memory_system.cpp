@@ -1,6 +1,7 @@
 #include "kernel/timing/memory/memory_system.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/timing/core_timing.hpp"
 
@@ -13,8 +14,10 @@ MemorySystem::MemorySystem(ExternalMemory const& shape, std::vector<MasterShape>
       ports_free_(shape.ports),
       port_figures_(shape.ports) {}
 
-void MemorySystem::add_core(CoreTiming& core, bool has_work) {
-    cores_.push_back(&core);
+void MemorySystem::add_core(CoreTiming& core, bool has_work, Resume resume) {
+    if (resume == nullptr)
+        resume = [&core](ProcessMask woken) { core.resume(woken); };
+    cores_.push_back({&core, std::move(resume), 0, MemoryMaster::never});
     if (has_work)
         working_.push_back(&core);
     MemoryMaster::HandedOut& handed_out = handed_out_.emplace_back();
@@ -103,12 +106,9 @@ Cycles MemorySystem::unknown_from() const {
 }
 
 /// As far as a core gets with what the memory has delivered.
-void MemorySystem::settle(std::size_t core, bool is_resolved) {
-    if (!is_resolved)
-        cores_[core]->resolve(false);
-    ProcessMask woken = 0;
+void MemorySystem::settle(std::size_t core, ProcessMask woken) {
     do {
-        cores_[core]->resume(woken);
+        cores_[core].resume(woken);
         woken = 0;
         for (std::size_t master = core * shapes_.size(); master < (core + 1) * shapes_.size(); ++master)
             if (follow_master(master))
@@ -116,30 +116,42 @@ void MemorySystem::settle(std::size_t core, bool is_resolved) {
     } while (woken != 0);
 }
 
+/// What comes of what was served is not before the process goes on that waits for it.
+void MemorySystem::wake(Served const& served) {
+    if (served.first_readable == MemoryMaster::never)
+        return;
+    Target const target = target_of(served.master);
+    Core& core = cores_[target.core];
+    Cycles const own = core.timing->process(target.process).not_before();
+    core.woken |= ProcessMask{1} << target.process;
+    core.goes_on_from = std::min(core.goes_on_from, std::max(own, served.first_readable));
+}
+
+void MemorySystem::let_go(std::size_t core) {
+    cores_[core].goes_on_from = MemoryMaster::never;
+    settle(core, std::exchange(cores_[core].woken, 0));
+}
+
+/// Serves as long as nobody can ask for anything before, and lets a core go on when it might: by then it has much to do
+/// at once.
 void MemorySystem::go_on(bool at_the_end) {
-    for (std::size_t core = 0; core < cores_.size(); ++core)
-        settle(core, false);
-    std::vector<ProcessMask> woken(cores_.size());
-    for (bool has_served = true; has_served;) {
-        has_served = false;
-        Cycles before = at_the_end ? MemoryMaster::never : unknown_from();
-        for (; !requests_.empty() && requests_.top().first < before; has_served = true) {
-            Served const served = serve();
-            if (served.first_readable == MemoryMaster::never)
-                continue;
-            // What comes of it is not before its process goes on.
-            Target const target = target_of(served.master);
-            Cycles const own = cores_[target.core]->process(target.process).not_before();
-            before = std::min(before, std::max(own, served.first_readable));
-            woken[target.core] |= ProcessMask{1} << target.process;
+    for (std::size_t core = 0; core < cores_.size(); ++core) {
+        cores_[core].timing->resolve(false);
+        settle(core, 0);
+    }
+    Cycles unknown = at_the_end ? MemoryMaster::never : unknown_from();
+    auto const is_before = [](Core const& one, Core const& other) { return one.goes_on_from < other.goes_on_from; };
+    for (;;) {
+        auto const first = std::min_element(cores_.begin(), cores_.end(), is_before);
+        Cycles const before = std::min(unknown, first->goes_on_from);
+        if (!requests_.empty() && requests_.top().first < before) {
+            wake(serve());
+            continue;
         }
-        for (std::size_t core = 0; core < cores_.size(); ++core) {
-            if (woken[core] == 0)
-                continue;
-            cores_[core]->resume(woken[core]);
-            woken[core] = 0;
-            settle(core, true);
-        }
+        if (first->woken == 0)
+            return;
+        let_go(static_cast<std::size_t>(first - cores_.begin()));
+        unknown = at_the_end ? MemoryMaster::never : unknown_from();
     }
 }
 

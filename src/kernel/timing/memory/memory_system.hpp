@@ -10,6 +10,7 @@
 #include "kernel/timing/memory/external_memory.hpp"
 #include "kernel/timing/memory/memory_master.hpp"
 #include "kernel/timing/memory/served_burst.hpp"
+#include "kernel/timing/trail.hpp"
 
 namespace faster::timing {
 
@@ -31,8 +32,10 @@ class MemorySystem {
     MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters);
 
     ExternalMemory const& shape() const { return shape_; }
-    /// In order. The core must stay where it is. `has_work`: it does something at all.
-    void add_core(CoreTiming& core, bool has_work);
+    /// In order. The core must stay where it is. `has_work`: it does something at all. `resume`, if there is one, lets
+    /// it go on instead of CoreTiming::resume(), for who does not log all at once.
+    using Resume = std::function<void(ProcessMask woken)>;
+    void add_core(CoreTiming& core, bool has_work, Resume resume = nullptr);
     /// More to do for a core's master, in order; before its process comes there.
     void add(std::size_t core, std::size_t master, MemoryEntry entry) {
         masters_[core * shapes_.size() + master].add(std::move(entry));
@@ -81,9 +84,11 @@ class MemorySystem {
         Cycles first_readable = MemoryMaster::never;
     };
     bool follow_master(std::size_t master);
-    void settle(std::size_t core, bool is_resolved);
+    void settle(std::size_t core, ProcessMask woken);
     void note_request(std::size_t master);
     Served serve();
+    void wake(Served const& served);
+    void let_go(std::size_t core);
     Cycles unknown_from() const;
     void note_queue(std::uint64_t arrival, std::uint64_t begin);
     Target target_of(std::size_t master) const {
@@ -92,7 +97,15 @@ class MemorySystem {
 
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
-    std::vector<CoreTiming*> cores_;
+    /// A core, and processes for which it has been brought something since it went on, a bit each: they go on in a
+    /// cycle at the earliest.
+    struct Core {
+        CoreTiming* timing = nullptr;
+        Resume resume;
+        ProcessMask woken = 0;
+        Cycles goes_on_from = MemoryMaster::never;
+    };
+    std::vector<Core> cores_;
     std::uint64_t samples_ = 0;
     std::vector<CoreTiming const*> working_;          // those that do something
     std::deque<MemoryMaster::HandedOut> handed_out_;  // by core

@@ -36,6 +36,11 @@ function show_graph() {
   });
 }
 
+function show_timeline() {
+  if (data.timelines.length === 0) return leave_out("timeline");
+  new PackedSamples(() => {}, () => `Nothing moves after cycle ${whole(deadlock.cycle)}.`);
+}
+
 function show_stuck() {
   by_id("stuck-note").textContent = `Processes with something left to do: ${whole(deadlock.stuck.length)}, and where they are in the sources.`;
   new SortableTable(by_id("stuck-table"), "All that wait", [
@@ -67,11 +72,13 @@ function show_fifos() {
     by_id("fifo-controls").append(labelled("Core", choice(cores.map((core) => `core ${core}`), (i) => table.show(rows(cores[i])))));
 }
 
+set_chart_defaults();
 show_headline();
 show_deadlock(by_id("deadlock"), deadlock);
 show_commands();
 show_command_for_before();
 show_graph();
+show_timeline();
 show_stuck();
 show_fifos();
 show_configuration();

@@ -31,8 +31,16 @@ function name_of_packed({ sample, core, begin, end, is }) {
   return `${whole(sample)} (core ${core}): ` + [...is.map((what) => `the ${what}`), count_of(end - begin, "cycle")].join(", ");
 }
 
+function held_of_all() {
+  const held = data.timelines.length, all = data.headline.samples;
+  if (held === all) return all === 1 ? "" : `The page holds all ${count_of(all, "sample")}.`;
+  return `The page holds ${held} of ${count_of(all, "sample")}; run --report-samples adds others, explore shows any.`;
+}
+
+/// `held`: says what the page holds.
 class PackedSamples {
-  constructor(shown) {
+  constructor(shown, held = held_of_all) {
+    this.held = held;
     if (data.timelines.length > 1)
       by_id("timeline-controls").append(labelled("Sample", choice(data.timelines.map(name_of_packed), (i) => this.choose(i))));
     this.timeline = new Timeline();
@@ -56,9 +64,7 @@ class PackedSamples {
   what_is_held() {
     const { resolution } = this.levels[this.levels.length - 1];
     const merged = resolution > 1 ? ` Bars with less than ${whole(resolution)} cycles between them are drawn as one, however close one looks.` : "";
-    const held = data.timelines.length, all = data.headline.samples;
-    return (held === all ? (all === 1 ? "" : `The page holds all ${count_of(all, "sample")}.`)
-      : `The page holds ${held} of ${count_of(all, "sample")}; run --report-samples adds others, explore shows any.`) + merged;
+    return this.held() + merged;
   }
 
   /// The finest bars that are not too many to draw.

@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+
+#include "kernel/machine/core_share.hpp"
+#include "kernel/replay/retime.hpp"
+#include "kernel/replay/scripted_run.hpp"
+#include "kernel/timing/core_timing.hpp"
+#include "kernel/timing/lookup/group.hpp"
+
+namespace faster::replay {
+
+/// A core behind an external memory that follows the scripts of its samples. All that is in no script has been logged
+/// from the start, so whenever it stops it has got as far as it can with what the memory has brought so far.
+class ScriptedCore {
+  public:
+    /// All of the samples must be scripted. The core follows the lead of the run, and everything must outlive this.
+    ScriptedCore(ScriptedRun const& run, CoreShare share, timing::CoreTiming& core, Leaves leaves);
+
+    /// As far as it gets, once the memory has brought something for some processes, a bit each.
+    void go_on(timing::ProcessMask woken);
+    /// It has stopped, and a process could go on by itself with what comes behind the script at hand: it may have
+    /// stopped too early.
+    bool has_more_to_say() const { return has_more_to_say_; }
+
+  private:
+    bool follow();
+    void take_up_next();
+    void end_sample();
+    bool still_waits(timing::ProcessMask woken);
+    bool awaits_driver() const;
+    void note_who_is_done();
+    bool has_more(std::size_t process) const;
+    ScriptedSample const& sample() const { return run_[share_.first + fed_]; }
+
+    ScriptedRun const& run_;
+    CoreShare share_;
+    timing::CoreTiming& core_;
+    timing::Group group_;
+    Leaves leaves_;
+    timing::Script script_;
+    std::size_t fed_ = 0;  ///< samples done
+    bool is_following_ = false;
+    bool is_left_ = false;
+    bool has_more_to_say_ = false;
+};
+
+}  // namespace faster::replay

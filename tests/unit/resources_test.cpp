@@ -255,6 +255,17 @@ TEST_CASE("Modules of our own design are synthesized, but for what lies outside 
         }
 }
 
+TEST_CASE("Our own design leaves a fifth of every resource, and with a core more it would not", "[resources]") {
+    Resources const device{274080, 548160, 2520, 912};
+    Resources const chip = resources_of(machine_with({"accelerator.architecture=next_zcu102"})).chip;
+    CHECK(chip.lut <= 0.8 * device.lut);
+    CHECK(chip.ff <= 0.8 * device.ff);
+    CHECK(chip.dsp <= 0.8 * device.dsp);
+    CHECK(chip.ramb36 <= 0.8 * device.ramb36);
+    CHECK(resources_of(machine_with({"accelerator.architecture=next_zcu102", "accelerator.raster_cores=8"})).chip.lut >
+          0.8 * device.lut);
+}
+
 TEST_CASE("Lanes and spans have the longest paths of their own units", "[timing]") {
     Machine const next = machine_with({"accelerator.architecture=next_zcu102"});
     CHECK(report::timing_text(next).empty());

@@ -19,20 +19,6 @@ namespace {
 constexpr Resources thesis_chip{212371, 193509, 654, 414};
 constexpr double thesis_cores = 10;
 
-/// Longest paths of a unit with so many lanes, or with more where none has as many.
-std::vector<UnitPath> paths_with_lanes(char const* unit, int lanes) {
-    if (lanes == 1)
-        return synthesized_paths().paths(unit, {});
-    char const* const built = lanes <= 5 ? "5" : "10";
-    return synthesized_paths().paths(unit, {{"lanes", built}});
-}
-
-/// With those besides its own.
-UnitLogic with_paths(UnitLogic logic, std::vector<UnitPath> const& more) {
-    logic.paths.insert(logic.paths.end(), more.begin(), more.end());
-    return logic;
-}
-
 /// Stages of a delay line more or fewer than the unit was synthesized with.
 struct Delay {
     Cycles stages;
@@ -127,7 +113,9 @@ class CoreCount {
     }
     UnitLogic with_sweep_lanes(char const* unit, UnitLogic one_lane) const {
         int const lanes = config_.inlier_unit.sweep_lanes;
-        return lanes > 1 ? with_paths(std::move(one_lane), paths_with_lanes(unit, lanes)) : one_lane;
+        if (lanes > 1)
+            one_lane += {{}, paths_with_lanes(unit, lanes)};
+        return one_lane;
     }
     UnitKey window() const { return number_key("window", config_.window, 200); }
     UnitKey vertex_xy() const { return number_key("vertex_xy", config_.fraction_bits.vertex_xy, 4); }
@@ -138,10 +126,10 @@ class CoreCount {
             config_.rasterizer.edge_tokens == EdgeTokens::object || config_.flow == Flow::fpga_grip;
         UnitLogic scan =
             synthesized_logic("rasterizer", {window(), vertex_xy(), choice_key("edge_tokens", object_only, "object")});
-        if (config_.rasterizer.scan != ScanPolicy::spans)
-            return scan;
-        scan = with_paths(std::move(scan), paths_with_lanes("span_rows", config_.rasterizer.lanes));
-        return with_paths(std::move(scan), paths_with_lanes("span_scan", config_.rasterizer.lanes));
+        if (config_.rasterizer.scan == ScanPolicy::spans)
+            for (char const* unit : {"span_rows", "span_scan"})
+                scan += {{}, paths_with_lanes(unit, config_.rasterizer.lanes)};
+        return scan;
     }
     UnitLogic area_reciprocal() const {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];

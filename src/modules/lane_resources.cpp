@@ -33,15 +33,11 @@ UnitLogic banks_of(AcceleratorConfig const& config, Machine const& machine, char
                 unit, {{"banks", memory.partition.banks() > 1 ? "5" : "1"}, {"buffers", std::to_string(buffers)}})};
 }
 
-/// With lanes that no row has, those of more: a region and a second buffer change no path.
-std::vector<UnitPath> paths_with(char const* unit, int lanes) {
-    return synthesized_paths().paths(unit, {{"lanes", lanes <= 5 ? "5" : "10"}});
-}
 UnitLogic lane_logic(char const* unit, int lanes, std::vector<UnitKey> keys) {
     keys.push_back(number_key("lanes", lanes, 1));
     UnitLogic logic = synthesized_logic(unit, keys);
     if (lanes != 1 && lanes != 5 && lanes != 6 && lanes != 10)
-        logic.paths = paths_with(unit, lanes);
+        logic.paths = paths_with_lanes(unit, lanes);
     return logic;
 }
 

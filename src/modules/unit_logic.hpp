@@ -32,4 +32,12 @@ inline UnitLogic synthesized_logic(char const* unit, std::vector<UnitKey> const&
     return {{std::move(part)}, synthesized_paths().paths(unit, differing_keys(keys))};
 }
 
+/// Longest paths of a unit with so many lanes, or with more where none has as many: a region and a second buffer change
+/// no path.
+inline std::vector<UnitPath> paths_with_lanes(char const* unit, int lanes) {
+    if (lanes == 1)
+        return synthesized_paths().paths(unit, {});
+    return synthesized_paths().paths(unit, {{"lanes", lanes <= 5 ? "5" : "10"}});
+}
+
 }  // namespace faster

@@ -116,6 +116,7 @@ class Evaluator {
             numbers.push_back(image_numbers_.at(instance.image));
         ScoredInstances const scored(instances, numbers);
         Replicates replicates;
+        replicates.reserve(draws_.size());
         for (ImageWeights const& draw : draws_)
             replicates.push_back(scored.scores(draw));
         return replicates;

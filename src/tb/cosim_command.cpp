@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,10 +12,12 @@
 #include "modules/faster_simulation.hpp"
 #include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
+#include "tb/workload_iterations.hpp"
 #include "tb/workload_source.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 
 namespace faster {
 
@@ -29,6 +32,7 @@ struct CosimRequest {
     std::string out = ".";                    ///< folder for the waveforms of a difference
     std::int64_t core = -1;                   ///< -1: all
     bool forwards = true;                     ///< see TwinSettings
+    bool force = false;                       ///< however long it takes
 };
 
 LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> const& more) {
@@ -48,6 +52,22 @@ rtl::TwinSettings settings_of(CosimRequest const& request) {
         rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
     settings.forwards = request.forwards;
     return settings;
+}
+
+/// Recording and twin, of one core or of all.
+WorkSize size_of_comparison(Stimulus const& stimulus, std::size_t samples) {
+    constexpr double iterations_per_s = 0.6e6;                                           // measured with the main job
+    constexpr double bytes_of_pixel = 2 * sizeof(std::uint8_t) + sizeof(std::uint16_t);  // in KeptMaps, of all samples
+    LoopIterations const iterations = loop_iterations(stimulus);
+    double const compared = iterations.all() * static_cast<double>(samples) /
+                            static_cast<double>(std::max(stimulus.samples.size(), std::size_t{1}));
+    WorkSize size;
+    size.command = "cosim";
+    size.amount = fmt::format("{} samples, about {:.2g} loop iterations", samples, compared);
+    size.seconds = compared / iterations_per_s;
+    size.bytes = bytes_of_pixel * static_cast<double>(stimulus.window) * static_cast<double>(stimulus.window) *
+                 static_cast<double>(stimulus.samples.size());
+    return size;
 }
 
 /// Of cycles around the difference. Returns the names of both files.
@@ -92,6 +112,12 @@ int cosim(CosimRequest const& request) {
     AcceleratorConfig const& config = accelerator_of(loaded.config);
     if (request.core >= 0 && static_cast<std::uint64_t>(request.core) >= config.cores)
         throw InputError(fmt::format("--core {}: expected 0 to {}", request.core, config.cores - 1));
+    std::size_t const samples = stimulus.samples.size();
+    announce(
+        size_of_comparison(
+            stimulus,
+            request.core < 0 ? samples : share_of(static_cast<std::size_t>(request.core), config.cores, samples).count),
+        request.force);
     rtl::KeptMaps maps;
     bool is_same = true;
     SimulationOptions options;
@@ -100,8 +126,11 @@ int cosim(CosimRequest const& request) {
         recording.window.cores = {static_cast<std::size_t>(request.core)};
     recording.done = [&](recording::RecordedWindow const& window) {
         for (recording::RecordedCore const& core : window.cores) {
-            CoreShare const share = share_of(core.core, config.cores, stimulus.samples.size());
-            is_same = tell(core, rtl::compare(core, maps, settings, stimulus, share), request.out) && is_same;
+            CoreShare const share = share_of(core.core, config.cores, samples);
+            ProgressLine line("cycles compared");
+            auto const compared = rtl::compare(core, maps, settings, stimulus, share,
+                                               [&](Cycles done) { line.show(done, std::max(done, core.to)); });
+            is_same = tell(core, compared, request.out) && is_same;
         }
     };
     options.recordings.push_back(recording);
@@ -131,6 +160,7 @@ Subcommand cosim_command() {
                 ->capture_default_str();
             command.add_flag("!--no-forwarding", request->forwards,
                              "The twin reads stale words of its memories, as hardware does without forwarding");
+            add_force(command, request->force);
             return [request] { return cosim(*request); };
         }};
 }

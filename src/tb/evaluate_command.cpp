@@ -16,11 +16,14 @@
 #include "poses/evaluation.hpp"
 #include "poses/evaluation_json.hpp"
 #include "poses/evaluation_text.hpp"
+#include "poses/judge.hpp"
+#include "poses/scores.hpp"
 #include "tool/command_paths.hpp"
 #include "tool/exit_codes.hpp"
 #include "tool/options.hpp"
 #include "tool/progress_line.hpp"
 #include "tool/say.hpp"
+#include "tool/work_size.hpp"
 #include "workload/bop/read_dataset.hpp"
 #include "workload/files/png_image.hpp"
 
@@ -55,6 +58,43 @@ bop::Dataset load_dataset(EvaluateRequest const& request) {
     options.models.assign(request.models.begin(), request.models.end());
     options.to_judge = true;
     return bop::read_dataset(request.files.back(), options);
+}
+
+/// Points to be mapped to compare an estimate with every pose of an object: once for each symmetry, for MSSD; and to
+/// look for the nearest point, for ADD-S, takes as long as some 50.
+double points_mapped(bop::ObjectModel const& model) {
+    constexpr double bytes_of_point = 65;  // and of its triangles; binary files have fewer
+    std::error_code ignored;
+    double const points = static_cast<double>(fs::file_size(model.mesh, ignored)) / bytes_of_point;
+    return points * (static_cast<double>(poses::symmetries_of(model).size()) + 50);
+}
+
+/// Every method judged at every target, and every draw of the bootstrap evaluated.
+WorkSize size_of(bop::Dataset const& dataset, EvaluateRequest const& request) {
+    constexpr double points_per_s = 1e9, instances_drawn_per_s = 25e6;  // measured with objects of YCB
+    double mapped = 0, instances = 0;
+    std::map<int, double> points;
+    std::set<bop::ImageId> images;
+    for (bop::Target const& target : dataset.targets) {
+        auto const found = dataset.models.find(target.obj_id);
+        if (found != dataset.models.end() && points.count(target.obj_id) == 0)
+            points[target.obj_id] = points_mapped(found->second);
+        auto const count = static_cast<double>(target.inst_count);
+        mapped += count * count * points[target.obj_id];
+        instances += count;
+        images.insert(target.image);
+    }
+    auto const methods = static_cast<double>(request.files.size() - 1);
+    auto const draws = static_cast<double>(request.replicates);
+    auto const rows = static_cast<double>(2 * (points.size() + 2));  // a method's beside those of the first
+    WorkSize size;
+    size.command = "evaluate";
+    size.amount =
+        fmt::format("{:.0f} poses judged, {:.0f} draws of {} images", methods * instances, draws, images.size());
+    size.seconds = methods * (mapped / points_per_s / static_cast<double>(jobs_or_host_cores(request.jobs)) +
+                              draws * instances / instances_drawn_per_s);
+    size.bytes = draws * (static_cast<double>(images.size() * sizeof(double)) + rows * sizeof(poses::Scores));
+    return size;
 }
 
 /// Of the images that have a time; it is the whole image's, so any of its rows has it.
@@ -103,6 +143,7 @@ int evaluate(EvaluateRequest const& request) {
     auto const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, evaluation_folder);
     bop::Dataset const dataset = load_dataset(request);
+    announce(size_of(dataset, request), request.force);
     std::vector<poses::JudgedMethod> methods;
     methods.reserve(results.size());
     for (std::string const& file : results)
@@ -151,6 +192,7 @@ Subcommand evaluate_command() {
                     ->check(CLI::Range(0, 1000000))
                     ->capture_default_str();
                 add_jobs(command, request->jobs, "Threads");
+                add_force(command, request->force);
                 return [request] { return evaluate(*request); };
             }};
 }

@@ -17,6 +17,7 @@ struct EvaluateRequest {
     std::int64_t seed = 1;            ///< of the bootstrap
     std::int64_t replicates = 1000;   ///< of the bootstrap
     std::int64_t jobs = 0;            ///< threads; 0: the host's cores
+    bool force = false;               ///< however long it takes
 };
 
 /// Judges estimated poses, prints a table, and writes tables, plots and a page. Throws InputError on bad input.

@@ -5,6 +5,7 @@
 
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
+#include "support/is_instrumented.hpp"
 #include "support/tool_output.hpp"
 #include "workload/bop/pose_results.hpp"
 
@@ -127,6 +128,16 @@ TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[ev
     check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--out", "mine"}), {"mine"});
     CHECK(workspace.text("mine/note.txt") == "keep");
     CHECK_FALSE(std::filesystem::exists(workspace.work() / "out"));
+}
+
+TEST_CASE("A bootstrap of more draws than fit into memory is refused before any pose is judged", "[evaluate]") {
+    if (is_instrumented)  // whose memory no limit allows
+        return;
+    Workspace const workspace;
+    Words const words{"-c",        "ulimit -v 400000; exec \"$@\"",     "sh",           FASTER_SIM_BINARY, "evaluate",
+                      "right.csv", workspace.dataset().path().string(), "--bootstraps", "1000000"};
+    check_bad_input(run_command("/bin/sh", words, workspace.work().path()),
+                    {"evaluate: would take about ", " GiB of memory, of which ", "evaluate --force"});
 }
 
 TEST_CASE("A dataset without true poses cannot be evaluated on", "[evaluate]") {

@@ -42,7 +42,7 @@ TEST_CASE("Whatever computes for hours asks whether that is meant, before it com
                              "set: {workload.samples.count: 100000, estimator.iterations: 100000}\n"
                              "scenes: {dark: {objects: [banana], images: 1, visible: [0.8, 1]}}\n"
                              "methods: {faster: {}, grip: {estimator.backend: grip}}\n");
-    std::string const samples = "workload.samples.count=1000000", window = "accelerator.window=2000";
+    std::string const samples = "workload.samples.count=1000000", window = "accelerator.window=255";
     std::string const lockstep = "simulation.engine=lockstep";
     auto const [words, amount] = GENERATE_COPY(table<Words, std::string>(
         {{{"grip", "config.yaml", "-j", "1", "--set", samples, "--set", window}, "1000000 samples, about "},
@@ -62,6 +62,19 @@ TEST_CASE("Whatever computes for hours asks whether that is meant, before it com
     check_bad_input(
         result, {words.front() == "explore" ? "run: would take" : words.front() + ": would take", amount, "--force"});
     CHECK(result.seconds < 30);
+}
+
+TEST_CASE("A comparison with the twin whose maps do not fit into memory is refused") {
+    if (is_instrumented)  // whose memory no limit allows
+        return;
+    SmallWorkspace const workspace;
+    require_done(tool(workspace, {"record", "config.yaml", "--out", "trace", "--set", "accelerator.window=255", "--set",
+                                  "workload.samples.count=3000"}));
+    check_bad_input(run_command("/bin/sh",
+                                {"-c", "ulimit -v 700000; exec \"$@\"", "sh", FASTER_SIM_BINARY, "cosim", "trace",
+                                 "--set", "accelerator.raster_cores=1"},
+                                workspace.folder().path()),
+                    {"cosim: would take about 0.7 GiB of memory, of which "});
 }
 
 TEST_CASE("What is retimed is refused where the machine does not fit into memory") {

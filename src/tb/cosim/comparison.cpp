@@ -27,6 +27,7 @@ recording::Event access(Kind kind, std::size_t fifo, Cycles cycle, std::int64_t 
 
 /// Longer than any pipeline of the twin.
 constexpr Cycles quiet_cycles = 1000;
+constexpr Cycles told_cycles = 0x10000;
 constexpr std::size_t history_cycles = 8;
 /// Of a waveform around a difference.
 constexpr Cycles cycles_before = 100;
@@ -55,8 +56,9 @@ std::string token_text(std::vector<TokenField> const& layout, recording::TokenVa
 class Comparison {
   public:
     Comparison(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
-               Stimulus const& stimulus, CoreShare share)
+               Stimulus const& stimulus, CoreShare share, std::function<void(Cycles)> const& progress)
         : model_(model),
+          progress_(progress),
           maps_(maps),
           settings_(settings),
           twin_(settings, stimulus, share.first, share.count),
@@ -113,6 +115,8 @@ class Comparison {
         twin_.step();
         compared_.twin_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         ++compared_.cycles;
+        if (progress_ && compared_.cycles % told_cycles == 0)
+            progress_(compared_.cycles);
     }
 
     void take_accesses(std::uint32_t writes, std::uint32_t reads) {
@@ -229,6 +233,7 @@ class Comparison {
     }
 
     recording::RecordedCore const& model_;
+    std::function<void(Cycles)> const& progress_;
     KeptMaps const& maps_;
     TwinSettings const& settings_;
     TwinCore twin_;
@@ -311,8 +316,8 @@ SampleMaps const* KeptMaps::of(std::size_t sample) const {
 }
 
 Compared compare(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
-                 Stimulus const& stimulus, CoreShare share) {
-    return Comparison(model, maps, settings, stimulus, share).run();
+                 Stimulus const& stimulus, CoreShare share, std::function<void(Cycles)> const& progress) {
+    return Comparison(model, maps, settings, stimulus, share, progress).run();
 }
 
 }  // namespace faster::rtl

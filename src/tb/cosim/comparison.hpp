@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -82,8 +83,8 @@ class KeptMaps final : public SampleProbe {
 
 /// Goes with the twin through everything that was recorded of a core of the model, from cycle 0 on: every write with
 /// its token, every read, in its cycle, and every sample's maps; up to the first difference. Behind the last access the
-/// twin has to keep still.
+/// twin has to keep still. `progress` is told now and then how many cycles are done.
 Compared compare(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,
-                 Stimulus const& stimulus, CoreShare share);
+                 Stimulus const& stimulus, CoreShare share, std::function<void(Cycles)> const& progress = {});
 
 }  // namespace faster::rtl

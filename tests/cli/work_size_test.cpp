@@ -42,7 +42,7 @@ TEST_CASE("Whatever computes for hours asks whether that is meant, before it com
                              "set: {workload.samples.count: 100000, estimator.iterations: 100000}\n"
                              "scenes: {dark: {objects: [banana], images: 1, visible: [0.8, 1]}}\n"
                              "methods: {faster: {}, grip: {estimator.backend: grip}}\n");
-    std::string const samples = "workload.samples.count=1000000", window = "accelerator.window=255";
+    std::string const samples = "workload.samples.count=1000000", window = "accelerator.window=2000";
     std::string const lockstep = "simulation.engine=lockstep";
     auto const [words, amount] = GENERATE_COPY(table<Words, std::string>(
         {{{"grip", "config.yaml", "-j", "1", "--set", samples, "--set", window}, "1000000 samples, about "},

@@ -43,7 +43,8 @@ bool can_follow(Group const& group) {
     for (Group::Member const& member : group.members()) {
         if (member.process->loops().size() > TransitionBench::most_loops || !can_flush(member, group))
             return false;
-        for (LoopShape const& loop : member.process->fed_shape()->loops)
+        std::shared_ptr<ProcessShape const> const shape = member.process->fed_shape();
+        for (LoopShape const& loop : shape->loops)
             if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
                 return false;
     }

@@ -186,13 +186,13 @@ Cells cells_of(TwinResult const& twin, Part part) {
 }
 
 namespace {
-/// What a process waited in a step that never came to pass is in no output, and not the same from both engines.
-void leave_out_stalls(Cells& cells) {
-    auto const tells_stalls = [](Cell const& cell) {
-        return cell.name.find("stall") != std::string::npos || cell.name.find(", busy") != std::string::npos ||
-               cell.name.find(", idle") != std::string::npos;
+/// What a process waited in a step that never came to pass is not the same from both engines, nor what is left of its
+/// other classes where another core's last result ends the count. No output has either.
+void leave_out_classes(Cells& cells) {
+    auto const is_of_class = [](Cell const& cell) {
+        return cell.name.find("stall") != std::string::npos || cell.name.find(", process ") != std::string::npos;
     };
-    cells.erase(std::remove_if(cells.begin(), cells.end(), tells_stalls), cells.end());
+    cells.erase(std::remove_if(cells.begin(), cells.end(), is_of_class), cells.end());
 }
 }  // namespace
 
@@ -238,7 +238,7 @@ Cells all_cells(RunStatistics const& run) {
     for (Cell& cell : more.take())
         cells.push_back(std::move(cell));
     if (run.deadlocked())
-        leave_out_stalls(cells);
+        leave_out_classes(cells);
     return cells;
 }
 

@@ -21,7 +21,8 @@ enum class Part { Samples, Fifos, Loops, Stalls, Memory };
 Cells cells_of(RunStatistics const& run, Part part);
 Cells cells_of(TwinResult const& twin, Part part);
 
-/// All figures of a run, for comparing engines with each other; of one that deadlocked, without stalls.
+/// All figures of a run, for comparing engines with each other; of one that deadlocked, without classes
+/// of cycles.
 Cells all_cells(RunStatistics const& run);
 /// The stuck processes as they are printed, all but where in its program each stands, ...
 Cells stuck_cells(RunStatistics const& run);

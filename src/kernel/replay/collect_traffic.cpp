@@ -1,33 +1,22 @@
 #include "kernel/replay/collect_traffic.hpp"
 
 #include <cmath>
-#include <iterator>
 
 namespace faster::replay {
 
 namespace {
 
-using Latencies = std::map<Cycles, std::uint64_t>;
-
-/// The smallest that a share of the bursts does not exceed.
-Cycles latency_at(Latencies const& latencies, std::uint64_t bursts, double share) {
-    auto const wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(bursts)));
-    std::uint64_t seen = 0;
-    for (auto const& [latency, count] : latencies) {
-        seen += count;
-        if (seen >= wanted)
-            return latency;
-    }
-    return 0;
-}
-
 void set_latencies(timing::MasterFigures const& figures, MasterStatistics& row) {
-    if (figures.latencies.empty())
+    auto const reached_by = [&figures](double share) {
+        return figures.latencies.reached_by(
+            static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(figures.bursts))));
+    };
+    if (figures.bursts == 0)
         return;
-    row.latency_least = figures.latencies.begin()->first;
-    row.latency_median = latency_at(figures.latencies, figures.bursts, 0.5);
-    row.latency_90 = latency_at(figures.latencies, figures.bursts, 0.9);
-    row.latency_most = std::prev(figures.latencies.end())->first;
+    row.latency_least = figures.latencies.reached_by(1);
+    row.latency_median = reached_by(0.5);
+    row.latency_90 = reached_by(0.9);
+    row.latency_most = figures.latencies.reached_by(figures.bursts);
 }
 
 }  // namespace

@@ -208,12 +208,9 @@ bool CoreTiming::set_out() {
     while (!walk_.script->done()) {
         if (follows_ && group_has_started(all_processes())) {
             settle(all_processes(), bit(lead_.driver));
-            bool moved = false;
-            if (!Automaton::is_where_script_goes_on(*group_))
-                moved = automaton_->follow(*group_, session_, walk_.script).moved;
-            else if (automaton_->set_out(walk_))
+            if (Automaton::is_where_script_goes_on(*group_) && automaton_->set_out(walk_))
                 return true;
-            if (let_driver_go() || moved)
+            if (let_driver_go())
                 continue;
         }
         if (follows_ && awaits_memory())

@@ -30,15 +30,15 @@ class CycleRing {
         ++appended_;
     }
 
-    /// Appends `cycle(0)`, `cycle(1)`, ... In pieces that lie side by side, so that a compiler can make vectors of
-    /// them.
-    template <class CycleOf> void append(std::uint64_t count, CycleOf const& cycle) {
+    /// Appends what `next()` gives, again and again. In pieces that lie side by side, so that a compiler can make
+    /// vectors of them.
+    template <class Next> void append(std::uint64_t count, Next next) {
         for (std::uint64_t done = 0; done < count;) {
             std::uint64_t const at = appended_ & mask_;
             std::uint64_t const now = std::min(count - done, mask_ + 1 - at);
             Cycles* const to = cycles_.data() + appended_at_ + at;
             for (std::uint64_t i = 0; i < now; ++i)
-                to[i] = cycle(done + i);
+                to[i] = next();
             appended_ += now;
             done += now;
         }

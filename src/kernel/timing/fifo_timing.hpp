@@ -54,12 +54,12 @@ class FifoTiming {
     void note(bool writes, std::uint64_t count) { writes ? note_writes(count) : note_reads(count); }
 
     bool is_memory() const { return is_memory_; }
-    /// Of what a process reads from memory: its next tokens can be read from cycle(0), cycle(1), ... on. Makes room
-    /// where it is needed.
-    template <class CycleOf> void deliver(std::uint64_t tokens, CycleOf const& cycle) {
+    /// Of what a process reads from memory: its next tokens, each of which can be read from the cycle that `next()`
+    /// gives on. Makes room where it is needed.
+    template <class Next> void deliver(std::uint64_t tokens, Next next) {
         while (rules_.free.known() + rules_.readable.known() + tokens > room_)
             make_room();
-        rules_.readable.append(tokens, cycle);
+        rules_.readable.append(tokens, next);
     }
     /// The cycle after each was taken, earliest_write(), need not be kept.
     void forget_taken(std::uint64_t tokens) { rules_.free.consume(tokens); }

@@ -115,11 +115,14 @@ std::uint64_t Automaton::fed_iterations(Group const& group) {
     return group.fed() == 0 ? 0 : group.members()[group.supplier()].process->fed_iterations();
 }
 
-/// What the driver's accesses of the phrase ask of a supplier that takes from memory, and takes part.
+/// What the phrase asks of a supplier that takes from memory, and takes part.
 std::uint32_t Automaton::supplies_of_phrase(Group const& group, std::uint32_t frozen) const {
-    std::uint32_t const bit = group.suppliers() & group.fed() & ~frozen;
-    Group::Lanes const due = phrase_.due() >> (Group::lane_bits * (group.supplier() - 1));
-    return bit == 0 ? 0 : static_cast<std::uint32_t>(due & Group::lane_mask);
+    return (group.suppliers() & group.fed() & ~frozen) != 0 ? phrase_.due_of_supplier(group) : 0;
+}
+
+/// What the driver finds of a supplier that takes no part.
+std::uint64_t Automaton::supplies_at_hand(Group::Member const& supplier) {
+    return supplier.process->fifo(supplier.anchor_port).known_reads();
 }
 
 Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
@@ -133,14 +136,19 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         return {false, true};
     if (is_far_apart(group))
         return progress;
-    if (std::uint32_t const elsewhere = going_on_elsewhere(group); elsewhere != 0)
+    std::uint32_t const elsewhere = going_on_elsewhere(group);
+    if (elsewhere != 0)
         reading = read(group, elsewhere);
     progress.later = reading == Phrase::Reading::logs_end;
-    if (reading != Phrase::Reading::complete || !begin(group))
+    // Within a phrase that asks for more the driver would stop.
+    bool const is_supplied = (group.suppliers() & elsewhere) == 0;
+    std::uint64_t supplies = is_supplied ? ~std::uint64_t{0} : supplies_at_hand(group.members()[group.supplier()]);
+    if (reading != Phrase::Reading::complete || phrase_.due_of_supplier(group) > supplies || !begin(group))
         return progress;
     if (!is_worthwhile())
         reading = Phrase::Reading::foreign;
-    for (; reading == Phrase::Reading::complete; reading = read(group, session.frozen)) {
+    for (; reading == Phrase::Reading::complete && phrase_.due_of_supplier(group) <= supplies;
+         reading = read(group, session.frozen)) {
         Print const print = phrase_.print(session.state + std::uint64_t{1});
         Slot const* slot = session.state == none ? nullptr : table_.find(print);
         if (slot == nullptr)
@@ -148,6 +156,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         if (slot == nullptr)
             break;
         phrase_.consume();
+        supplies -= phrase_.due_of_supplier(group);
         session.fed += supplies_of_phrase(group, session.frozen);
         session.history.push_back(slot->number);
         apply(*slot);

@@ -104,6 +104,7 @@ class Automaton {
     Phrase::Reading read(Group const& group, std::uint32_t frozen);
     static std::uint64_t fed_iterations(Group const& group);
     std::uint32_t supplies_of_phrase(Group const& group, std::uint32_t frozen) const;
+    static std::uint64_t supplies_at_hand(Group::Member const& supplier);
     Slot const* work_out(Print const& print, Group const& group);
     bool perform(StateView from);
     Number number_of_state();

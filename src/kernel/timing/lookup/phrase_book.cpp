@@ -9,9 +9,7 @@ constexpr std::uint64_t print_number = 1;  // any but 0, with which a first code
 }
 
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, Group const& group, Compare compare) {
-    Group::Lanes const due =
-        group.has_supplier() ? phrase.due() >> (Group::lane_bits * (group.supplier() - 1)) : Group::Lanes{0};
-    return number_of(phrase, static_cast<std::uint32_t>(due & Group::lane_mask), compare);
+    return number_of(phrase, phrase.due_of_supplier(group), compare);
 }
 
 PhraseBook::Number PhraseBook::number_of(PhraseBook const& other, Number number) {

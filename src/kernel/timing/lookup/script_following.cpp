@@ -68,15 +68,17 @@ bool Automaton::set_out(Walk& walk) {
     return true;
 }
 
-/// The phrases for which the supplier goes on as it does, and has more to do.
+/// The phrases for which the supplier goes on as it does, and has more to do; or has written enough, if it takes no
+/// part.
 void Automaton::find_regular_part(Walk& walk) {
     Script const& script = *walk.script;
     walk.end = script.end;
     walk.due_behind = 0;
-    Group::Member const& supplier = walk.group->members()[walk.group->supplier()];
-    if (!walk.group->has_supplier() || goes_on_elsewhere(supplier))
+    if (!walk.group->has_supplier())
         return;
-    std::uint64_t const left = regular_supplies(supplier);
+    Group::Member const& supplier = walk.group->members()[walk.group->supplier()];
+    std::uint64_t const left =
+        goes_on_elsewhere(supplier) ? supplies_at_hand(supplier) + 1 : regular_supplies(supplier);
     if (left > script.due)
         return;
     std::uint64_t due = 0;

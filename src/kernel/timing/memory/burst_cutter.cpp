@@ -6,7 +6,8 @@
 namespace faster::timing {
 
 namespace {
-std::uint64_t round_down(std::uint64_t value, std::uint64_t to) { return value - value % to; }
+/// To multiples of a power of two.
+std::uint64_t round_down(std::uint64_t value, std::uint64_t to) { return value & ~(to - 1); }
 std::uint64_t round_up(std::uint64_t value, std::uint64_t to) { return round_down(value + to - 1, to); }
 }  // namespace
 

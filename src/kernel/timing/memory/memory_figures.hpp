@@ -9,11 +9,32 @@
 
 namespace faster::timing {
 
+/// How many bursts took how long. Nearly all are among the short ones, which are counted without a search.
+class LatencyCounts {
+  public:
+    void add(Cycles latency) { ++(latency < short_.size() ? short_[latency] : long_[latency]); }
+    /// The smallest that so many bursts do not exceed; not more than there are.
+    Cycles reached_by(std::uint64_t bursts) const {
+        std::uint64_t seen = 0;
+        for (Cycles latency = 0; latency < short_.size(); ++latency)
+            if ((seen += short_[latency]) >= bursts)
+                return latency;
+        for (auto const& [latency, count] : long_)
+            if ((seen += count) >= bursts)
+                return latency;
+        return 0;
+    }
+
+  private:
+    std::vector<std::uint64_t> short_ = std::vector<std::uint64_t>(1024);  ///< by latency
+    std::map<Cycles, std::uint64_t> long_;
+};
+
 /// What happened at one master.
 struct MasterFigures {
     std::uint64_t bursts = 0;
     std::uint64_t beats = 0;
-    std::map<Cycles, std::uint64_t> latencies;  ///< bursts by the cycles from asking to their last beat
+    LatencyCounts latencies;  ///< from asking to the last beat
 };
 
 struct PortFigures {

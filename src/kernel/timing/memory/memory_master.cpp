@@ -1,6 +1,7 @@
 #include "kernel/timing/memory/memory_master.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/base/integer_bits.hpp"
 
@@ -88,12 +89,15 @@ void MemoryMaster::free_slots(HandedOut* handing_out) {
 
 /// From when on the first can be read.
 Cycles MemoryMaster::deliver(MemoryBurst const& burst, Cycles first_beat) {
-    auto const readable = [from = first_beat + 1, address = burst.address, beat = bits_for(shape_.port_bytes - 1)](
-                              std::uint64_t last_byte) { return from + ((last_byte - address) >> beat); };
-    stream_.deliver(burst.tokens - 1, [readable, first = burst.first_last, bytes = burst.token_bytes](
-                                          std::uint64_t token) { return readable(first + token * bytes); });
-    stream_.deliver(1, readable(burst.last_byte_of(burst.tokens - 1)));
-    return readable(burst.last_byte_of(0));
+    auto const readable = [from = first_beat + 1, beat = bits_for(shape_.port_bytes - 1)](std::uint64_t last_byte) {
+        return from + (last_byte >> beat);
+    };
+    auto const next = [readable, at = burst.first_last - burst.address, bytes = burst.token_bytes]() mutable {
+        return readable(std::exchange(at, at + bytes));
+    };
+    stream_.deliver_each(burst.tokens - 1, next);
+    stream_.deliver(1, readable(burst.last_byte_of(burst.tokens - 1) - burst.address));
+    return readable(burst.last_byte_of(0) - burst.address);
 }
 
 Cycles MemoryMaster::served(Cycles cycle) {
@@ -105,7 +109,7 @@ Cycles MemoryMaster::served(Cycles cycle) {
     figures_.beats += burst.beats;
     Cycles const done = stream_.is_write() ? cycle : cycle + burst.beats - 1;
     ++figures_.bursts;
-    ++figures_.latencies[done - asked];
+    figures_.latencies.add(done - asked);
     Cycles first = never;
     if (stream_.is_write()) {
         free_from_.push_back(done + 1);

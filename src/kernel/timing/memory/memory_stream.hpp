@@ -64,17 +64,19 @@ class MemoryStream {
 
     /// The next tokens can be read from a cycle on.
     void deliver(std::uint64_t tokens, Cycles cycle) {
-        deliver(tokens, [cycle](std::uint64_t /*token*/) { return cycle; });
+        deliver_each(tokens, [cycle] { return cycle; });
     }
-    /// Each from its own, cycle(0), cycle(1), ..., which never fall.
-    template <class CycleOf> void deliver(std::uint64_t tokens, CycleOf const& cycle) {
+    /// Each from its own: what `next()` gives, which never falls.
+    template <class Next> void deliver_each(std::uint64_t tokens, Next next) {
         if (tokens == 0)
             return;
-        for (DeliveryTape* const tape : tapes_)
+        for (DeliveryTape* const tape : tapes_) {
+            Next again = next;
             for (std::uint64_t token = 0; token < tokens; ++token)
-                tape->add(cycle(token));
-        fifo_.deliver(tokens, cycle);
-        readable_ = cycle(tokens - 1);
+                tape->add(again());
+        }
+        fifo_.deliver(tokens, next);
+        readable_ = fifo_.earliest_read(fifo_.known_reads() - 1);
     }
     void add_tape(DeliveryTape& tape) { tapes_.push_back(&tape); }
     void remove_tape(DeliveryTape& tape) {

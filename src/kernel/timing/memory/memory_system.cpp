@@ -21,9 +21,12 @@ void MemorySystem::add_core(CoreTiming& core, bool has_work, Resume resume) {
     if (has_work)
         working_.push_back(&core);
     MemoryMaster::HandedOut& handed_out = handed_out_.emplace_back();
+    std::size_t const number = cores_.size() - 1;
     for (MasterShape const& master : shapes_)
-        masters_.emplace_back(shape_, core.stream(master.stream), master.prefetch, handed_out);
-    is_waiting_.resize(masters_.size());
+        masters_.push_back({MemoryMaster(shape_, core.stream(master.stream), master.prefetch, handed_out),
+                            {number, master.process},
+                            number % shape_.ports,
+                            master.hands_out ? &handed_out : nullptr});
     if (!shape_.is_shared) {
         controllers_free_ps_.resize(masters_.size());
         ports_free_.resize(masters_.size());
@@ -31,16 +34,16 @@ void MemorySystem::add_core(CoreTiming& core, bool has_work, Resume resume) {
 }
 
 void MemorySystem::note_request(std::size_t master) {
-    std::optional<Cycles> const ask = masters_[master].next_ask();
-    if (!ask || is_waiting_[master])
+    Joint& joint = masters_[master];
+    std::optional<Cycles> const ask = joint.master.next_ask();
+    if (!ask || joint.is_waiting)
         return;
-    is_waiting_[master] = true;
+    joint.is_waiting = true;
     requests_.emplace(*ask, master);
 }
 
 bool MemorySystem::follow_master(std::size_t master) {
-    bool const hands_out = shapes_[master % shapes_.size()].hands_out;
-    bool const delivered = masters_[master].follow(hands_out ? &handed_out_[master / shapes_.size()] : nullptr);
+    bool const delivered = masters_[master].master.follow(masters_[master].handing_out);
     note_request(master);
     return delivered;
 }
@@ -49,7 +52,7 @@ std::vector<MemorySystem::Target> MemorySystem::follow() {
     std::vector<Target> targets;
     for (std::size_t master = 0; master < masters_.size(); ++master)
         if (follow_master(master))
-            targets.push_back(target_of(master));
+            targets.push_back(masters_[master].target);
     return targets;
 }
 
@@ -57,14 +60,15 @@ std::optional<Cycles> MemorySystem::next_ask() const {
     return requests_.empty() ? std::nullopt : std::optional<Cycles>(requests_.top().first);
 }
 
-MemorySystem::Target MemorySystem::serve_next() { return target_of(serve().master); }
+MemorySystem::Target MemorySystem::serve_next() { return masters_[serve().master].target; }
 
 /// The controller's and the port's rules.
 MemorySystem::Served MemorySystem::serve() {
     auto const [ask, number] = requests_.top();
     requests_.pop();
-    is_waiting_[number] = false;
-    MemoryMaster& master = masters_[number];
+    Joint& joint = masters_[number];
+    joint.is_waiting = false;
+    MemoryMaster& master = joint.master;
     MemoryBurst const& burst = master.next_burst();
     std::uint64_t const arrival = (ask + shape_.request_cycles) * shape_.period_ps;
     std::uint64_t& controller_free_ps = controllers_free_ps_[shape_.is_shared ? 0 : number];
@@ -74,15 +78,14 @@ MemorySystem::Served MemorySystem::serve() {
     note_queue(arrival, begin);
     controller_.history.arrived(ask + shape_.request_cycles, burst.granules, begins_ps_.size());
     Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
-    std::size_t const port = number / shapes_.size() % shape_.ports;
     if (!master.stream().is_write()) {
-        Cycles& port_free = ports_free_[shape_.is_shared ? port : number];
+        Cycles& port_free = ports_free_[shape_.is_shared ? joint.port : number];
         cycle = std::max(cycle, port_free);
         port_free = cycle + burst.beats;
-        port_figures_[port].beats += burst.beats;
+        port_figures_[joint.port].beats += burst.beats;
     }
     if (served_call_)
-        served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps, cycle, burst.beats, port,
+        served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps, cycle, burst.beats, joint.port,
                       master.stream().is_write()});
     Served const served{number, master.served(cycle)};
     note_request(number);
@@ -112,19 +115,20 @@ void MemorySystem::settle(std::size_t core, ProcessMask woken) {
         woken = 0;
         for (std::size_t master = core * shapes_.size(); master < (core + 1) * shapes_.size(); ++master)
             if (follow_master(master))
-                woken |= ProcessMask{1} << target_of(master).process;
+                woken |= ProcessMask{1} << masters_[master].target.process;
     } while (woken != 0);
 }
 
-/// What comes of what was served is not before the process goes on that waits for it.
-void MemorySystem::wake(Served const& served) {
+/// What comes of what was served is not before the process goes on that waits for it: returns when.
+Cycles MemorySystem::wake(Served const& served) {
     if (served.first_readable == MemoryMaster::never)
-        return;
-    Target const target = target_of(served.master);
+        return MemoryMaster::never;
+    Target const target = masters_[served.master].target;
     Core& core = cores_[target.core];
     Cycles const own = core.timing->process(target.process).not_before();
     core.woken |= ProcessMask{1} << target.process;
     core.goes_on_from = std::min(core.goes_on_from, std::max(own, served.first_readable));
+    return core.goes_on_from;
 }
 
 void MemorySystem::let_go(std::size_t core) {
@@ -139,19 +143,17 @@ void MemorySystem::go_on(bool at_the_end) {
         cores_[core].timing->resolve(false);
         settle(core, 0);
     }
-    Cycles unknown = at_the_end ? MemoryMaster::never : unknown_from();
     auto const is_before = [](Core const& one, Core const& other) { return one.goes_on_from < other.goes_on_from; };
     for (;;) {
-        auto const first = std::min_element(cores_.begin(), cores_.end(), is_before);
-        Cycles const before = std::min(unknown, first->goes_on_from);
-        if (!requests_.empty() && requests_.top().first < before) {
-            wake(serve());
-            continue;
-        }
-        if (first->woken == 0)
+        Cycles const unknown = at_the_end ? MemoryMaster::never : unknown_from();
+        auto const first = [this, is_before] { return std::min_element(cores_.begin(), cores_.end(), is_before); };
+        Cycles before = std::min(unknown, first()->goes_on_from);
+        while (!requests_.empty() && requests_.top().first < before)
+            before = std::min(before, wake(serve()));
+        auto const next = first();
+        if (next->woken == 0)
             return;
-        let_go(static_cast<std::size_t>(first - cores_.begin()));
-        unknown = at_the_end ? MemoryMaster::never : unknown_from();
+        let_go(static_cast<std::size_t>(next - cores_.begin()));
     }
 }
 

@@ -38,7 +38,7 @@ class MemorySystem {
     void add_core(CoreTiming& core, bool has_work, Resume resume = nullptr);
     /// More to do for a core's master, in order; before its process comes there.
     void add(std::size_t core, std::size_t master, MemoryEntry entry) {
-        masters_[core * shapes_.size() + master].add(std::move(entry));
+        masters_[core * shapes_.size() + master].master.add(std::move(entry));
     }
 
     /// Gives cycles to all operations that the cores have logged and that can have them. `at_the_end`: nothing more
@@ -68,13 +68,21 @@ class MemorySystem {
     void on_served(std::function<void(ServedBurst const&)> call) { served_call_ = std::move(call); }
 
     MasterFigures const& figures(std::size_t core, std::size_t master) const {
-        return masters_[core * shapes_.size() + master].figures();
+        return masters_[core * shapes_.size() + master].master.figures();
     }
     std::vector<MasterShape> const& masters() const { return shapes_; }
     std::vector<PortFigures> const& ports() const { return port_figures_; }
     ControllerFigures const& controller() const { return controller_; }
 
   private:
+    /// A master, and what is at its two sides.
+    struct Joint {
+        MemoryMaster master;
+        Target target;
+        std::size_t port = 0;
+        MemoryMaster::HandedOut* handing_out = nullptr;  ///< of the headers' master
+        bool is_waiting = false;                         ///< is in requests_
+    };
     /// Requests by the cycle of asking, then by master.
     using Request = std::pair<Cycles, std::size_t>;
     using Requests = std::priority_queue<Request, std::vector<Request>, std::greater<>>;
@@ -87,14 +95,10 @@ class MemorySystem {
     void settle(std::size_t core, ProcessMask woken);
     void note_request(std::size_t master);
     Served serve();
-    void wake(Served const& served);
+    Cycles wake(Served const& served);
     void let_go(std::size_t core);
     Cycles unknown_from() const;
     void note_queue(std::uint64_t arrival, std::uint64_t begin);
-    Target target_of(std::size_t master) const {
-        return {master / shapes_.size(), shapes_[master % shapes_.size()].process};
-    }
-
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
     /// A core, and processes for which it has been brought something since it went on, a bit each: they go on in a
@@ -109,8 +113,7 @@ class MemorySystem {
     std::uint64_t samples_ = 0;
     std::vector<CoreTiming const*> working_;          // those that do something
     std::deque<MemoryMaster::HandedOut> handed_out_;  // by core
-    std::deque<MemoryMaster> masters_;                // of the first core, of the second, ...
-    std::vector<bool> is_waiting_;                    // by master: is in requests_
+    std::deque<Joint> masters_;                       // of the first core, of the second, ...
     Requests requests_;
     std::vector<std::uint64_t> controllers_free_ps_;  // one, or one of each master
     std::vector<Cycles> ports_free_;                  // of all, or one of each master

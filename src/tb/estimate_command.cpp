@@ -112,7 +112,10 @@ class EstimateRun {
 
     void find_pose() {
         EstimatorConfig const& config = estimator_of(loaded_.config);
-        std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded_.config, scene_, jobs_);
+        IterationCost cost;
+        std::unique_ptr<IterationScorer> const scorer = simulates_at_once()
+                                                            ? make_simulating_scorer(loaded_, scene_, cost)
+                                                            : make_scorer(loaded_.config, scene_, jobs_);
         ProgressLine progress("iterations");
         estimate_ = estimation::estimate(
             scene_, config, workload_of(loaded_.config).samples.count,
@@ -120,23 +123,19 @@ class EstimateRun {
             [&](estimation::Iteration const& iteration) {
                 rows_.push_back(row_of(iteration, scene_));
                 scored_.push_back(scorer->last());
+                if (simulates_at_once())
+                    set_cost(rows_.back(), cost);
                 progress.show(iteration.number + 1, config.iterations);
             });
     }
 
-    /// False: the accelerator got stuck.
-    bool find_times(io::AtomicFolder* folder) {
-        if (request_.untimed || estimator_of(loaded_.config).backend == EstimatorBackend::grip)
-            return true;
-        IterationCosts const times =
+    void find_times(io::AtomicFolder* folder) {
+        if (!is_timed() || simulates_at_once())
+            return;
+        std::vector<IterationCost> const costs =
             simulate_iterations(loaded_, scene_.observed, scored_, recorded_iteration(folder), jobs_);
-        if (!times.deadlock.empty()) {
-            fmt::print(stderr, "{}", times.deadlock);
-            return false;
-        }
         for (std::size_t i = 0; i < rows_.size(); ++i)
-            set_cost(rows_[i], times.costs[i]);
-        return true;
+            set_cost(rows_[i], costs[i]);
     }
 
     EstimateReport report() const {
@@ -177,6 +176,12 @@ class EstimateRun {
     }
 
   private:
+    bool is_timed() const {
+        return !request_.untimed && estimator_of(loaded_.config).backend == EstimatorBackend::accelerator;
+    }
+    /// One host core need not score without time first: several simulate iterations of which the scores are known.
+    bool simulates_at_once() const { return is_timed() && jobs_ == 1 && !request_.records(); }
+
     /// Nothing if there is nothing to record. What is to be in the folder in the end is written to its place there.
     std::optional<IterationRecording> recorded_iteration(io::AtomicFolder* folder) const {
         if (!request_.records())
@@ -268,9 +273,13 @@ int estimate_pose(EstimateRequest const& request) {
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
     announce(run.size(), request.force);
-    run.find_pose();
-    if (!run.find_times(folder.get()))
+    try {
+        run.find_pose();
+        run.find_times(folder.get());
+    } catch (DeadlockedIteration const& deadlock) {
+        fmt::print(stderr, "{}", deadlock.what());
         return exit_deadlock;
+    }
     EstimateReport const report = run.report();
     if (folder != nullptr) {
         run.write(folder->path(), report);

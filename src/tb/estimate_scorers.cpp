@@ -1,6 +1,7 @@
 #include "tb/estimate_scorers.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "estimation/counter_scorer.hpp"
 #include "faster/enum_names.hpp"
@@ -34,18 +35,19 @@ std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimatio
     return poses;
 }
 
-/// The accelerator's counters, without its time.
+/// By the accelerator's counters.
 class AcceleratorScorer final : public IterationScorer {
   public:
-    AcceleratorScorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs)
-        : scene_(scene),
-          least_drawn_(estimator_of(config).least_drawn_px),
-          scorer_(scene.observed, accelerator_of(config), jobs) {}
+    /// Of the scene's samples as they are now.
+    using Count = std::function<std::vector<SampleCounters>()>;
+
+    AcceleratorScorer(RunConfig const& config, estimation::Scene& scene, Count count)
+        : scene_(scene), least_drawn_(estimator_of(config).least_drawn_px), count_(std::move(count)) {}
 
     std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
         last_.poses = poses_of(scene_, particles);
         workload::set_poses(last_.poses, scene_.observed);
-        last_.counters = scorer_.score();
+        last_.counters = count_();
         std::vector<estimation::WeightTerms> terms;
         for (std::size_t i = 0; i < particles.size(); ++i)
             terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
@@ -57,7 +59,7 @@ class AcceleratorScorer final : public IterationScorer {
   private:
     estimation::Scene& scene_;
     std::uint64_t least_drawn_;
-    estimation::CounterScorer scorer_;
+    Count count_;
     ScoredPoses last_;
 };
 
@@ -107,7 +109,18 @@ class GripScorer final : public IterationScorer {
 std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs) {
     if (estimator_of(config).backend == EstimatorBackend::grip)
         return std::make_unique<GripScorer>(config, scene, jobs);
-    return std::make_unique<AcceleratorScorer>(config, scene, jobs);
+    auto const scorer = std::make_shared<estimation::CounterScorer>(scene.observed, accelerator_of(config), jobs);
+    return std::make_unique<AcceleratorScorer>(config, scene, [scorer] { return scorer->score(); });
+}
+
+std::unique_ptr<IterationScorer> make_simulating_scorer(LoadedConfig const& loaded, estimation::Scene& scene,
+                                                        IterationCost& cost) {
+    auto const count = [&loaded, &scene, &cost, number = std::size_t{0}]() mutable {
+        SimulatedIteration iteration = simulate_iteration(loaded, scene.observed, number++);
+        cost = iteration.cost;
+        return std::move(iteration.counters);
+    };
+    return std::make_unique<AcceleratorScorer>(loaded.config, scene, count);
 }
 
 std::string scorer_name(RunConfig const& config) {

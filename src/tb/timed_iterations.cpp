@@ -1,8 +1,9 @@
 #include "tb/timed_iterations.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <sstream>
-#include <stdexcept>
 
 #include "faster/faster_config.hpp"
 #include "kernel/base/files/output_file.hpp"
@@ -21,18 +22,9 @@ namespace faster {
 
 namespace {
 
-constexpr char cost_mark = 'c';
+constexpr char done_mark = 'c';
 constexpr char deadlock_mark = 'd';
-constexpr char difference_mark = 'x';
 constexpr char input_error_mark = 'i';
-
-/// The first sample whose counters differ, for the message.
-std::string first_difference(RunStatistics const& run, std::vector<SampleCounters> const& expected) {
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        if (!(counters_from(run.samples[i].counters) == expected[i]))
-            return fmt::format("sample {}", i);
-    return {};
-}
 
 Estimate sum(Estimate const& a, Estimate const& b) { return {a.low + b.low, a.typical + b.typical, a.high + b.high}; }
 
@@ -41,70 +33,68 @@ std::string text_of(Estimate const& estimate) {
     return fmt::format(" {} {} {}", estimate.low, estimate.typical, estimate.high);
 }
 
-std::string cost_text(RunStatistics const& run) {
+std::string text_of(RunStatistics const& run) {
     RunPower const power = power_of(run);
-    return std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(sum(power.static_w, power.ps_w));
+    std::string text =
+        std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(sum(power.static_w, power.ps_w));
+    for (SampleStatistics const& sample : run.samples)
+        for (std::uint64_t const value : sample.counters)
+            text += ' ' + std::to_string(value);
+    return text;
 }
 
-IterationCost cost_from(std::string const& text) {
-    IterationCost cost;
+SimulatedIteration iteration_from(std::string const& text) {
+    SimulatedIteration iteration;
+    IterationCost& cost = iteration.cost;
     std::istringstream numbers(text);
     numbers >> cost.cycles;
     for (Estimate* const estimate : {&cost.energy_mj, &cost.idle_w})
         numbers >> estimate->low >> estimate->typical >> estimate->high;
-    return cost;
+    std::vector<std::uint64_t> const values{std::istream_iterator<std::uint64_t>(numbers), {}};
+    for (auto from = values.begin(); from != values.end(); from += sample_counter_count)
+        iteration.counters.push_back(counters_from({from, from + sample_counter_count}));
+    return iteration;
 }
 
-/// What one process does: an iteration of all.
-class IterationSimulation {
-  public:
-    IterationSimulation(LoadedConfig const& loaded, Stimulus const& observed,
-                        std::optional<IterationRecording> const& recording)
-        : loaded_(loaded), observed_(observed), recording_(recording) {}
+/// The first sample whose counters differ, for the message; empty: none.
+std::string first_difference(std::vector<SampleCounters> const& counted, std::vector<SampleCounters> const& expected) {
+    auto const [at, other] = std::mismatch(counted.begin(), counted.end(), expected.begin(), expected.end());
+    bool const is_same = at == counted.end() && other == expected.end();
+    return is_same ? "" : fmt::format("sample {}", at - counted.begin());
+}
 
-    std::string simulated(ScoredPoses const& iteration, std::size_t number) const {
-        try {
-            return simulated_and_recorded(iteration, recording_ && recording_->iteration == number);
-        } catch (InputError const& error) {
-            return input_error_mark + std::string(error.what());
-        }
-    }
-
-  private:
-    std::string simulated_and_recorded(ScoredPoses const& iteration, bool is_recorded) const {
-        Stimulus stimulus = observed_;
-        workload::set_poses(iteration.poses, stimulus);
-        Machine const machine = machine_of(loaded_.config);
-        auto const events = io::optional_output_file(is_recorded ? recording_->events : "");
+/// What one process does, and sends back.
+std::string simulated(LoadedConfig const& loaded, Stimulus const& stimulus, IterationRecording const* recording) {
+    try {
+        Machine const machine = machine_of(loaded.config);
+        auto const events = io::optional_output_file(recording != nullptr ? recording->events : "");
         replay::RecordedRun recorded;
         SimulationOptions options;
         options.recorded = events ? &recorded : nullptr;
-        if (is_recorded)
-            options.recordings = make_recordings(recording_->request, machine, stimulus.samples.size());
+        if (recording != nullptr)
+            options.recordings = make_recordings(recording->request, machine, stimulus.samples.size());
         RunStatistics const run =
-            simulate(accelerator_of(loaded_.config), stimulus, loaded_.config.simulation.engine, options);
+            simulate(accelerator_of(loaded.config), stimulus, loaded.config.simulation.engine, options);
         if (run.deadlocked())
             return deadlock_mark + report::deadlock_report(run);
         if (events)
-            write_events(*events, loaded_, recorded, run);
-        std::string const difference = first_difference(run, iteration.counters);
-        return difference.empty() ? cost_mark + cost_text(run) : difference_mark + difference;
+            write_events(*events, loaded, recorded, run);
+        return done_mark + text_of(run);
+    } catch (InputError const& error) {
+        return input_error_mark + std::string(error.what());
     }
+}
 
-    LoadedConfig const& loaded_;
-    Stimulus const& observed_;
-    std::optional<IterationRecording> const& recording_;
-};
-
-std::vector<processes::Outcome> simulate_all(IterationSimulation const& simulation,
-                                             std::vector<ScoredPoses> const& iterations, std::size_t jobs) {
-    std::vector<processes::Task> tasks;
-    for (std::size_t i = 0; i < iterations.size(); ++i)
-        tasks.push_back({[&simulation, &iterations, i] { return simulation.simulated(iterations[i], i); }});
-    processes::SignalWatch const watch;
-    ProgressLine progress("iterations simulated");
-    return processes::run_all(tasks, jobs, watch,
-                              [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+SimulatedIteration result_of(processes::Outcome const& outcome, std::size_t number) {
+    if (outcome.kind != processes::Outcome::Kind::done)
+        throw HostError(fmt::format(
+            "iteration {}: the simulation crashed, failed or took more than an hour, expected a result", number));
+    std::string const text = outcome.output.substr(1);
+    if (outcome.output.front() == input_error_mark)
+        throw InputError(text);
+    if (outcome.output.front() == deadlock_mark)
+        throw DeadlockedIteration(text);
+    return iteration_from(text);
 }
 
 /// Before any work is done for it.
@@ -120,31 +110,38 @@ void announce_waveform(IterationRecording const& recording, LoadedConfig const& 
 
 }  // namespace
 
-IterationCosts simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
-                                   std::vector<ScoredPoses> const& iterations,
-                                   std::optional<IterationRecording> const& recording, std::size_t jobs) {
+SimulatedIteration simulate_iteration(LoadedConfig const& loaded, Stimulus const& stimulus, std::size_t number) {
+    processes::SignalWatch const watch;
+    return result_of(processes::run_all({{[&] { return simulated(loaded, stimulus, nullptr); }}}, 1, watch).front(),
+                     number);
+}
+
+std::vector<IterationCost> simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
+                                               std::vector<ScoredPoses> const& iterations,
+                                               std::optional<IterationRecording> const& recording, std::size_t jobs) {
     if (recording)
         announce_waveform(*recording, loaded, observed, iterations.at(recording->iteration));
-    IterationCosts result;
-    IterationSimulation const simulation(loaded, observed, recording);
-    std::vector<processes::Outcome> const outcomes = simulate_all(simulation, iterations, jobs);
+    std::vector<processes::Task> tasks;
+    for (std::size_t i = 0; i < iterations.size(); ++i)
+        tasks.push_back({[&, i] {
+            Stimulus stimulus = observed;
+            workload::set_poses(iterations[i].poses, stimulus);
+            return simulated(loaded, stimulus, recording && recording->iteration == i ? &*recording : nullptr);
+        }});
+    processes::SignalWatch const watch;
+    ProgressLine progress("iterations simulated");
+    std::vector<processes::Outcome> const outcomes = processes::run_all(
+        tasks, jobs, watch, [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+    std::vector<IterationCost> costs;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (outcomes[i].kind != processes::Outcome::Kind::done)
-            throw HostError(fmt::format(
-                "iteration {}: the simulation crashed, failed or took more than an hour, expected a result", i));
-        std::string const& output = outcomes[i].output;
-        if (output.front() == input_error_mark)
-            throw InputError(output.substr(1));
-        if (output.front() == difference_mark)
+        SimulatedIteration const iteration = result_of(outcomes[i], i);
+        std::string const difference = first_difference(iteration.counters, iterations[i].counters);
+        if (!difference.empty())
             throw std::runtime_error(
-                fmt::format("iteration {}: the model's counters of {} are not the untimed ones", i, output.substr(1)));
-        if (output.front() == deadlock_mark) {
-            result.deadlock = output.substr(1);
-            return result;
-        }
-        result.costs.push_back(cost_from(output.substr(1)));
+                fmt::format("iteration {}: the model's counters of {} are not the untimed ones", i, difference));
+        costs.push_back(iteration.cost);
     }
-    return result;
+    return costs;
 }
 
 }  // namespace faster

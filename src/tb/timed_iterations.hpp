@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,10 @@ struct IterationCost {
     Estimate idle_w;     ///< while the accelerator waits for the host
 };
 
-/// Of all iterations, or what went wrong.
-struct IterationCosts {
-    std::vector<IterationCost> costs;
-    std::string deadlock;  ///< the report of the first that got stuck; empty if none
+/// The accelerator got stuck in an iteration; what() is the report.
+class DeadlockedIteration : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
 };
 
 /// What of which iteration is to be recorded.
@@ -38,11 +39,20 @@ struct IterationRecording {
     bool force = false;  ///< even a waveform of more than 2 GB
 };
 
-/// Simulates every iteration on the configured accelerator, each in a process of its own, as the SystemC kernel
-/// elaborates once; `jobs` at once. A model whose counters are not those that the loop went by is a std::runtime_error.
-/// Throws InputError for a recording that cannot be written, and for a simulation that crashes.
-IterationCosts simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
-                                   std::vector<ScoredPoses> const& iterations,
-                                   std::optional<IterationRecording> const& recording, std::size_t jobs);
+/// What a simulated iteration counted, and what it cost.
+struct SimulatedIteration {
+    std::vector<SampleCounters> counters;
+    IterationCost cost;
+};
+
+/// Simulates the samples of a stimulus on the configured accelerator, in a process of its own, as the SystemC kernel
+/// elaborates once. `number` is for messages. Throws DeadlockedIteration, and HostError for a simulation that crashes.
+SimulatedIteration simulate_iteration(LoadedConfig const& loaded, Stimulus const& stimulus, std::size_t number);
+
+/// The same of every iteration, `jobs` at once: what each costs. A model whose counters are not those that the loop
+/// went by is a std::runtime_error. Throws also InputError for a recording that cannot be written.
+std::vector<IterationCost> simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
+                                               std::vector<ScoredPoses> const& iterations,
+                                               std::optional<IterationRecording> const& recording, std::size_t jobs);
 
 }  // namespace faster

@@ -43,12 +43,15 @@ void VertexTransformer::transform(std::size_t sample, std::vector<TriangleCode>&
     vertices_.clear();
     for (Eigen::Vector3d const& point : posed_.mesh.vertices)
         vertices_.push_back(project(point, posed_.poses[sample], posed_.camera, bits_));
-    triangles.clear();
+    triangles.assign(posed_.mesh.faces.size(), rejected());
+    TriangleCode* triangle = triangles.data();
     for (auto const& face : posed_.mesh.faces) {
         ProjectedVertex const& a = vertices_[face[0]];
         ProjectedVertex const& b = vertices_[face[1]];
         ProjectedVertex const& c = vertices_[face[2]];
-        triangles.push_back(a.usable && b.usable && c.usable ? TriangleCode{{a.code, b.code, c.code}} : rejected());
+        if (a.usable && b.usable && c.usable)
+            *triangle = {{a.code, b.code, c.code}};
+        ++triangle;
     }
 }
 

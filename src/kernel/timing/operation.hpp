@@ -296,7 +296,7 @@ class OperationLog {
 
     /// Makes iterations part of the last operation, if its pattern allows. The front one may be under way: what it has
     /// begun stays.
-    bool extend(Operation& last, Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
+    [[gnu::always_inline]] bool extend(Operation& last, Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
         Operation const more(Kind::iterate, ports, gap, count);
         if (last.repeats(more)) {
             if (last.count() + count > Operation::longest_count)

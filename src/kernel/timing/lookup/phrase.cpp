@@ -87,7 +87,7 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
 
 /// Silent iterations, then accesses of the loop up to the next silence; or what is between two loops, up to the first
 /// step that more than one follower answers.
-Phrase::Reading Phrase::read_driver(Group const& group) {
+[[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group) {
     OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();

@@ -102,6 +102,19 @@ TEST_CASE("An estimate has the same bytes whatever the number of threads, and ot
     }
 }
 
+TEST_CASE("On one host core an estimate scores by the simulation itself, with the same bytes", "[estimate]") {
+    Workspace const workspace;
+    for (char const* const kind : {"best", "mean"}) {
+        CAPTURE(kind);
+        for (char const* const jobs : {"1", "3"})
+            require_done(
+                workspace.estimate({"-j", jobs, "--out", jobs, "--set", std::string("estimator.estimate=") + kind}));
+        for (char const* const file : {"/estimate.json", "/iterations.csv", "/images/convergence.png"})
+            CHECK(workspace.text(std::string("1") + file) == workspace.text(std::string("3") + file));
+        CHECK(workspace.json("1/estimate.json")["iterations"][5]["cycles"].get<double>() > 0);
+    }
+}
+
 TEST_CASE("An iteration takes the cycles of a run of its samples, and the host's time besides", "[estimate]") {
     Workspace const workspace;
     require_done(
@@ -301,11 +314,13 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
 
 TEST_CASE("A deadlock of the accelerator ends an estimate with its report", "[estimate]") {
     Workspace const workspace;
-    CommandResult const result =
-        workspace.estimate({"--out", "out", "--set", "accelerator.fifos.fragment_depth.depth=1"});
-    CHECK(result.exit_code == 3);
-    CHECK_THAT(result.err, Contains("fragment_depth"));
-    CHECK_FALSE(workspace.has("out"));
+    for (char const* const jobs : {"1", "2"}) {
+        CommandResult const result =
+            workspace.estimate({"--out", "out", "-j", jobs, "--set", "accelerator.fifos.fragment_depth.depth=1"});
+        CHECK(result.exit_code == 3);
+        CHECK_THAT(result.err, Contains("fragment_depth"));
+        CHECK_FALSE(workspace.has("out"));
+    }
 }
 
 }  // namespace estimate_test

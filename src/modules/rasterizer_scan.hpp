@@ -39,8 +39,7 @@ void Rasterizer::iterate_flanked(timing::Ports ports, std::uint32_t count, timin
     }
 }
 
-/// Flattened: all that it calls, down to the clock's log, in one piece is worth 6 % of a run.
-template <class Lines, bool Ahead> [[gnu::flatten]] void Rasterizer::scan(datapath::TriangleSetup const& setup) {
+template <class Lines, bool Ahead> void Rasterizer::scan(datapath::TriangleSetup const& setup) {
     previous_row_ = setup.start_row;
     previous_col_ = setup.start_col;
     previous_inside_ = setup.starts_inside();

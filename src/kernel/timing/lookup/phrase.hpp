@@ -47,8 +47,9 @@ class Phrase {
     Group::Lanes due() const { return due_; }
     /// The same of what the supplier writes, if there is one.
     std::uint32_t due_of_supplier(Group const& group) const {
-        Group::Lanes const due = due_ >> (Group::lane_bits * (group.supplier() - 1));
-        return group.has_supplier() ? static_cast<std::uint32_t>(due & Group::lane_mask) : 0;
+        if (!group.has_supplier())
+            return 0;
+        return static_cast<std::uint32_t>(due_ >> (Group::lane_bits * (group.supplier() - 1)) & Group::lane_mask);
     }
 
     /// Whether read() could have written codes, wherever they are from, with the supplier left out. On the logs of a

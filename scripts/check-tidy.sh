@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with the checks of .clang-tidy on the C++ files of src, tests and bench, on all cores; any finding is an error.
-# Files of a folder of src are joined by eights, as a unity build joins them: their headers are then read once, in a fifth
+# Files of a folder of src are joined by 32, as a unity build joins them: their headers are then read once, in a fifth
 # of the time.
 #   scripts/check-tidy.sh [folder]    a folder, or a pattern of grep, checks only what is in it
 set -euo pipefail
@@ -30,8 +30,8 @@ for file in "${files[@]}"; do
     number=${members[$folder]:-0}
     members[$folder]=$((number + 1))
     # Flags are those of the file whose path is nearest.
-    unit=$joined/$folder/joined_$((number / 8)).cpp
-    if ((number % 8 == 0)); then
+    unit=$joined/$folder/joined_$((number / 32)).cpp
+    if ((number % 32 == 0)); then
         mkdir -p "$(dirname "$unit")"
         units+=("$unit")
     fi

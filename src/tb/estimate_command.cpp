@@ -298,7 +298,7 @@ int estimate_pose(EstimateRequest const& request) {
 
 Subcommand estimate_command() {
     return {
-        "estimate", "Find the object's pose: score samples, resample, diffuse, until they agree (thesis 2.1, 4.2.1)",
+        "estimate", "Find the object's pose: score samples, resample, diffuse, in many iterations (thesis 2.1, 4.2.1)",
         [](CLI::App& command) {
             auto const request = std::make_shared<EstimateRequest>();
             command.add_option("config", request->config, "Configuration file (YAML)")->required()->type_name("CONFIG");

@@ -13,8 +13,8 @@
 int sc_main(int argc, char** argv) {
     using namespace faster;
     return run_tool(
-        {"faster-sim", "Cycle-approximate model of the FASTER pose-scoring accelerator", FASTER_VERSION, program_commit,
-         program_commit_date},
+        {"faster-sim", "Cycle-accurate simulator of the FASTER pose-scoring accelerator", FASTER_VERSION,
+         program_commit, program_commit_date},
         {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
          explore_command(), whatif_command(), sensitivities_command(), size_fifos_command(), compare_command(),
          compare_architectures_command(), cosim_command(), sweep_command(), edge_quality_command(), grip_command(),

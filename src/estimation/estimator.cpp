@@ -86,7 +86,7 @@ Estimate estimate_of(Iteration const& last, EstimatorConfig const& config, Score
 }  // namespace
 
 Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
-                  std::function<void(Iteration const&)> const& done) {
+                  std::function<void(Iteration const&)> const& done, Score const& score_mean) {
     std::vector<Particle> particles = first_samples(scene, count, config.seed);
     NoiseLevel noise;
     for (std::uint64_t number = 0;; ++number) {
@@ -95,7 +95,7 @@ Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t
         if (done)
             done(iteration);
         if (iteration.best_weight() >= config.stop_weight || number + 1 == config.iterations)
-            return estimate_of(iteration, config, score);
+            return estimate_of(iteration, config, score_mean ? score_mean : score);
         particles = next_samples(iteration, config);
         noise = noise_of(config.diffusion, number);
     }

@@ -39,9 +39,10 @@ struct Estimate {
 };
 
 /// The loop of SYSTEM section 7: score, stop or resample, diffuse. The best sample stays sample 0, unchanged, and the
-/// other samples are drawn. `count` >= 1. `done` is told of every iteration.
+/// other samples are drawn. `count` >= 1. `done` is told of every iteration. `score_mean`: what scores the mean, which
+/// is no iteration; empty: `score`.
 Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
-                  std::function<void(Iteration const&)> const& done = {});
+                  std::function<void(Iteration const&)> const& done = {}, Score const& score_mean = {});
 
 /// The weighted mean of the particles close to `best`: of middles, and of quaternions, turned to its side and
 /// normalized. Weights as in resampling.

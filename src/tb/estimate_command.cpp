@@ -126,6 +126,9 @@ class EstimateRun {
                 if (simulates_at_once())
                     set_cost(rows_.back(), cost);
                 progress.show(iteration.number + 1, config.iterations);
+            },
+            [&](std::vector<estimation::Particle> const& mean) {
+                return make_scorer(loaded_.config, scene_, 1)->score(mean);
             });
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "estimation/counter_scorer.hpp"
 #include "faster/enum_names.hpp"

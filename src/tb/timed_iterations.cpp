@@ -22,7 +22,7 @@ namespace faster {
 
 namespace {
 
-constexpr char done_mark = 'c';
+constexpr char done_mark = 'r';
 constexpr char deadlock_mark = 'd';
 constexpr char input_error_mark = 'i';
 

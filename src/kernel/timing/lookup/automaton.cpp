@@ -125,10 +125,9 @@ std::uint64_t Automaton::supplies_at_hand(Group::Member const& supplier) {
     return supplier.process->fifo(supplier.anchor_port).known_reads();
 }
 
-Automaton::Progress Automaton::follow(Group const& group, Session& session, Script const* script) {
+Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     Progress progress;
     session_ = &session;
-    phrase_.set_log_ends(script == nullptr ? nullptr : script->next_ports.data());
     session.fed = 0;
     session.fed_before = fed_iterations(group);
     Phrase::Reading reading = read(group, 0);
@@ -141,8 +140,9 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session, Scri
         reading = read(group, elsewhere);
     progress.later = reading == Phrase::Reading::logs_end;
     // Within a phrase that asks for more the driver would stop.
-    bool const is_supplied = (group.suppliers() & elsewhere) == 0;
-    std::uint64_t supplies = is_supplied ? ~std::uint64_t{0} : supplies_at_hand(group.members()[group.supplier()]);
+    constexpr std::uint64_t no_limit = ~std::uint64_t{0};
+    bool const takes_part = (group.suppliers() & elsewhere) == 0;
+    std::uint64_t supplies = takes_part ? no_limit : supplies_at_hand(group.members()[group.supplier()]);
     if (reading != Phrase::Reading::complete || phrase_.due_of_supplier(group) > supplies || !begin(group))
         return progress;
     if (!is_worthwhile())

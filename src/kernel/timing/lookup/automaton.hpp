@@ -50,8 +50,8 @@ class Automaton {
     };
 
     /// Moves the driver and its followers on by as many phrases as possible. The followers must have got as far as they
-    /// can without the driver. The session is the core's own. Where logs end, a script, if there is one, goes on.
-    Progress follow(Group const& group, Session& session, Script const* script = nullptr);
+    /// can without the driver. The session is the core's own.
+    Progress follow(Group const& group, Session& session);
     /// Begins to move them on by phrases of a script. Only where the script goes on: the driver's log is empty, and
     /// what is left in the logs of followers, but for suppliers, was asked for by the driver before. False if they
     /// cannot.

@@ -119,7 +119,8 @@ void MemorySystem::settle(std::size_t core, ProcessMask woken) {
     } while (woken != 0);
 }
 
-/// What comes of what was served is not before the process goes on that waits for it: returns when.
+/// What comes of what was served is not before the process goes on that waits for it. Returns from when on its core
+/// may.
 Cycles MemorySystem::wake(Served const& served) {
     if (served.first_readable == MemoryMaster::never)
         return MemoryMaster::never;
@@ -143,17 +144,19 @@ void MemorySystem::go_on(bool at_the_end) {
         cores_[core].timing->resolve(false);
         settle(core, 0);
     }
-    auto const is_before = [](Core const& one, Core const& other) { return one.goes_on_from < other.goes_on_from; };
+    auto const first_to_go_on = [this] {
+        auto const is_before = [](Core const& one, Core const& other) { return one.goes_on_from < other.goes_on_from; };
+        return std::min_element(cores_.begin(), cores_.end(), is_before);
+    };
     for (;;) {
         Cycles const unknown = at_the_end ? MemoryMaster::never : unknown_from();
-        auto const first = [this, is_before] { return std::min_element(cores_.begin(), cores_.end(), is_before); };
-        Cycles before = std::min(unknown, first()->goes_on_from);
+        Cycles before = std::min(unknown, first_to_go_on()->goes_on_from);
         while (!requests_.empty() && requests_.top().first < before)
             before = std::min(before, wake(serve()));
-        auto const next = first();
-        if (next->woken == 0)
+        auto const core = first_to_go_on();
+        if (core->woken == 0)
             return;
-        let_go(static_cast<std::size_t>(next - cores_.begin()));
+        let_go(static_cast<std::size_t>(core - cores_.begin()));
     }
 }
 

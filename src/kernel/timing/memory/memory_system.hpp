@@ -80,7 +80,7 @@ class MemorySystem {
         MemoryMaster master;
         Target target;
         std::size_t port = 0;
-        MemoryMaster::HandedOut* handing_out = nullptr;  ///< of the headers' master
+        MemoryMaster::HandedOut* handing_out = nullptr;  ///< of the headers' master; null: hands out nothing
         bool is_waiting = false;                         ///< is in requests_
     };
     /// Requests by the cycle of asking, then by master.
@@ -99,6 +99,7 @@ class MemorySystem {
     void let_go(std::size_t core);
     Cycles unknown_from() const;
     void note_queue(std::uint64_t arrival, std::uint64_t begin);
+
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
     /// A core, and processes for which it has been brought something since it went on, a bit each: they go on in a

@@ -75,6 +75,7 @@ LONG = {
     "record configs/faster_zcu102.yaml": "for the line behind it",
     "faster_zcu102_memory.yaml": "half a minute, as it is run five times",
     "out/memory.events": "for the line before it",
+    "out/next.events": "for the line before it",
     "--fst out/banana.fst": "seconds of writing",
     "sensitivities out/": "seconds, in three pages; python.the_package_does_what_the_program_does has them as well",
     "compare-architectures": "minutes",

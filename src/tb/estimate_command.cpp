@@ -127,9 +127,7 @@ class EstimateRun {
                     set_cost(rows_.back(), cost);
                 progress.show(iteration.number + 1, config.iterations);
             },
-            [&](std::vector<estimation::Particle> const& mean) {
-                return make_scorer(loaded_.config, scene_, 1)->score(mean);
-            });
+            score_of_mean());
     }
 
     void find_times(io::AtomicFolder* folder) {
@@ -184,6 +182,15 @@ class EstimateRun {
     }
     /// One host core need not score without time first: several simulate iterations of which the scores are known.
     bool simulates_at_once() const { return is_timed() && jobs_ == 1 && !request_.records(); }
+
+    /// Of no iteration, so it is not simulated; empty: it is scored as the samples are.
+    estimation::Score score_of_mean() {
+        if (!simulates_at_once())
+            return {};
+        return [this](std::vector<estimation::Particle> const& mean) {
+            return make_scorer(loaded_.config, scene_, 1)->score(mean);
+        };
+    }
 
     /// Nothing if there is nothing to record. What is to be in the folder in the end is written to its place there.
     std::optional<IterationRecording> recorded_iteration(io::AtomicFolder* folder) const {

@@ -63,8 +63,8 @@ WriteDistances* DataflowCore::write_distances(std::size_t process, std::string_v
     std::size_t const number = machine_->loop(process, loop);
     std::vector<MachineDependence> const& dependences = machine_->loops[number].dependences;
     std::size_t const of_memory = machine_->memory(memory);
-    for (std::size_t i = 0; watches_dependences_ && i < dependences.size(); ++i)
-        if (dependences[i].memory == of_memory) {
+    for (std::size_t i = 0; i < dependences.size(); ++i)
+        if (dependences[i].memory == of_memory && (watches_dependences_ || dependences[i].interlocks())) {
             watched_.push_back(
                 {number, i,
                  std::make_unique<WriteDistances>(machine_->memories[of_memory].words, dependences[i].span())});
@@ -76,7 +76,8 @@ WriteDistances* DataflowCore::write_distances(std::size_t process, std::string_v
 std::vector<DependenceStatistics> DataflowCore::dependences() const {
     std::vector<DependenceStatistics> all;
     for (WatchedDependence const& one : watched_)
-        all.push_back({one.loop, one.number, one.distances->smallest(), one.distances->counts()});
+        if (watches_dependences_)
+            all.push_back({one.loop, one.number, one.distances->smallest(), one.distances->counts()});
     std::sort(all.begin(), all.end(), [](DependenceStatistics const& a, DependenceStatistics const& b) {
         return a.loop != b.loop ? a.loop < b.loop : a.number < b.number;
     });
@@ -103,7 +104,20 @@ void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {
         }
 }
 
+/// Iterations cannot wait for writes of which nobody tells.
+void DataflowCore::require_interlocks() const {
+    for (std::size_t const loop : loops_of(*machine_))
+        for (std::size_t i = 0; i < machine_->loops[loop].dependences.size(); ++i) {
+            auto const is_it = [=](WatchedDependence const& one) { return one.loop == loop && one.number == i; };
+            if (machine_->loops[loop].dependences[i].interlocks() &&
+                std::none_of(watched_.begin(), watched_.end(), is_it))
+                throw std::logic_error("the loop " + machine_->loops[loop].name +
+                                       " has hazards interlock, and never asked for its write_distances()");
+        }
+}
+
 void DataflowCore::start_of_simulation() {
+    require_interlocks();
     for (auto const& call : starts_)
         call();
 }

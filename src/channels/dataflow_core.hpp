@@ -81,7 +81,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// From now on, loops whose addresses their modules tell are looked after. Before the core is elaborated.
     void watch_dependences() { watches_dependences_ = true; }
     /// Where a loop tells which words of a memory it accesses; null if nobody wants to know, or if it does not write
-    /// the memory.
+    /// the memory. Somebody does if dependences are watched, or if iterations of the loop wait for each other's writes.
     WriteDistances* write_distances(std::size_t process, std::string_view loop, std::string_view memory);
     std::vector<DependenceStatistics> dependences() const;
 
@@ -123,6 +123,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
 
   private:
     void start_of_simulation() override;
+    void require_interlocks() const;
     void find_channels(sc_core::sc_object const& parent) const;
     void await_turn_of(std::size_t process) const;
 

@@ -95,7 +95,31 @@ std::uint64_t ProcessClock::number(std::string_view name) const {
 }
 
 WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string_view memory) {
-    return dataflow_core_.write_distances(timing_.index(), loop, memory);
+    WriteDistances* const distances = dataflow_core_.write_distances(timing_.index(), loop, memory);
+    Machine const& machine = dataflow_core_.machine();
+    std::vector<MachineDependence> const& dependences =
+        machine.loops[machine.loop(timing_.index(), loop)].dependences;
+    for (std::uint32_t i = 0; i < dependences.size(); ++i)
+        if (dependences[i].memory == machine.memory(memory) && dependences[i].interlocks())
+            interlocks_.push_back({this->loop(loop), i, dependences[i].longest_span, distances});
+    return distances;
+}
+
+bool ProcessClock::has_interlocks(unsigned loop) const {
+    return std::any_of(interlocks_.begin(), interlocks_.end(),
+                       [loop](Interlock const& interlock) { return interlock.loop == loop; });
+}
+
+/// Whatever the initiation interval is, so that the operations are right for any.
+void ProcessClock::await_writes(unsigned loop, bool of_one_before) {
+    for (Interlock const& interlock : interlocks_) {
+        std::uint64_t const distance =
+            of_one_before ? interlock.distances->nearest_before() : interlock.distances->nearest();
+        if (interlock.loop == loop && distance > 0 && distance < interlock.longest_span)
+            say([&](OperationLog& log) {
+                log.await_write(interlock.dependence, static_cast<std::uint32_t>(distance));
+            });
+    }
 }
 
 timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.read_port(); }

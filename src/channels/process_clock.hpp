@@ -40,8 +40,13 @@ class ProcessClock {
     std::uint64_t number(std::string_view name) const;
 
     /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
-    /// wants to know, as mostly.
+    /// wants to know, as mostly. Once, after connect_all(). Its iterations may have to await_writes().
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
+    /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
+    bool has_interlocks(unsigned loop) const;
+    /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
+    /// WriteDistances have met in the iteration at hand there, or in the one before it.
+    void await_writes(unsigned loop, bool of_one_before = false);
 
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();
@@ -127,11 +132,13 @@ class ProcessClock {
     /// reads and writes through plain ports are the accesses of the iteration; time passes between iterations only.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
-        enter_loop(loop(loop_name), site);
+        unsigned const number = loop(loop_name);
+        enter_loop(number, site);
         for (std::uint64_t i = 0; i < count; ++i) {
             collecting_ = true;
             body(i);
             collecting_ = false;
+            await_writes(number);
             iterate(std::exchange(collected_, timing::Ports()), 1);
         }
         leave_loop();
@@ -229,6 +236,13 @@ class ProcessClock {
     std::uint64_t ticks_per_cycle_;
     std::vector<FifoChannel*> fifos_;   // by port
     std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
+    struct Interlock {
+        unsigned loop;
+        std::uint32_t dependence;      ///< its number in the loop
+        Cycles longest_span;
+        WriteDistances const* distances;
+    };
+    std::vector<Interlock> interlocks_;
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;

@@ -72,6 +72,7 @@ void EdgeMapBuilder::end_of_elaboration() {
     clear_loop_ = clock_.loop("clear");
     token_loop_ = clock_.loop("token");
     watch_ = {clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")};
+    most_at_once_ = clock_.has_interlocks(token_loop_) ? 1 : timing::Operation::longest_mix;
     if (ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out); edge_map != nullptr)
         read_out_.connect(*edge_map);
 }
@@ -139,7 +140,7 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const end = static_cast<std::size_t>(std::find_if(next, next + available, is_end) - next);
     std::size_t taken = 0;
     while (taken < end) {
-        auto const count = static_cast<unsigned>(std::min<std::size_t>(end - taken, timing::Operation::longest_mix));
+        auto const count = static_cast<unsigned>(std::min<std::size_t>(end - taken, most_at_once_));
         take_some(current, next + taken, count);
         taken += count;
     }
@@ -156,7 +157,20 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
     std::uint32_t const seconds = is_watched() ? take_watched(current, next, count) : maps_->take(current, next, count);
     current = next[count - 1];
-    clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
+    if (most_at_once_ == 1)
+        tell_one(seconds != 0);
+    else
+        clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
+}
+
+/// An iteration, and a second one, each of which may wait for what others write.
+void EdgeMapBuilder::tell_one(bool second) {
+    clock_.await_writes(token_loop_, second);
+    clock_.iterate(edge_token_->read_port(), 1);
+    if (!second)
+        return;
+    clock_.await_writes(token_loop_);
+    clock_.iterate(timing::no_ports, 1);
 }
 
 /// The same, one by one.
@@ -173,7 +187,10 @@ std::uint32_t EdgeMapBuilder::take_watched(EdgeToken const& current, EdgeToken c
 void EdgeMapBuilder::take_last(EdgeToken const& current) {
     watch_.next_iteration();
     bool const second = maps_->take_last_watched(current, core_.config.edge_map.flush_last, watch_);
-    clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
+    if (most_at_once_ == 1)
+        tell_one(second);
+    else
+        clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
 }
 
 /// The pixels that leave.

@@ -43,6 +43,7 @@ class EdgeMapBuilder : public sc_core::sc_module {
     bool take_tokens(EdgeToken& current);
     void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
     bool is_watched() const { return watch_.edge_map != nullptr || watch_.object_map != nullptr; }
+    void tell_one(bool second);
     std::uint32_t take_watched(EdgeToken const& current, EdgeToken const* next, unsigned count);
     void take_last(EdgeToken const& current);
     void build_of_groups();
@@ -65,7 +66,8 @@ class EdgeMapBuilder : public sc_core::sc_module {
     ClockedFifo<FullMaps>* map_full_ = nullptr;      ///< two buffers
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;
-    datapath::MapWatch watch_;  ///< told what the token loop does; mostly nobody wants to know
+    datapath::MapWatch watch_;     ///< told what the token loop does; mostly nobody wants to know
+    unsigned most_at_once_ = 0;    ///< tokens that are told together: one, if iterations wait for each other's writes
 };
 
 }  // namespace faster

@@ -28,13 +28,14 @@ void EdgeMapBuilder::build_of_groups() {
 
 /// Works off the tokens at hand. True until the end has been read.
 bool EdgeMapBuilder::take_groups(PixelGroup& current) {
-    std::size_t const available = edge_groups_->peek();
+    std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), most_at_once_);
     PixelGroup const* const next = edge_groups_->front();
     std::size_t taken = 0;
     while (taken < available && !is_end(current)) {
         take_group(current);
         current = next[taken++];
     }
+    clock_.await_writes(token_loop_);
     clock_.iterate(edge_groups_->read_port(), taken);
     edge_groups_->consume(taken);
     return !is_end(current);

@@ -69,6 +69,8 @@ void InlierUnit::end_of_elaboration() {
     clear_loop_ = clock_.loop("clear");
     fragment_loop_ = clock_.loop("fragment");
     distances_ = clock_.write_distances("fragment", "depth_buffer");
+    if (clock_.has_interlocks(fragment_loop_))
+        most_at_once_ = 1;
     if (result_ != nullptr)  // otherwise the sweep is another process's
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
     triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
@@ -193,6 +195,7 @@ void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
     NoWriteDistances nobody;
     std::size_t const drawn =
         distances_ != nullptr ? draw_burst(*distances_, reciprocal, command) : draw_burst(nobody, reciprocal, command);
+    clock_.await_writes(fragment_loop_);
     clock_.iterate(fragment_ports_, drawn);
     fragment_depth_->consume(drawn);
     fragment_index_->consume(drawn);
@@ -202,7 +205,7 @@ void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
 /// Draws the fragments at hand, each reading the command of the next. Returns their number.
 template <class Distances>
 std::size_t InlierUnit::draw_burst(Distances& distances, std::uint64_t reciprocal, Command& command) {
-    std::size_t available = fragment_depth_->peek();
+    std::size_t available = std::min(fragment_depth_->peek(), most_at_once_);
     available = std::min(available, fragment_index_->peek());
     available = std::min(available, command_->peek());
     std::int64_t const* z_sum = fragment_depth_->front();

@@ -89,6 +89,8 @@ class InlierUnit : public sc_core::sc_module {
     unsigned clear_loop_ = 0;
     unsigned fragment_loop_ = 0;
     WriteDistances* distances_ = nullptr;  ///< told what the fragment loop does; mostly null
+    /// Iterations that are told together: one, if they wait for each other's writes.
+    std::size_t most_at_once_ = ~std::size_t{0};
 };
 
 }  // namespace faster

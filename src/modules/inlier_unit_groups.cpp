@@ -8,6 +8,7 @@ namespace faster {
 /// As take_fragments(), of which each token holds the covered pixels of several lanes.
 void InlierUnit::take_groups(std::uint64_t reciprocal, Command& command) {
     std::size_t const drawn = draw_groups(reciprocal, command);
+    clock_.await_writes(fragment_loop_);
     clock_.iterate(fragment_ports_, drawn);
     depth_groups_->consume(drawn);
     index_groups_->consume(drawn);
@@ -16,7 +17,7 @@ void InlierUnit::take_groups(std::uint64_t reciprocal, Command& command) {
 
 /// Returns the number of groups drawn.
 std::size_t InlierUnit::draw_groups(std::uint64_t reciprocal, Command& command) {
-    std::size_t available = depth_groups_->peek();
+    std::size_t available = std::min(depth_groups_->peek(), most_at_once_);
     available = std::min(available, index_groups_->peek());
     available = std::min(available, command_->peek());
     NoWriteDistances nobody;

@@ -460,6 +460,12 @@ class ProcessModel {
     void run_cycle(Cycles cycle) {
         while (!is_finished() && local_time_ <= cycle) {
             arrive();
+            if (must_wait()) {
+                ++bubbles_;
+                ++loops_[index_of(*program_[state_].loop)].recurrence_cycles;
+                local_time_ = cycle + 1;
+                return;
+            }
             std::optional<std::size_t> const token = current_token();
             if (token && core_memory_.token_legal_from(*master(), entry_, *token) > cycle) {
                 ++stats_.memory_stall;
@@ -562,6 +568,43 @@ class ProcessModel {
         return accesses;
     }
 
+    /// Whether the iteration about to begin would read a word in a step in which one before it has yet to write it, or
+    /// does. So it begins a step later, which is one more for those in the pipeline.
+    bool must_wait() const {
+        TwinState const& state = program_[state_];
+        std::vector<TwinTouch> const* const touches = touches_of_beginning();
+        return touches != nullptr && std::any_of(touches->begin(), touches->end(), [&](TwinTouch const& touch) {
+            DependenceConfig const dependence = dependence_of(config_, *state.loop, touch.bram);
+            Cycles const read_step = loop_step_ + bubbles_ + dependence.read_stage;
+            return dependence.waits && std::any_of(writes_.begin(), writes_.end(), [&](WriteToCome const& write) {
+                       return write.bram == touch.bram && write.pixel.row == touch.pixel.row &&
+                              write.pixel.col == touch.pixel.col && write.step >= read_step;
+                   });
+        });
+    }
+
+    /// Null if the step at hand begins no iteration that touches anything.
+    std::vector<TwinTouch> const* touches_of_beginning() const {
+        TwinState const& state = program_[state_];
+        if (!state.loop || state.touches.empty()) {
+            return nullptr;
+        }
+        Cycles const ii = loops_[index_of(*state.loop)].ii;
+        bool const begins = loop_step_ % ii == 0 && loop_step_ / ii < state.touches.size();
+        return begins ? &state.touches[loop_step_ / ii] : nullptr;
+    }
+
+    void note_writes(TwinState const& state) {
+        std::vector<TwinTouch> const* const touches = touches_of_beginning();
+        for (std::size_t i = 0; touches != nullptr && i < touches->size(); ++i) {
+            TwinTouch const& touch = (*touches)[i];
+            if (touch.writes) {
+                Cycles const stage = dependence_of(config_, *state.loop, touch.bram).write_stage;
+                writes_.push_back({touch.bram, touch.pixel, loop_step_ + bubbles_ + stage});
+            }
+        }
+    }
+
     /// First cycle of the step at hand, if it is the first of an iteration that waits for a triangle to be set up.
     Cycles setup_done() const {
         TwinState const& state = program_[state_];
@@ -600,10 +643,13 @@ class ProcessModel {
         }
         local_time_ = cycle + 1;
         note_setups(state);
+        note_writes(state);
         if (loop_step_ == last_loop_step(state)) {
             loop_step_ = 0;
             next_setup_ = 0;
             setup_began_.clear();
+            bubbles_ = 0;
+            writes_.clear();
             next_state();
         } else {
             ++loop_step_;
@@ -633,6 +679,13 @@ class ProcessModel {
     Cycles loop_step_ = 0;  ///< p, inside a loop
     std::size_t next_setup_ = 0;
     std::vector<Cycles> setup_began_;  ///< of the loop's setups so far
+    struct WriteToCome {
+        BramId bram;
+        TwinPixel pixel;
+        Cycles step;  ///< of the pipeline, bubbles among them
+    };
+    std::vector<WriteToCome> writes_;  ///< of the loop so far
+    Cycles bubbles_ = 0;               ///< steps of the loop in which no iteration began because of them
     Cycles local_time_ = 0;            ///< T
     TwinProcess stats_;
 };

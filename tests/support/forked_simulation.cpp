@@ -62,7 +62,8 @@ template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
               row.empty_stall_cycles, row.max_occupancy);
     for (auto& row : core.loops)
         visit(row.ii_target, row.ii_recurrence, row.ii, row.depth, row.entries, row.iterations,
-              row.port_conflict_cycles, row.recurrence_cycles, row.limited_by, row.bram, row.bram_accesses);
+              row.port_conflict_cycles, row.recurrence_cycles, row.interlock_cycles, row.limited_by, row.bram,
+              row.bram_accesses);
     for (auto& row : core.processes) {
         for (auto& cycles : row.cycles)
             visit(cycles);

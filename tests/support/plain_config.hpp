@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "faster/accelerator_config.hpp"
 #include "support/memory_twin.hpp"
@@ -66,6 +67,26 @@ inline LoopConfig loop_of(AcceleratorConfig const& config, LoopId id) {
 inline BramConfig bram_of(AcceleratorConfig const& config, BramId id) {
     auto const asked = config.memories.find(id);
     return asked == config.memories.end() ? BramConfig{} : BramConfig{asked->second.ports, asked->second.partition};
+}
+
+/// What the loops that read what they write do to a memory, and whether they wait for each other.
+struct DependenceConfig {
+    Cycles read_stage = 0;
+    Cycles write_stage = 0;
+    bool waits = false;
+};
+
+/// SYSTEM.md section 9; in a pipeline too short for the stages, both are as much earlier as the write has to be.
+inline DependenceConfig dependence_of(AcceleratorConfig const& config, LoopId loop, BramId bram) {
+    bool const is_fragment = loop == LoopId::fragment;
+    std::string const name =
+        std::string(is_fragment ? "inlier_unit.fragment." : "edge_map_builder.token.") + name_of(bram);
+    DependenceSettings const asked = config.dependence(name);
+    Cycles const read = asked.read_stage.value_or(is_fragment ? 7 : 2);
+    Cycles const write = asked.write_stage.value_or(is_fragment ? 9 : 3);
+    Cycles const last = loop_of(config, loop).depth - 1;
+    Cycles const shift = write > last ? write - last : 0;
+    return {read > shift ? read - shift : 0, write - shift, asked.hazards == HazardHandling::interlock};
 }
 
 /// Cycles from the area of a drawn triangle to the next area.

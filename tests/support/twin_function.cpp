@@ -99,6 +99,7 @@ class Scanner {
             if (inside) {
                 fragments_.push_back(Fragment{relative(r, c), depth_at(triangle, v, result.area_code, r, c)});
                 iteration.sends_fragment = true;
+                iteration.covered = 1;
             }
             if (!looks_for_edges_) {
                 // fragments only
@@ -173,6 +174,7 @@ class Scanner {
         }
         scan.back().sends_fragment = scan.back().sends_fragment || visit.sends_fragment;
         scan.back().sends_edge_token = scan.back().sends_edge_token || visit.sends_edge_token;
+        scan.back().covered += visit.covered;
     }
 
     TwinPixel relative(int r, int c) const { return TwinPixel{r - row_offset_, c - col_offset_}; }
@@ -263,9 +265,32 @@ class Scanner {
     std::vector<TwinEdgeToken> edge_tokens_;
 };
 
-/// EdgeMapBuilder (A.2), written with the look-ahead of the printed loop. Appends to `iteration_reads`.
+/// Takes down iterations of the token loop, of a window with so many rows.
+class TokenLog {
+  public:
+    TokenLog(TwinSampleFunction& function, int window) : function_(function), window_(window) {}
+
+    void begin(bool reads) {
+        function_.token_iteration_reads.push_back(reads);
+        function_.token_touches.emplace_back();
+    }
+    void read(BramId bram, int row, int col) { touch({bram, {row, col}, false}); }
+    void write(BramId bram, int row, int col) { touch({bram, {row, col}, true}); }
+
+  private:
+    void touch(TwinTouch const& touch) {
+        if (touch.pixel.row >= 0 && touch.pixel.row < window_) {
+            function_.token_touches.back().push_back(touch);
+        }
+    }
+
+    TwinSampleFunction& function_;
+    int window_;
+};
+
+/// EdgeMapBuilder (A.2), written with the look-ahead of the printed loop.
 Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int window, bool flush_last,
-                                   std::vector<bool>& iteration_reads) {
+                                   TokenLog log) {
     Image<std::uint8_t> edge(window, window, 0);
     Image<std::uint8_t> object(window, window, 0);
     bool is_second_due = false;
@@ -273,6 +298,8 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
     bool is_edge_above = false;
     TwinPixel due;
     auto const run_second = [&] {
+        log.begin(false);
+        log.write(BramId::object_map, due.row, due.col);
         object.at(due.row, due.col) = 1;
         if (is_edge_below) {
             edge.at(due.row + 1, due.col) = 1;
@@ -281,7 +308,6 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
             edge.at(due.row - 1, due.col) = 1;
         }
         is_second_due = false;
-        iteration_reads.push_back(false);
     };
 
     std::size_t next = 0;  // tokens[next] has been read; next == size: that was the end token
@@ -291,7 +317,11 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
             continue;
         }
         TwinPixel const p = tokens[next].pixel;
+        log.begin(true);
         if (edge.contains(p.row, p.col)) {
+            for (int const row : tokens[next].is_object ? std::vector{p.row + 1, p.row - 1} : std::vector{p.row}) {
+                log.read(BramId::object_map, row, p.col);
+            }
             if (tokens[next].is_object) {
                 edge.at(p.row, p.col) = 0;
                 is_edge_below = p.row != window - 1 && object.at(p.row + 1, p.col) == 0;
@@ -303,7 +333,6 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
             }
         }
         ++next;
-        iteration_reads.push_back(true);
     }
     if (is_second_due && flush_last) {
         run_second();
@@ -312,17 +341,24 @@ Image<std::uint8_t> build_edge_map(std::vector<TwinEdgeToken> const& tokens, int
 }
 
 /// The designs of thesis 5.1 to 5.3 as printed: one map of 0 unknown, 1 edge, 2 no edge.
-Image<std::uint8_t> build_single_map(std::vector<TwinEdgeToken> const& tokens, int window, EdgeMapAlgorithm algorithm) {
+Image<std::uint8_t> build_single_map(std::vector<TwinEdgeToken> const& tokens, int window, EdgeMapAlgorithm algorithm,
+                                     TokenLog log) {
     Image<std::uint8_t> map(window, window, 0);
-    auto const set_edge = [&map](int row, int col) {
+    auto const set_edge = [&](int row, int col) {
+        log.read(BramId::edge_map, row, col);
         if (map.contains(row, col) && map.at(row, col) != 2) {
+            log.write(BramId::edge_map, row, col);
             map.at(row, col) = 1;
         }
     };
     for (TwinEdgeToken const& token : tokens) {
         auto const [row, col] = token.pixel;
+        log.begin(true);
         if (!map.contains(row, col)) {
             continue;
+        }
+        if (algorithm == EdgeMapAlgorithm::threshold || token.is_object) {
+            log.write(BramId::edge_map, row, col);
         }
         if (algorithm == EdgeMapAlgorithm::threshold) {
             map.at(row, col) = map.at(row, col) == 0 ? 1 : 2;
@@ -344,19 +380,22 @@ Image<std::uint8_t> build_single_map(std::vector<TwinEdgeToken> const& tokens, i
 
 /// Thesis 4.1.2: the object bit at once, the edges above and below in an iteration of their own if there are any.
 Image<std::uint8_t> build_first_write(std::vector<TwinEdgeToken> const& tokens, int window, bool flush_last,
-                                      std::vector<bool>& iteration_reads) {
+                                      TokenLog log) {
     Image<std::uint8_t> edge(window, window, 0);
     Image<std::uint8_t> object(window, window, 0);
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         auto const [row, col] = tokens[i].pixel;
-        iteration_reads.push_back(true);
+        log.begin(true);
         if (!edge.contains(row, col)) {
             continue;
         }
+        log.read(BramId::object_map, tokens[i].is_object ? row + 1 : row, col);
         if (!tokens[i].is_object) {
             edge.at(row, col) = object.at(row, col) != 0 ? edge.at(row, col) : std::uint8_t{1};
             continue;
         }
+        log.read(BramId::object_map, row - 1, col);
+        log.write(BramId::object_map, row, col);
         object.at(row, col) = 1;
         edge.at(row, col) = 0;
         bool const edge_down = row + 1 < window && object.at(row + 1, col) == 0;
@@ -364,7 +403,7 @@ Image<std::uint8_t> build_first_write(std::vector<TwinEdgeToken> const& tokens, 
         if ((!edge_down && !edge_up) || (i + 1 == tokens.size() && !flush_last)) {
             continue;
         }
-        iteration_reads.push_back(false);
+        log.begin(false);
         if (edge_down) {
             edge.at(row + 1, col) = 1;
         }
@@ -403,11 +442,11 @@ Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, 
                           TwinSampleFunction& result) {
     switch (config.algorithm) {
         case EdgeMapAlgorithm::dual_map:
-            return build_edge_map(tokens, window, config.flush_last, result.token_iteration_reads);
+            return build_edge_map(tokens, window, config.flush_last, {result, window});
         case EdgeMapAlgorithm::dual_map_4_1_2:
-            return build_first_write(tokens, window, config.flush_last, result.token_iteration_reads);
+            return build_first_write(tokens, window, config.flush_last, {result, window});
         case EdgeMapAlgorithm::inner_border:
-            result.token_iteration_reads.assign(tokens.size(), true);
+            result.token_iteration_reads.assign(tokens.size(), true);  // reads neither map
             result.output_reads_ahead = true;
             return build_inner_border(tokens, window);
         case EdgeMapAlgorithm::threshold:
@@ -415,8 +454,7 @@ Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, 
         case EdgeMapAlgorithm::bounded:
             break;
     }
-    result.token_iteration_reads.assign(tokens.size(), true);
-    return build_single_map(tokens, window, config.algorithm);
+    return build_single_map(tokens, window, config.algorithm, {result, window});
 }
 
 /// Eq. 2.2 without square roots and quotients: floor(65536 a / (n b)) > t, with a and b rounded down to integers.
@@ -468,7 +506,7 @@ Image<std::uint8_t> extracted_edges(Image<std::uint16_t> const& buffer, int near
 
 /// InlierUnit (A.3). Without an edge map, edges are extracted.
 SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::vector<Fragment> const& fragments,
-                     Image<std::uint8_t> edge_map, AcceleratorConfig const& config) {
+                     Image<std::uint8_t> edge_map, AcceleratorConfig const& config, TwinTouches& touches) {
     bool const extracts = config.flow == Flow::fpga_grip;
     bool const edge_has_depth = extracts || config.edge_map.algorithm == EdgeMapAlgorithm::inner_border;
     int const window = stimulus.window;
@@ -478,15 +516,18 @@ SampleCounters score(Stimulus const& stimulus, SampleInput const& sample, std::v
 
     Image<std::uint16_t> buffer(window, window, far_depth_code);
     for (Fragment const& fragment : fragments) {
+        touches.emplace_back();
         if (!buffer.contains(fragment.pixel.row, fragment.pixel.col)) {
             continue;
         }
+        touches.back().push_back({BramId::depth_buffer, fragment.pixel, false});
         std::uint16_t& stored = buffer.at(fragment.pixel.row, fragment.pixel.col);
         WideInt const two = WideInt{2} << fragment_bits;
         // depth / 2^fragment_bits <= stored / 2^buffer_bits, multiplied out
         bool const is_nearer = (WideInt{fragment.depth_code} << buffer_bits) <= (WideInt{stored} << fragment_bits);
         if (fragment.depth_code <= two && is_nearer) {
             stored = static_cast<std::uint16_t>(scaled_down(fragment.depth_code, fragment_bits - buffer_bits));
+            touches.back().push_back({BramId::depth_buffer, fragment.pixel, true});
             ++counters.valid_raster;
         }
     }
@@ -544,6 +585,24 @@ std::size_t groups_with_edges(std::vector<TwinTriangle> const& triangles) {
         }
     }
     return groups;
+}
+
+/// Of all pixels that a token holds together.
+TwinTouches joined_by_token(TwinTouches const& of_pixels, std::vector<TwinTriangle> const& triangles) {
+    TwinTouches of_tokens;
+    auto pixel = of_pixels.begin();
+    for (TwinTriangle const& triangle : triangles) {
+        for (TwinScanIteration const& iteration : triangle.scan) {
+            if (!iteration.sends_fragment) {
+                continue;
+            }
+            of_tokens.emplace_back();
+            for (int i = 0; i < iteration.covered; ++i, ++pixel) {
+                of_tokens.back().insert(of_tokens.back().end(), pixel->begin(), pixel->end());
+            }
+        }
+    }
+    return of_tokens;
 }
 
 TwinRegion bounds_of(Image<std::uint8_t> const& marks) {
@@ -605,12 +664,15 @@ TwinSampleFunction evaluate_sample(Stimulus const& stimulus, std::size_t sample,
     Image<std::uint8_t> edges = build(scanner.edge_tokens(), stimulus.window, config.edge_map, result);
     if (config.rasterizer.lanes > 1) {
         result.token_iteration_reads.assign(groups_with_edges(result.triangles), true);
+        result.token_touches.clear();
     }
     auto const side = static_cast<std::size_t>(stimulus.window);
     result.region = config.inlier_unit.sweep_region == SweepRegion::touched
                         ? touched_region(scanner.fragments(), scanner.edge_tokens(), stimulus.window, config)
                         : TwinRegion{0, side, 0, side};
-    result.counters = score(stimulus, input, scanner.fragments(), std::move(edges), config);
+    TwinTouches of_pixels;
+    result.counters = score(stimulus, input, scanner.fragments(), std::move(edges), config, of_pixels);
+    result.fragment_touches = joined_by_token(of_pixels, result.triangles);
     return result;
 }
 

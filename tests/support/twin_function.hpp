@@ -6,6 +6,7 @@
 #include "common/stimulus.hpp"
 #include "common/tokens.hpp"
 #include "faster/accelerator_config.hpp"
+#include "support/parts.hpp"
 
 namespace faster::testing {
 
@@ -14,6 +15,15 @@ struct TwinPixel {
     int row = 0;
     int col = 0;
 };
+
+/// A word of a memory that an iteration reads, or writes if that happens.
+struct TwinTouch {
+    BramId bram = BramId::edge_map;
+    TwinPixel pixel;
+    bool writes = false;
+};
+/// All that the iterations of a loop touch, in its order.
+using TwinTouches = std::vector<std::vector<TwinTouch>>;
 
 struct TwinEdgeToken {
     TwinPixel pixel;
@@ -27,6 +37,7 @@ struct TwinScanIteration {
     bool sends_edge_token = false;
     int row = -1;   ///< of a visit; a flush belongs to none
     int group = 0;  ///< of a visit, in its row: of as many pixels as there are lanes
+    int covered = 0;  ///< pixels of a visit
 };
 
 struct TwinTriangle {
@@ -49,6 +60,8 @@ struct TwinRegion {
 struct TwinSampleFunction {
     std::vector<TwinTriangle> triangles;
     std::vector<bool> token_iteration_reads;  ///< one per iteration of the token loop; false for second iterations
+    TwinTouches token_touches;                ///< of those; empty if each token holds a group
+    TwinTouches fragment_touches;             ///< of fragment tokens, of all triangles
     bool output_reads_ahead = false;          ///< the output loop has read a row when it sends the first bit
     TwinRegion region;                        ///< that the loops behind the drawing go over
     SampleCounters counters;

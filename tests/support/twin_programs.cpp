@@ -264,6 +264,7 @@ TwinProgram edge_map_builder(TwinSampleFunction const& sample, AcceleratorConfig
             iterations.push_back(reads ? 1 : 0);
         }
         loop(program, LoopId::token, {read_of(FifoId::edge_token)}, std::move(iterations));
+        program.back().touches = sample.token_touches;
     }
     if (config.edge_map.buffers == 2) {
         hand_over(program, config, FifoId::edge_token, FifoId::map_full, FifoId::map_free);
@@ -328,6 +329,7 @@ void extract(TwinProgram& program, LoopId id, EdgeExtractionConfig const& config
 }
 
 void take_one_by_one(TwinProgram& program, TwinSampleFunction const& sample) {
+    auto touches = sample.fragment_touches.begin();
     for (TwinTriangle const& triangle : sample.triangles) {
         if (!triangle.is_drawn) {
             continue;  // sends no command and no reciprocal
@@ -339,6 +341,8 @@ void take_one_by_one(TwinProgram& program, TwinSampleFunction const& sample) {
             uniform_loop(program, LoopId::fragment,
                          {read_of(FifoId::fragment_depth), read_of(FifoId::fragment_index), read_of(FifoId::command)},
                          triangle.fragments);
+            auto const end = touches + static_cast<std::ptrdiff_t>(triangle.fragments);
+            program.back().touches.assign(std::exchange(touches, end), end);
         }
     }
 }
@@ -348,15 +352,21 @@ void take_in_one_loop(TwinProgram& program, TwinSampleFunction const& sample) {
     constexpr std::uint8_t of_triangle = 0b1001;
     constexpr std::uint8_t of_fragment = 0b1110;
     std::vector<std::uint8_t> iterations;
+    TwinTouches touches;
+    auto fragment = sample.fragment_touches.begin();
     for (TwinTriangle const& triangle : sample.triangles) {
         iterations.insert(iterations.end(), triangle.is_drawn ? 1 : 0, of_triangle);
         iterations.insert(iterations.end(), triangle.fragments, of_fragment);
+        touches.resize(touches.size() + (triangle.is_drawn ? 1 : 0));
+        auto const end = fragment + static_cast<std::ptrdiff_t>(triangle.fragments);
+        touches.insert(touches.end(), std::exchange(fragment, end), end);
     }
     if (!iterations.empty()) {
         loop(program, LoopId::fragment,
              {read_of(FifoId::area_reciprocal), read_of(FifoId::fragment_depth), read_of(FifoId::fragment_index),
               read_of(FifoId::command)},
              std::move(iterations));
+        program.back().touches = std::move(touches);
     }
 }
 

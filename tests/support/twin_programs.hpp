@@ -11,6 +11,7 @@
 #include "kernel/base/cycles.hpp"
 #include "support/memory_twin.hpp"
 #include "support/parts.hpp"
+#include "support/twin_function.hpp"
 
 namespace faster::testing {
 
@@ -37,6 +38,8 @@ struct TwinState {
     };
     std::vector<Setup> setups;  ///< ascending
     Cycles setup_cycles = 0;
+    /// By iteration: the words that make it wait for those before it (hazards interlock). Empty: nothing does.
+    TwinTouches touches;
     /// Of what moves data outside the chip: a step takes token 0, iteration i of a loop token i, before `accesses`; the
     /// result is written behind the step.
     std::optional<TwinMaster> master;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace faster {
@@ -20,7 +21,10 @@ class WriteDistances {
             forget();
         entry_ = now_;
     }
-    void next_iteration() { ++now_; }
+    void next_iteration() {
+        ++now_;
+        nearest_before_ = std::exchange(nearest_, 0);
+    }
     void read(std::size_t word) { meet(written_[word]); }
     void write(std::size_t word) {
         meet(written_[word]);
@@ -28,6 +32,10 @@ class WriteDistances {
     }
     /// A word that the iteration has read.
     void overwrite(std::size_t word) { written_[word] = now_; }
+
+    /// Of the iteration at hand, or the one before it: the smallest of its distances; 0: it met nothing.
+    std::uint64_t nearest() const { return nearest_; }
+    std::uint64_t nearest_before() const { return nearest_before_; }
 
     /// 0: no iteration met a word that one before it had written.
     std::uint64_t smallest() const { return smallest_; }
@@ -42,6 +50,8 @@ class WriteDistances {
         if (written <= entry_ || written == now_)
             return;
         std::uint64_t const distance = now_ - written;
+        if (nearest_ == 0 || distance < nearest_)
+            nearest_ = distance;
         if (smallest_ == 0 || distance < smallest_)
             smallest_ = distance;
         if (distance < counts_.size())
@@ -57,6 +67,8 @@ class WriteDistances {
     Iteration now_ = 0;  ///< over all entries
     Iteration entry_ = 0;
     std::uint64_t smallest_ = 0;
+    std::uint64_t nearest_ = 0;
+    std::uint64_t nearest_before_ = 0;
 };
 
 /// Counts nothing, and costs nothing.

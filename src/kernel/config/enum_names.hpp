@@ -23,8 +23,10 @@ template <> struct EnumNames<FifoGeneration> {
 };
 
 template <> struct EnumNames<HazardHandling> {
-    static constexpr std::array<std::pair<HazardHandling, char const*>, 2> all{
-        {{HazardHandling::report, "report"}, {HazardHandling::forward, "forward"}}};
+    static constexpr std::array<std::pair<HazardHandling, char const*>, 3> all{
+        {{HazardHandling::report, "report"},
+         {HazardHandling::interlock, "interlock"},
+         {HazardHandling::forward, "forward"}}};
 };
 
 template <> struct EnumNames<FifoKind> {

@@ -120,7 +120,15 @@ bool is_retimable(Key const& key, RunConfig const& config) {
     // What comes from a memory that is ideal was not recorded.
     if (key.name() == "accelerator.memory.model" && config.machine().external_memory.model == MemoryModel::ideal)
         return false;
-    return key.decides_time && !design().decides_function(key.name(), config);
+    return key.decides_time && !decides_waits(key, config) && !design().decides_function(key.name(), config);
+}
+
+bool decides_waits(Key const& key, RunConfig const& config) {
+    auto const& dependences = config.machine().dependences;
+    return std::any_of(dependences.begin(), dependences.end(), [&key](auto const& named) {
+        return named.second.hazards == HazardHandling::interlock &&
+               key.name().rfind(loop_key_name(named.first, ""), 0) == 0;
+    });
 }
 
 Keys figure_keys() {

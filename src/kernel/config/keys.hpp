@@ -28,6 +28,9 @@ Keys figure_keys();
 /// Whether a key may be changed without running the function again: one of retiming_keys(), unless `config` makes it
 /// decide about more.
 bool is_retimable(Key const& key, RunConfig const& config);
+/// Whether it is a key of what a loop does to a block RAM where iterations wait for writes (hazards: interlock): which
+/// ones do so is part of what was recorded.
+bool decides_waits(Key const& key, RunConfig const& config);
 
 /// All of which that is true, without those that mean nothing in `config`.
 Keys retimable_keys(RunConfig const& config);

@@ -69,6 +69,18 @@ void check_dependence(LoadedConfig const& loaded, std::string const& loop, std::
                                                    with_value(loaded, is_asked_for(read_key) ? write_key : read_key))));
 }
 
+/// Iterations that wait let those before them go on, whose later accesses to FIFOs would no longer be II apart.
+void check_interlocks(LoadedConfig const& loaded, Machine const& machine, MachineLoop const& loop,
+                      std::vector<std::string>& complaints) {
+    auto const reads_late = [&machine](std::size_t fifo) { return machine.fifos[fifo].read_stage > 0; };
+    bool const can_wait = loop.writes.empty() && std::none_of(loop.reads.begin(), loop.reads.end(), reads_late);
+    for (MachineDependence const& dependence : loop.dependences)
+        if (dependence.interlocks() && !can_wait)
+            complaints.push_back(complaint(
+                loaded, dependence_key_name(loop.timed_by, machine.memories[dependence.memory].name, "hazards"),
+                "report or forward: the loop writes FIFOs, or reads one in a later stage than its first"));
+}
+
 std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {
     return fmt::format("{}, or {} to be cyclic or block", without,
                        with_value(loaded, bram_key_name(memory, "partition.type")));
@@ -112,8 +124,11 @@ void check_partition(LoadedConfig const& loaded, MemoryDescription const& memory
 std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     CoreDescription const core = design().core(loaded.config);
     std::vector<std::string> complaints;
-    for (MachineFifo const& fifo : make_machine(core, loaded.config.machine()).fifos)
+    Machine const machine = make_machine(core, loaded.config.machine());
+    for (MachineFifo const& fifo : machine.fifos)
         check_stages(loaded, core, fifo, complaints);
+    for (std::size_t const loop : loops_of(machine))
+        check_interlocks(loaded, machine, machine.loops[loop], complaints);
     for (ModuleDescription const& module : core.modules) {
         for (MemoryDescription const& memory : module.memories)
             check_partition(loaded, memory, complaints);

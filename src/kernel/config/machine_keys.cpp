@@ -136,7 +136,7 @@ void add_setup_key(Keys& keys, std::string const& module, SetupDescription const
         [](auto& cycles) -> auto& { return cycles; }, setup.depth));
 }
 
-/// They say what hardware would read, not when: a recorded run takes as long with any.
+/// They say what hardware would read. When it does so they only decide with hazards interlock: see decides_waits().
 void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const& stages) {
     auto const dependence = [name = loop + '.' + stages.memory](auto& settings) -> decltype(auto) {
         return settings.dependence(name);
@@ -157,7 +157,8 @@ void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const
     keys.push_back(choice_key(
         {name("hazards"), "",
          "What is done about iterations that read a word before one shortly before them has written it: they are "
-         "reported (run --hazards), or the word is forwarded, which takes logic and no time.",
+         "reported (run --hazards), they wait until it is written, or the word is forwarded, which takes logic and no "
+         "time.",
          "SYSTEM 9"},
         dependence, [](auto& settings) -> auto& { return settings.hazards; }, HazardHandling::report));
 }

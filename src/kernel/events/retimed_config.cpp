@@ -19,13 +19,19 @@ std::string why_not(std::string const& key) {
     return design().why_not_retimable(key);
 }
 
+std::string why_not(Key const& key, LoadedConfig const& recorded, LoadedConfig const& changed) {
+    bool const waits = decides_waits(key, recorded.config) || decides_waits(key, changed.config);
+    return waits ? "decides which iterations wait for writes, which was recorded" : why_not(key.name());
+}
+
 void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed) {
     for (Key const& key : all_keys()) {
-        if (is_retimable(key, recorded.config) ||
+        if ((is_retimable(key, recorded.config) && !decides_waits(key, changed.config)) ||
             json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
             continue;
         throw InputError(fmt::format("{}: {} {}, expected a key that decides about time only; use {} run for it",
-                                     changed.origins.of(key.name()).place, key.name(), why_not(key.name()),
+                                     changed.origins.of(key.name()).place, key.name(),
+                                     why_not(key, recorded, changed),
                                      program_name()));
     }
 }

@@ -32,8 +32,8 @@ struct DependenceRow {
     std::string name() const { return module + "." + loop; }
     /// Iterations, once for each word, that come too early.
     std::uint64_t hazards() const;
-    /// What forwarding takes in a core: every word read is compared with every word written of the iterations that it
-    /// may be too early for; of those, address, word and a valid bit are kept.
+    /// What forwarding or waiting takes in a core: every word read is compared with every word written of the
+    /// iterations that it may be too early for; of those, address and a valid bit are kept, and the word to forward.
     std::uint64_t comparators() const;
     std::uint64_t register_bits() const;
 };

@@ -29,7 +29,7 @@ Cause loop_cause(LoopStatistics const& row, std::size_t loop) {
     cause.item = loop;
     cause.port_conflict = row.port_conflict_cycles;
     cause.recurrence = row.recurrence_cycles;
-    cause.cycles = row.iterations * row.ii;
+    cause.cycles = row.iterations * row.ii + row.interlock_cycles;
     return cause;
 }
 

@@ -61,6 +61,7 @@ struct LoopStatistics {
     std::string limited_by;
     std::string bram;                 ///< that demands most; empty if the loop touches none
     std::uint64_t bram_accesses = 0;  ///< of that, per iteration
+    Cycles interlock_cycles = 0;      ///< of recurrence_cycles: waited for writes of iterations before
 };
 
 /// One row of loops.csv.

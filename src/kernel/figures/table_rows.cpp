@@ -49,7 +49,8 @@ std::uint64_t DependenceRow::hazards() const {
 std::uint64_t DependenceRow::comparators() const { return dependence.reads * dependence.writes * dependence.reach(ii); }
 
 std::uint64_t DependenceRow::register_bits() const {
-    return dependence.writes * dependence.reach(ii) * (address_bits + word_bits + 1);
+    bool const keeps_words = dependence.handling == HazardHandling::forward;
+    return dependence.writes * dependence.reach(ii) * (address_bits + (keeps_words ? word_bits : 0) + 1);
 }
 
 std::vector<ModuleRow> module_rows(RunStatistics const& run) {

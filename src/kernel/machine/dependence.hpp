@@ -8,8 +8,9 @@ namespace faster {
 
 /// What is done about hazards.
 enum class HazardHandling {
-    report,   ///< nothing: hardware reads stale words, which reports tell
-    forward,  ///< what has been written and is not in the memory yet is forwarded to the read: no time, but logic
+    report,     ///< nothing: hardware reads stale words, which reports tell
+    interlock,  ///< the iteration waits until the word has been written: time, and comparators
+    forward,    ///< what has been written and is not in the memory yet is forwarded to the read: no time, but logic
 };
 
 /// What a loop does to a memory from iteration to iteration: each reads words in one stage of the pipeline and writes
@@ -22,10 +23,13 @@ struct MachineDependence {
     std::uint64_t reads = 0;  ///< words of an iteration
     std::uint64_t writes = 0;
     HazardHandling handling = HazardHandling::report;
+    /// The span if the pipeline is long enough for the stages asked for: no shorter one has a larger span.
+    Cycles longest_span = 1;
 
     /// Cycles that an iteration must begin after one that writes what it reads. A word that is read in the cycle in
     /// which it is written is still the old one. A loop that only writes has nothing to read too early.
     Cycles span() const { return reads > 0 ? write_stage - read_stage + 1 : 1; }
+    bool interlocks() const { return handling == HazardHandling::interlock && longest_span > 1; }
     bool is_hazard(std::uint64_t distance, Cycles ii) const { return distance * ii < span(); }
     /// Iterations before it whose writes an iteration may be too early for.
     std::uint64_t reach(Cycles ii) const { return (span() - 1) / ii; }

@@ -28,6 +28,8 @@ timing::Lead lead_of(CoreDescription::Pace const& pace, Machine const& machine) 
     if (pace.driver.empty() || uses_memory(pace.driver, machine))
         return lead;
     lead.driver = static_cast<unsigned>(machine.process(pace.driver));
+    if (has_interlocks(machine))  // no state of a process tells when an iteration waited for a write
+        return lead;
     for (bool const of_memory : {false, true})
         for (CoreDescription::Pace::Follower const& follower : pace.followers) {
             timing::Lead::Follower const added{static_cast<unsigned>(machine.process(follower.module)),

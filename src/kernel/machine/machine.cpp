@@ -234,6 +234,7 @@ class Maker {
         Cycles const read = settings.read_stage.value_or(stages.read);
         dependence.read_stage = std::min(read - std::min(read, earlier), dependence.write_stage);
         dependence.handling = settings.hazards;
+        dependence.longest_span = dependence.reads > 0 ? asked - std::min(read, asked) + 1 : 1;
         loop.dependences.push_back(dependence);
     }
 
@@ -318,7 +319,15 @@ timing::LoopShape MachineLoop::shape() const {
     shape.name = name;
     shape.interval = interval;
     shape.depth = depth;
+    if (has_interlocks())
+        for (MachineDependence const& dependence : dependences)
+            shape.interlock_spans.push_back(dependence.interlocks() ? dependence.span() : 1);
     return shape;
+}
+
+bool MachineLoop::has_interlocks() const {
+    return std::any_of(dependences.begin(), dependences.end(),
+                       [](MachineDependence const& dependence) { return dependence.interlocks(); });
 }
 
 std::size_t Machine::process_places() const { return modules_of(*this).back() + 1; }
@@ -357,6 +366,11 @@ std::vector<std::size_t> modules_of(Machine const& machine) { return present(mac
 std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
 std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
 std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
+
+bool has_interlocks(Machine const& machine) {
+    return std::any_of(machine.loops.begin(), machine.loops.end(),
+                       [](MachineLoop const& loop) { return loop.is_present && loop.has_interlocks(); });
+}
 
 std::vector<std::size_t> streams_of(Machine const& machine) { return present(machine.streams); }
 

@@ -82,6 +82,8 @@ struct MachineLoop {
     std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
     bool is_listed = true;           ///< in loops.csv
 
+    /// Whether its iterations wait for each other's writes.
+    bool has_interlocks() const;
     /// Without its FIFOs.
     timing::LoopShape shape() const;
 };
@@ -164,6 +166,9 @@ std::vector<std::size_t> brams_of(Machine const& machine);
 std::vector<std::size_t> streams_of(Machine const& machine);
 /// The masters of an external memory: the streams of every core that are there.
 std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine);
+
+/// Whether iterations of any loop wait for others to write.
+bool has_interlocks(Machine const& machine);
 
 /// Block RAMs of 36 Kbit of one core, line buffers included; without FIFOs.
 double ramb36_of_core(Machine const& machine);

@@ -44,7 +44,8 @@ LoopStatistics loop_statistics(MachineLoop const& loop, timing::CoreTiming const
     row.entries = counters.entries;
     row.iterations = counters.iterations;
     row.port_conflict_cycles = counters.iterations * interval.port_conflict_per_iteration;
-    row.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration;
+    row.interlock_cycles = counters.interlock_cycles;
+    row.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration + counters.interlock_cycles;
     row.limited_by = interval.limited_by;
     row.bram = interval.bram;
     row.bram_accesses = interval.bram_accesses;
@@ -77,6 +78,8 @@ class CycleSorter {
         add_loop_costs(process, row);
         row[CycleClass::setup] = cycles_of_setups(process);
         cut_off(process, process.end() - end, row);
+        if (row.sum() > end)  // iterations that waited for writes are beyond the end
+            row[CycleClass::recurrence] -= std::min(row[CycleClass::recurrence], row.sum() - end);
         row[CycleClass::busy] = end - row.sum();
         row[CycleClass::idle_after] = total_cycles_ - end;
         return row;

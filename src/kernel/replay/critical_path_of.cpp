@@ -83,10 +83,11 @@ class ProcessRows {
 
     static PathCause cause_of(Part part) {
         bool const flows = part == Part::fill || part == Part::drain;
-        return part == Part::setup    ? PathCause::setup
-               : part == Part::memory ? PathCause::memory
-               : flows                ? PathCause::fill_drain
-                                      : PathCause::busy;
+        return part == Part::setup       ? PathCause::setup
+               : part == Part::memory    ? PathCause::memory
+               : part == Part::interlock ? PathCause::recurrence
+               : flows                   ? PathCause::fill_drain
+                                         : PathCause::busy;
     }
 
     /// Adds to the row of the same thing, if there is one: a loop's filling and draining are one.

@@ -17,6 +17,7 @@ bool OperationCheck::accepts(Operation const& operation) {
         case Kind::step:
             return !state_.in_loop && operation.ports() != 0 && operation.tail_ports() == 0;
         case Kind::enter:
+            state_.loop = operation.count();
             return operation.all_ports() == 0 && operation.count() < process_->loops().size() &&
                    !std::exchange(state_.in_loop, true);
         case Kind::leave:
@@ -58,14 +59,22 @@ bool OperationCheck::accepts_mix(Operation const& operation) const {
            (operation.gaps() & ~Operation::gap_bits(1, operation.length())) == 0;
 }
 
-/// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun.
+/// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun, or a write.
 bool OperationCheck::accepts_wait(Operation const& operation) {
+    if (operation.gap() >= Operation::first_dependence)
+        return state_.in_loop && accepts_await_write(operation);
     if (operation.gap() <= Operation::whole_setup)
         return !state_.in_loop;
-    if (operation.gap() > Operation::setup_end || !prepares_beside_loops())
+    if (!prepares_beside_loops())
         return false;
     state_.setups += operation.gap() == Operation::setup_begin ? 1 : -1;
     return state_.in_loop && state_.setups >= 0;
+}
+
+bool OperationCheck::accepts_await_write(Operation const& operation) const {
+    auto const& loops = process_->loops();
+    return operation.count() > 0 && state_.loop < loops.size() &&
+           operation.gap() - Operation::first_dependence < loops[state_.loop].interlock_spans.size();
 }
 
 /// Loops that read and write do, no others.

@@ -13,6 +13,7 @@ class OperationCheck {
         bool in_loop = false;
         bool stamped = false;     ///< once per sample at most
         std::int64_t setups = 0;  ///< begun and not awaited
+        std::size_t loop = ~std::size_t{0};  ///< the last that it entered, as far as that is known
     };
 
     explicit OperationCheck(timing::ProcessTiming const& process) : process_(&process) {}
@@ -35,6 +36,7 @@ class OperationCheck {
     bool accepts_iterations(timing::Operation const& operation) const;
     bool accepts_mix(timing::Operation const& operation) const;
     bool accepts_wait(timing::Operation const& operation);
+    bool accepts_await_write(timing::Operation const& operation) const;
     bool prepares_beside_loops() const;
 
     timing::ProcessTiming const* process_;

@@ -21,14 +21,16 @@ std::string stages_text(MachineDependence const& dependence) {
                                 : fmt::format("writes in {}", dependence.write_stage);
 }
 
-bool is_forwarded(DependenceRow const& row) { return row.dependence.handling == HazardHandling::forward; }
+bool has_logic(DependenceRow const& row) { return row.dependence.handling != HazardHandling::report; }
 
 std::string sentence(DependenceRow const& row) {
     if (row.hazards() == 0)
         return "";
-    if (is_forwarded(row))
-        return fmt::format("  {} on {}: {} forwarded, by {} comparators and {} bits of registers a core.\n", row.name(),
-                           row.bram, row.hazards(), row.comparators(), row.register_bits());
+    if (has_logic(row))
+        return fmt::format("  {} on {}: {} {}, by {} comparators and {} bits of registers a core.\n", row.name(),
+                           row.bram, row.hazards(),
+                           row.dependence.interlocks() ? "wait (recurrence cycles of the loop)" : "forwarded",
+                           row.comparators(), row.register_bits());
     return fmt::format("  {} on {}: {} hazards. In hardware these iterations work on a stale word.\n", row.name(),
                        row.bram, row.hazards());
 }
@@ -50,8 +52,8 @@ Json row_json(DependenceRow const& row) {
               {"distances", std::move(counts)},
               {"hazards", row.hazards()},
               {"handling", choice_name(row.dependence.handling)}};
-    json["comparators"] = is_forwarded(row) ? row.comparators() : 0;
-    json["register_bits"] = is_forwarded(row) ? row.register_bits() : 0;
+    json["comparators"] = has_logic(row) ? row.comparators() : 0;
+    json["register_bits"] = has_logic(row) ? row.register_bits() : 0;
     return json;
 }
 

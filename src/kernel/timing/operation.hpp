@@ -12,7 +12,7 @@ namespace faster::timing {
 class Operation {
   public:
     enum class Kind : std::uint8_t {
-        wait,     ///< T += count; with a gap: setup(), begin_setup() or await_setup()
+        wait,     ///< T += count; with a gap: setup(), begin_setup(), await_setup() or await_write()
         step,     ///< the accesses of `ports` together, then T += count
         enter,    ///< enter pipelined loop number `count`
         iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing;
@@ -84,9 +84,10 @@ class Operation {
         head.add_tail(tail_ports(), 0);
         return head;
     }
-    /// What a wait with a gap does: its gap.
-    enum Setup : std::uint32_t { no_setup, whole_setup, setup_begin, setup_end };
-    bool is_setup() const { return gap() != no_setup; }
+    /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
+    enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence };
+    static constexpr std::uint32_t most_dependences = longest_gap - first_dependence + 1;
+    bool is_plain_wait() const { return gap() == cycles; }
     /// Says nothing besides what its kind can mean.
     bool is_well_formed() const {
         switch (kind()) {
@@ -163,6 +164,11 @@ class OperationLog {
     void begin_setup() { append(Operation(Kind::wait, 0, Operation::setup_begin, 1)); }
     /// Between iterations: the loop stands still until the oldest setup begun, and not awaited yet, is done.
     void await_setup() { append(Operation(Kind::wait, 0, Operation::setup_end, 1)); }
+    /// Between iterations: the next one accesses what the one `distance` before it writes. The loop waits until it
+    /// may, if that is a dependence that it waits for.
+    void await_write(std::uint32_t dependence, std::uint32_t distance) {
+        append(Operation(Kind::wait, 0, Operation::first_dependence + dependence, distance));
+    }
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }

@@ -9,31 +9,32 @@ namespace faster::timing {
 /// A stretch of a process's program, as far as a critical path tells them apart.
 class Region {
   public:
-    enum class Part : std::uint8_t { outside, setup, memory, fill, iterations, drain };
+    enum class Part : std::uint8_t { outside, setup, memory, fill, iterations, interlock, drain };
 
     Region() = default;
     static Region setup() { return Region(1); }
     static Region memory() { return Region(2); }  ///< it waits for the external one
     static Region of_loop(unsigned loop, Part part) {
         return Region(
-            static_cast<std::uint16_t>(first_of_loop + 3U * loop + static_cast<unsigned>(part) - first_of_loop));
+            static_cast<std::uint16_t>(first_of_loop + parts_of_loop * loop + static_cast<unsigned>(part) - first_of_loop));
     }
 
     Part part() const {
         return !is_in_loop() ? static_cast<Part>(number_)
-                             : static_cast<Part>((number_ - first_of_loop) % 3U + first_of_loop);
+                             : static_cast<Part>((number_ - first_of_loop) % parts_of_loop + first_of_loop);
     }
     /// Only inside one.
-    unsigned loop() const { return (number_ - first_of_loop) / 3U; }
+    unsigned loop() const { return (number_ - first_of_loop) / parts_of_loop; }
     bool is_in_loop() const { return number_ >= first_of_loop; }
     unsigned number() const { return number_; }
     /// Regions of a process with so many loops.
-    static unsigned count(unsigned loops) { return first_of_loop + 3 * loops; }
+    static unsigned count(unsigned loops) { return first_of_loop + parts_of_loop * loops; }
     static Region numbered(unsigned number) { return Region(static_cast<std::uint16_t>(number)); }
     bool operator==(Region const& other) const { return number_ == other.number_; }
 
   private:
     static constexpr unsigned first_of_loop = 3;
+    static constexpr unsigned parts_of_loop = 4;
     explicit Region(std::uint16_t number) : number_(number) {}
 
     std::uint16_t number_ = 0;

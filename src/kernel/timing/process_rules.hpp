@@ -35,6 +35,12 @@ template <class Time> struct ProcessState {
     PipelinePosition pipeline;
     std::vector<Ports::Number> delay_line;  ///< ports of the last iterations of a loop that is not aligned, a ring
     std::vector<Time> setups_done;          ///< when those begun, and not awaited yet, will be
+    /// Steps in which a loop has begun nothing, as an iteration waited for a write: before which. The latest ones.
+    struct Bubbles {
+        std::uint64_t iteration = 0;
+        Cycles steps = 0;
+    };
+    std::vector<Bubbles> bubbles;
     FlushingPipeline<Time> flushing;
 
     /// What an iteration of a loop accesses, `lag` iterations before the one at hand.
@@ -63,7 +69,7 @@ template <class Time> struct ProcessState {
 ///     void count(std::uint64_t iterations)          of the loop it is in
 ///     void iterates(std::uint64_t first, std::uint64_t count)  they begin at the local time
 ///     void entered(), count_end(), left()           a loop
-///     void awaited_setup(Time cycles), stamped()
+///     void awaited_setup(Time cycles), awaited_write(Cycles cycles), stamped()
 ///     void let_bubbles_in(Port const&, Time bubbles, Time from)  a flushing pipeline, instead of what a port reads
 ///     void lets_out(Port const&, Time due, Time cycle)  a token, which may have waited; told before the access
 ///     void waits_for_room(Port const&)  for a token in a flushing pipeline, whatever else it waits for
@@ -150,8 +156,8 @@ template <class Process, class Port> class ProcessRules {
         Operation const operation = log_.whole_front();
         switch (operation.kind()) {
             case Kind::wait:
-                if (operation.is_setup())
-                    prepare(operation);
+                if (!operation.is_plain_wait())
+                    await(operation);
                 else if (!flushes())
                     pass(operation.count());
                 else if (!pass_flushing(operation))
@@ -391,11 +397,13 @@ template <class Process, class Port> class ProcessRules {
             self().waits_for_room(flushing_port());
     }
 
-    // Setups.
+    // Setups, and iterations that wait for a write.
 
-    void prepare(Operation const& operation) {
+    void await(Operation const& operation) {
         Cycles const cycles = shape_->setup_cycles;
-        if (operation.gap() == Operation::setup_begin) {
+        if (operation.gap() >= Operation::first_dependence) {
+            await_write(operation.gap() - Operation::first_dependence, operation.count());
+        } else if (operation.gap() == Operation::setup_begin) {
             state_.setups_done.push_back(state_.time + static_cast<Time>(cycles));
         } else if (operation.gap() == Operation::setup_end) {
             await_setup();
@@ -416,11 +424,37 @@ template <class Process, class Port> class ProcessRules {
         mark_loop(Region::Part::iterations);
     }
 
+    /// A frozen pipeline keeps its iterations as many steps apart as they were begun: II, and the bubbles in between.
+    /// Nothing else decides how long one waits.
+    void await_write(std::uint32_t dependence, std::uint64_t distance) {
+        std::vector<Cycles> const& spans = shape_->loops[state_.loop].interlock_spans;
+        Cycles steps = distance * plan_->ii;
+        for (auto const& bubbles : state_.bubbles)
+            if (bubbles.iteration + distance > state_.iterations)
+                steps += bubbles.steps;
+        if (steps >= spans[dependence])
+            return;
+        Cycles const wait = spans[dependence] - steps;
+        forget_bubbles(*std::max_element(spans.begin(), spans.end()));
+        state_.bubbles.push_back({state_.iterations, wait});
+        mark_loop(Region::Part::interlock);
+        self().awaited_write(wait);
+        pass(wait);
+        mark_loop(Region::Part::iterations);
+    }
+    /// Those that are too many iterations ago for any span.
+    void forget_bubbles(Cycles longest_span) {
+        auto const is_old = [&](auto const& bubbles) { return bubbles.iteration + longest_span <= state_.iterations; };
+        auto const old = std::remove_if(state_.bubbles.begin(), state_.bubbles.end(), is_old);
+        state_.bubbles.erase(old, state_.bubbles.end());
+    }
+
     // The pipelined loop.
 
     void enter(unsigned loop) {
         be_in_loop(loop + 1);
         state_.iterations = 0;
+        state_.bubbles.clear();
         ++run_;
         self().entered();
         if (plan_->fill > 0)

@@ -243,7 +243,8 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
     InitiationInterval const& interval = loops()[loop].interval;
     LoopCounters const& counters = figures_.loops[loop];
     LoopCost cost;
-    cost.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration - counters.recurrence_beyond_end;
+    cost.recurrence_cycles = counters.iterations * interval.recurrence_per_iteration - counters.recurrence_beyond_end +
+                             counters.interlock_cycles;
     cost.port_conflict_cycles =
         counters.iterations * interval.port_conflict_per_iteration - counters.port_conflict_beyond_end;
     Cycles const depth = loops()[loop].depth;

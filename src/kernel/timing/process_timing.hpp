@@ -23,6 +23,7 @@ struct LoopCounters {
     // What the last iterations of a loop shorter than its II would count too much.
     Cycles port_conflict_beyond_end = 0;
     Cycles recurrence_beyond_end = 0;
+    Cycles interlock_cycles = 0;  ///< in which iterations waited for others to write
 };
 
 /// What a loop cost its process, all entries together, besides an iteration each target interval.
@@ -252,6 +253,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     void entered();
     void left();
     void awaited_setup(Cycles cycles) { figures_.awaited_setup_cycles += cycles; }
+    void awaited_write(Cycles cycles) { figures_.loops[state_.loop].interlock_cycles += cycles; }
     void stamped();
     void let_bubbles_in(ProcessPort const& port, Cycles bubbles, Cycles from);
     void lets_out(ProcessPort const& port, Cycles due, Cycles cycle);

@@ -57,6 +57,15 @@ void check_design(AcceleratorConfig const& config, Machine const& machine) {
     in_range("window", static_cast<std::uint64_t>(config.window), 2, largest_window);
 }
 
+/// The twin forwards, or does not: --no-forwarding.
+void require_no_interlocks(Machine const& machine) {
+    for (MachineLoop const& loop : machine.loops)
+        for (MachineDependence const& dependence : loop.dependences)
+            require(!dependence.interlocks(),
+                    fmt::format("loops.{}.{}.hazards", loop.timed_by, machine.memories[dependence.memory].name),
+                    "report or forward");
+}
+
 /// Whether it is a design of the twin with lanes, or nearer to one than to the thesis's.
 bool wants_lanes(AcceleratorConfig const& config) {
     return config.rasterizer.scan == ScanPolicy::spans || config.rasterizer.setup_overlap > 0 ||
@@ -157,6 +166,7 @@ std::size_t number_of_loop(Machine const& machine, std::string const& name) {
 
 TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machine, int width, int height) {
     TwinSettings settings;
+    require_no_interlocks(machine);
     if (wants_lanes(config))
         settings.lanes = lane_settings(config, machine);
     else

@@ -137,6 +137,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     void count_end();
     void left() const {}
     void awaited_setup(std::int64_t /*cycles*/) const {}  // in no phrase
+    void awaited_write(Cycles /*cycles*/) const {}        // in no phrase
     void stamped() const {}                               // in no phrase
     void let_bubbles_in(BenchPort const& port, std::int64_t bubbles, std::int64_t /*from*/) { charge(port, bubbles); }
     void lets_out(BenchPort const& port, std::int64_t due, std::int64_t cycle) {

@@ -67,6 +67,7 @@ without "two buffers" edge_map.buffers=1 inlier_unit.buffers=1
 without "the touched region" inlier_unit.sweep_region=window
 without "mesh on the chip" memory.mesh=external
 without "the smaller divider" modules.area_reciprocal.interval=1
+without "forwarding: interlock" loops.inlier_unit.fragment.depth_buffer.hazards=interlock
 without "forwarding: interval 2" loops.inlier_unit.fragment.recurrence_ii=2
 without "forwarding: interval 3" loops.inlier_unit.fragment.recurrence_ii=3
 

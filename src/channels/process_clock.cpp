@@ -97,8 +97,7 @@ std::uint64_t ProcessClock::number(std::string_view name) const {
 WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string_view memory) {
     WriteDistances* const distances = dataflow_core_.write_distances(timing_.index(), loop, memory);
     Machine const& machine = dataflow_core_.machine();
-    std::vector<MachineDependence> const& dependences =
-        machine.loops[machine.loop(timing_.index(), loop)].dependences;
+    std::vector<MachineDependence> const& dependences = machine.loops[machine.loop(timing_.index(), loop)].dependences;
     for (std::uint32_t i = 0; i < dependences.size(); ++i)
         if (dependences[i].memory == machine.memory(memory) && dependences[i].interlocks())
             interlocks_.push_back({this->loop(loop), i, dependences[i].longest_span, distances});

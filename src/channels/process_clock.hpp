@@ -238,7 +238,7 @@ class ProcessClock {
     std::size_t log_limit_ = 1U << 16;  ///< operations held before the timing has to catch up
     struct Interlock {
         unsigned loop;
-        std::uint32_t dependence;      ///< its number in the loop
+        std::uint32_t dependence;  ///< its number in the loop
         Cycles longest_span;
         WriteDistances const* distances;
     };

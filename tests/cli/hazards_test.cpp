@@ -68,7 +68,30 @@ TEST_CASE("Stages of a loop's accesses are keys, which have to lie in its pipeli
     check_bad_input(workspace.run({"--set", stages + "write_stage=10"}), {stages + "write_stage=10", "at most 9"});
     check_bad_input(workspace.run({"--set", stages + "write_stage=5"}),
                     {stages + "write_stage=5", stages + "read_stage"});
-    check_bad_input(workspace.run({"--set", stages + "hazards=interlock"}), {"interlock", "report, forward"});
+    check_bad_input(workspace.run({"--set", stages + "hazards=wait"}), {"wait", "report, interlock, forward"});
+}
+
+TEST_CASE("Iterations wait with hazards interlock, which a recording was made with or without") {
+    SmallWorkspace const workspace;
+    std::string const map = "accelerator.loops.edge_map_builder.token.object_map.";
+    require_done(workspace.run({"--events", "a.events", "--out", "a"}));
+    CommandResult const run =
+        workspace.run({"--hazards", "--events", "b.events", "--out", "b", "--set", map + "hazards=interlock"});
+    require_done(run);
+    Json const token = row_of(workspace.summary("b")["hazards"], "token", "object_map");
+    CHECK(token["handling"] == "interlock");
+    CHECK(token["comparators"] == 2);
+    CHECK_THAT(run.out, Contains("wait (recurrence cycles of the loop), by 2 comparators"));
+    auto const whatif = [&](std::string const& events, std::string const& setting) {
+        return run_command(FASTER_SIM_BINARY, {"whatif", events, "--set", setting}, workspace.folder().path());
+    };
+    require_done(whatif("b.events", "accelerator.loops.edge_map_builder.token.ii=3"));
+    require_done(whatif("b.events", "accelerator.loops.edge_map_builder.token.depth=9"));
+    require_done(whatif("b.events", stages + "write_stage=8"));  // of others
+    for (std::string const& refused : {map + "hazards=report", map + "write_stage=2", stages + "hazards=interlock"})
+        check_bad_input(whatif("b.events", refused), {refused, "decides which iterations wait", "use faster-sim run"});
+    check_bad_input(whatif("a.events", map + "hazards=interlock"), {"decides which iterations wait"});
+    require_done(whatif("a.events", map + "hazards=forward"));
 }
 
 }  // namespace hazards_test

@@ -191,6 +191,8 @@ TEST_CASE("The description makes the keys of a machine, with their defaults", "[
                 "accelerator.fifos.answer.kind", "accelerator.fifos.answer.write_latency",
                 "accelerator.loops.worker.setup.depth", "accelerator.loops.worker.look_up.ii",
                 "accelerator.loops.worker.look_up.recurrence_ii", "accelerator.loops.worker.look_up.depth",
+                "accelerator.loops.worker.look_up.table.read_stage",
+                "accelerator.loops.worker.look_up.table.write_stage", "accelerator.loops.worker.look_up.table.hazards",
                 "accelerator.brams.table.ports", "accelerator.brams.table.partition.type",
                 "accelerator.brams.table.partition.factor", "accelerator.brams.table.partition.dimension"});
     RunConfig config;
@@ -270,6 +272,9 @@ TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]
     CHECK(input_error_text([] {
               loaded("", {"toy.answers=false", "accelerator.fifos.answer.depth=3"});
           }) == "--set accelerator.fifos.answer.depth=3: expected a key of the parts that toy.answers = false has");
+    CHECK(set_error("accelerator.loops.worker.look_up.table.hazards=interlock") ==
+          "--set accelerator.loops.worker.look_up.table.hazards=interlock: expected report or forward: the loop writes "
+          "FIFOs, or reads one in a later stage than its first");
     CHECK(set_error("accelerator.fifos.anser.depth=3") ==
           "--set accelerator.fifos.anser.depth=3: unknown key, did you mean accelerator.fifos.answer.depth?");
     CHECK(set_error("toy.rows=0") == "--set toy.rows=0: expected an integer from 1 to 1024");

@@ -1,8 +1,11 @@
 #include "kernel/base/write_distances.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "kernel/machine/dependence.hpp"
+#include "kernel/timing/core_timing.hpp"
 
 namespace faster::write_distances_test {
 
@@ -72,6 +75,58 @@ TEST_CASE("A word is stale up to the cycle in which it is written, the cycle inc
     dependence.reads = 0;
     CHECK_FALSE(dependence.is_hazard(1, 1));
     CHECK(dependence.reach(1) == 0);
+}
+
+TEST_CASE("The nearest write is that of the iteration at hand, or of the one before it", "[hazards]") {
+    WriteDistances distances(8, 4);
+    distances.enter();
+    distances.next_iteration();
+    distances.write(5);
+    distances.write(6);
+    distances.next_iteration();
+    distances.write(6);
+    distances.next_iteration();
+    CHECK(distances.nearest() == 0);
+    CHECK(distances.nearest_before() == 1);
+    distances.read(5);
+    CHECK(distances.nearest() == 2);
+    distances.read(6);
+    CHECK(distances.nearest() == 1);
+}
+
+/// Cycles of a loop of five stages with interlocks on two memories. Before its i-th iteration it awaits a write so many
+/// iterations ago, in each of the memories; 0: in none.
+Cycles cycles_of_loop(Cycles ii, std::vector<std::array<unsigned, 2>> const& distances) {
+    timing::CoreTiming core;
+    timing::LoopShape shape;
+    shape.interval.achieved = ii;
+    shape.depth = 5;
+    shape.interlock_spans = {4, 5};
+    timing::ProcessTiming& process = core.add_process("process");
+    timing::OperationLog& log = process.log();
+    log.enter(process.add_loop(shape));
+    for (std::array<unsigned, 2> const& of_memory : distances) {
+        for (std::uint32_t i = 0; i < of_memory.size(); ++i)
+            if (of_memory[i] > 0)
+                log.await_write(i, of_memory[i]);
+        log.iterate(timing::no_ports.number(), 0, 1);
+    }
+    log.leave();
+    core.resolve();
+    return process.local_time();
+}
+
+TEST_CASE("An iteration begins as many steps after a write that it awaits as the span says", "[hazards]") {
+    CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {0, 0}}) == 2 + 5);
+    CHECK(cycles_of_loop(1, {{0, 0}, {1, 0}, {0, 0}}) == 2 + 5 + 3);
+    CHECK(cycles_of_loop(1, {{0, 0}, {0, 1}, {0, 0}}) == 2 + 5 + 4);
+    CHECK(cycles_of_loop(1, {{0, 0}, {1, 1}, {0, 0}}) == 2 + 5 + 4);  // the longer wait is enough for both
+    CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {2, 0}}) == 2 + 5 + 2);
+    CHECK(cycles_of_loop(1, {{0, 0}, {1, 0}, {1, 0}}) == 2 + 5 + 3 + 3);
+    CHECK(cycles_of_loop(1, {{0, 0}, {1, 0}, {2, 0}}) == 2 + 5 + 3);  // those 3 steps are between them
+    CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {1, 0}, {3, 0}}) == 3 + 5 + 3);
+    CHECK(cycles_of_loop(2, {{0, 0}, {1, 0}, {0, 0}}) == 2 * 2 + 5 + 2);
+    CHECK(cycles_of_loop(4, {{0, 0}, {1, 0}, {0, 1}}) == 2 * 4 + 5 + 1);
 }
 
 }  // namespace faster::write_distances_test

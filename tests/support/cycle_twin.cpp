@@ -574,13 +574,14 @@ class ProcessModel {
         TwinState const& state = program_[state_];
         std::vector<TwinTouch> const* const touches = touches_of_beginning();
         return touches != nullptr && std::any_of(touches->begin(), touches->end(), [&](TwinTouch const& touch) {
-            DependenceConfig const dependence = dependence_of(config_, *state.loop, touch.bram);
-            Cycles const read_step = loop_step_ + bubbles_ + dependence.read_stage;
-            return dependence.waits && std::any_of(writes_.begin(), writes_.end(), [&](WriteToCome const& write) {
-                       return write.bram == touch.bram && write.pixel.row == touch.pixel.row &&
-                              write.pixel.col == touch.pixel.col && write.step >= read_step;
-                   });
-        });
+                   DependenceConfig const dependence = dependence_of(config_, *state.loop, touch.bram);
+                   Cycles const read_step = loop_step_ + bubbles_ + dependence.read_stage;
+                   return dependence.waits &&
+                          std::any_of(writes_.begin(), writes_.end(), [&](WriteToCome const& write) {
+                              return write.bram == touch.bram && write.pixel.row == touch.pixel.row &&
+                                     write.pixel.col == touch.pixel.col && write.step >= read_step;
+                          });
+               });
     }
 
     /// Null if the step at hand begins no iteration that touches anything.

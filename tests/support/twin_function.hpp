@@ -35,8 +35,8 @@ struct TwinEdgeToken {
 struct TwinScanIteration {
     bool sends_fragment = false;
     bool sends_edge_token = false;
-    int row = -1;   ///< of a visit; a flush belongs to none
-    int group = 0;  ///< of a visit, in its row: of as many pixels as there are lanes
+    int row = -1;     ///< of a visit; a flush belongs to none
+    int group = 0;    ///< of a visit, in its row: of as many pixels as there are lanes
     int covered = 0;  ///< pixels of a visit
 };
 

@@ -164,10 +164,9 @@ class MachineReader {
     void read_loop(Json const& json, timing::ProcessTiming& process) {
         timing::LoopShape shape;
         shape.name = json.at("loop").get<std::string>();
-        auto const described =
-            std::find_if(machine_.loops.begin(), machine_.loops.end(), [&](MachineLoop const& loop) {
-                return shape.name == loop.name && loop.process == process.index();
-            });
+        auto const described = std::find_if(machine_.loops.begin(), machine_.loops.end(), [&](MachineLoop const& loop) {
+            return shape.name == loop.name && loop.process == process.index();
+        });
         if (described == machine_.loops.end())
             throw std::invalid_argument("unknown loop " + shape.name);
         shape.interlock_spans = described->shape().interlock_spans;

@@ -30,8 +30,7 @@ void require_retimable(LoadedConfig const& recorded, LoadedConfig const& changed
             json_text(key.read(recorded.config)) == json_text(key.read(changed.config)))
             continue;
         throw InputError(fmt::format("{}: {} {}, expected a key that decides about time only; use {} run for it",
-                                     changed.origins.of(key.name()).place, key.name(),
-                                     why_not(key, recorded, changed),
+                                     changed.origins.of(key.name()).place, key.name(), why_not(key, recorded, changed),
                                      program_name()));
     }
 }

@@ -11,8 +11,8 @@ class OperationCheck {
     /// What the operations so far left.
     struct State {
         bool in_loop = false;
-        bool stamped = false;     ///< once per sample at most
-        std::int64_t setups = 0;  ///< begun and not awaited
+        bool stamped = false;                ///< once per sample at most
+        std::int64_t setups = 0;             ///< begun and not awaited
         std::size_t loop = ~std::size_t{0};  ///< the last that it entered, as far as that is known
     };
 

@@ -15,7 +15,8 @@ SampleOperations PlainReader::read(std::size_t sample) {
 
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {
     auto operation = operations.begin();
-    if (operation != operations.end() && operation->kind() == timing::Operation::Kind::wait && operation->is_plain_wait())
+    if (operation != operations.end() && operation->kind() == timing::Operation::Kind::wait &&
+        operation->is_plain_wait())
         log.wait((operation++)->count());
     for (; operation != operations.end(); ++operation)
         log.append(*operation);

@@ -111,8 +111,9 @@ void DataflowCore::require_interlocks() const {
             auto const is_it = [=](WatchedDependence const& one) { return one.loop == loop && one.number == i; };
             if (machine_->loops[loop].dependences[i].interlocks() &&
                 std::none_of(watched_.begin(), watched_.end(), is_it))
-                throw std::logic_error("the loop " + machine_->loops[loop].name +
-                                       " has hazards interlock, and never asked for its write_distances()");
+                throw std::logic_error("the loop " + machine_->loop_name(loop) + " has hazards interlock on " +
+                                       machine_->memories[machine_->loops[loop].dependences[i].memory].name +
+                                       ", expected its module to ask for write_distances()");
         }
 }
 

@@ -40,7 +40,8 @@ class ProcessClock {
     std::uint64_t number(std::string_view name) const;
 
     /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
-    /// wants to know, as mostly. Once, after connect_all(). Its iterations may have to await_writes().
+    /// wants to know, as mostly. Once, after connect_all(). A module that asks for it calls await_writes() before it
+    /// tells the clock of an iteration of that loop.
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
@@ -132,13 +133,11 @@ class ProcessClock {
     /// reads and writes through plain ports are the accesses of the iteration; time passes between iterations only.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
-        unsigned const number = loop(loop_name);
-        enter_loop(number, site);
+        enter_loop(loop(loop_name), site);
         for (std::uint64_t i = 0; i < count; ++i) {
             collecting_ = true;
             body(i);
             collecting_ = false;
-            await_writes(number);
             iterate(std::exchange(collected_, timing::Ports()), 1);
         }
         leave_loop();

@@ -72,7 +72,7 @@ void EdgeMapBuilder::end_of_elaboration() {
     clear_loop_ = clock_.loop("clear");
     token_loop_ = clock_.loop("token");
     watch_ = {clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")};
-    most_at_once_ = clock_.has_interlocks(token_loop_) ? 1 : timing::Operation::longest_mix;
+    waits_for_writes_ = clock_.has_interlocks(token_loop_);
     if (ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out); edge_map != nullptr)
         read_out_.connect(*edge_map);
 }
@@ -139,8 +139,9 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     EdgeToken const* const next = edge_token_->front();
     std::size_t const end = static_cast<std::size_t>(std::find_if(next, next + available, is_end) - next);
     std::size_t taken = 0;
+    std::size_t const most_at_once = waits_for_writes_ ? 1 : timing::Operation::longest_mix;
     while (taken < end) {
-        auto const count = static_cast<unsigned>(std::min<std::size_t>(end - taken, most_at_once_));
+        auto const count = static_cast<unsigned>(std::min(end - taken, most_at_once));
         take_some(current, next + taken, count);
         taken += count;
     }
@@ -157,7 +158,7 @@ bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
 void EdgeMapBuilder::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
     std::uint32_t const seconds = is_watched() ? take_watched(current, next, count) : maps_->take(current, next, count);
     current = next[count - 1];
-    if (most_at_once_ == 1)
+    if (waits_for_writes_)
         tell_one(seconds != 0);
     else
         clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
@@ -187,7 +188,7 @@ std::uint32_t EdgeMapBuilder::take_watched(EdgeToken const& current, EdgeToken c
 void EdgeMapBuilder::take_last(EdgeToken const& current) {
     watch_.next_iteration();
     bool const second = maps_->take_last_watched(current, core_.config.edge_map.flush_last, watch_);
-    if (most_at_once_ == 1)
+    if (waits_for_writes_)
         tell_one(second);
     else
         clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);

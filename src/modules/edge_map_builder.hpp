@@ -66,8 +66,8 @@ class EdgeMapBuilder : public sc_core::sc_module {
     ClockedFifo<FullMaps>* map_full_ = nullptr;      ///< two buffers
     unsigned clear_loop_ = 0;
     unsigned token_loop_ = 0;
-    datapath::MapWatch watch_;   ///< told what the token loop does; mostly nobody wants to know
-    unsigned most_at_once_ = 0;  ///< tokens that are told together: one, if iterations wait for each other's writes
+    datapath::MapWatch watch_;       ///< told what the token loop does; mostly nobody wants to know
+    bool waits_for_writes_ = false;  ///< iterations of the token loop for each other's: they are told one by one
 };
 
 }  // namespace faster

@@ -28,7 +28,7 @@ void EdgeMapBuilder::build_of_groups() {
 
 /// Works off the tokens at hand. True until the end has been read.
 bool EdgeMapBuilder::take_groups(PixelGroup& current) {
-    std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), most_at_once_);
+    std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), waits_for_writes_ ? 1 : ~std::size_t{0});
     PixelGroup const* const next = edge_groups_->front();
     std::size_t taken = 0;
     while (taken < available && !is_end(current)) {

@@ -5,6 +5,7 @@
 #include "kernel/config/design.hpp"
 #include "kernel/config/keys.hpp"
 #include "kernel/events/event_file.hpp"
+#include "kernel/replay/collect.hpp"
 #include "kernel/replay/sensitivities.hpp"
 #include "kernel/replay/slack.hpp"
 #include "kernel/report/sensitivity_report.hpp"
@@ -39,6 +40,9 @@ RunStatistics with_sensitivities(events::EventFile const& recorded) {
     run.samples = recorded.samples;
     for (SampleStatistics const& sample : run.samples)
         run.total_cycles = std::max(run.total_cycles, sample.end_cycle + 1);
+    if (recorded.run.memory)
+        run.load_cycles = replay::load_cycles(machine_of(recorded.loaded.config), recorded.run.memory->loaded);
+    run.total_cycles += run.load_cycles;
     ProgressLine line("retimings");
     auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
     run.sensitivities = replay::sensitivities(recorded.run, recorded.loaded, progress);

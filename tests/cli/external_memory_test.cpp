@@ -113,4 +113,15 @@ TEST_CASE("A deadlock behind external memory names who waits, and the path names
     CHECK_THAT(path.out, Contains("  memory  "));
 }
 
+TEST_CASE("What is loaded before a recorded run changes no sensitivity") {
+    Workspace const workspace;
+    Words const settings{"--set", "accelerator.memory.mesh=on_chip", "--events", "events", "--out", "out"};
+    require_done(workspace.run(settings));
+    Json const summary = workspace.small.summary("out");
+    CHECK(summary["load_cycles"] > 0);
+    require_done(workspace.tool({"sensitivities", "events", "--csv", "rows.csv"}));
+    CHECK_THAT(workspace.small.text("rows.csv"), Contains("accelerator.fifos.sample_vertex.depth,2,3,finished," +
+                                                          summary["total_cycles"].dump() + ",0,"));
+}
+
 }  // namespace external_memory_test

@@ -68,6 +68,10 @@ TEST_CASE("Stages of a loop's accesses are keys, which have to lie in its pipeli
     check_bad_input(workspace.run({"--set", stages + "write_stage=10"}), {stages + "write_stage=10", "at most 9"});
     check_bad_input(workspace.run({"--set", stages + "write_stage=5"}),
                     {stages + "write_stage=5", stages + "read_stage"});
+    std::string const loop = "accelerator.loops.inlier_unit.fragment.depth=";
+    check_bad_input(workspace.run({"--set", loop + "1000000", "--set", stages + "write_stage=600000", "--set",
+                                   stages + "hazards=interlock"}),
+                    {stages + "write_stage=600000", "at most 524286 behind " + stages + "read_stage = 7"});
     check_bad_input(workspace.run({"--set", stages + "hazards=wait"}), {"wait", "report, interlock, forward"});
 }
 
@@ -81,7 +85,13 @@ TEST_CASE("Iterations wait with hazards interlock, which a recording was made wi
     Json const token = row_of(workspace.summary("b")["hazards"], "token", "object_map");
     CHECK(token["handling"] == "interlock");
     CHECK(token["comparators"] == 2);
-    CHECK_THAT(run.out, Contains("wait (recurrence cycles of the loop), by 2 comparators"));
+    CHECK_THAT(run.out, Contains(token["hazards"].dump() + " hazards, for which iterations wait "));
+    CHECK(token["interlock_cycles"] > 0);
+    CHECK(token["interlock_cycles"] <= token["hazards"]);  // once for every word, and a cycle each
+    CommandResult const cosim = run_command(
+        FASTER_SIM_BINARY, {"cosim", FASTER_SOURCE_DIR "/traces/one_triangle", "--set", map + "hazards=interlock"},
+        workspace.folder().path());
+    check_bad_input(cosim, {map + "hazards = interlock, expected report or forward"});
     auto const whatif = [&](std::string const& events, std::string const& setting) {
         return run_command(FASTER_SIM_BINARY, {"whatif", events, "--set", setting}, workspace.folder().path());
     };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/machine/dependence.hpp"
+#include "kernel/replay/operation_check.hpp"
 #include "kernel/timing/core_timing.hpp"
 
 namespace faster::write_distances_test {
@@ -127,6 +128,33 @@ TEST_CASE("An iteration begins as many steps after a write that it awaits as the
     CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {1, 0}, {3, 0}}) == 3 + 5 + 3);
     CHECK(cycles_of_loop(2, {{0, 0}, {1, 0}, {0, 0}}) == 2 * 2 + 5 + 2);
     CHECK(cycles_of_loop(4, {{0, 0}, {1, 0}, {0, 1}}) == 2 * 4 + 5 + 1);
+}
+
+TEST_CASE("What a file says is awaited is a write of a dependence of the loop", "[hazards]") {
+    using timing::Operation;
+    using Kind = Operation::Kind;
+    timing::CoreTiming core;
+    timing::ProcessTiming& process = core.add_process("process");
+    timing::LoopShape with, without;
+    with.interlock_spans = {4, 5};
+    process.add_loop(with);
+    process.add_loop(without);
+    auto const await = [](std::uint32_t dependence, std::uint32_t distance) {
+        return Operation(Kind::wait, 0, Operation::first_dependence + dependence, distance);
+    };
+    replay::OperationCheck check(process);
+    CHECK_FALSE(check.accepts(await(0, 1)));  // outside loops
+    REQUIRE(check.accepts(Operation(Kind::enter, 0, 0, 0)));
+    CHECK(check.accepts(await(0, 1)));
+    CHECK(check.accepts(await(1, Operation::longest_count)));
+    CHECK_FALSE(check.accepts(await(1, 0)));
+    CHECK_FALSE(check.accepts(await(2, 1)));
+    CHECK_FALSE(check.accepts(Operation(Kind::wait, 0, Operation::longest_gap, 1)));
+    REQUIRE(check.accepts(Operation(Kind::leave, 0, 0, 0)));
+    REQUIRE(check.accepts(Operation(Kind::enter, 0, 0, 1)));
+    CHECK_FALSE(check.accepts(await(0, 1)));  // nobody waits there
+    check.set_state({true, false, 0});        // somewhere in a loop
+    CHECK_FALSE(check.accepts(await(0, 1)));
 }
 
 }  // namespace faster::write_distances_test

@@ -1,5 +1,6 @@
 #include "kernel/figures/diagnosis.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "kernel/report/diagnosis_text.hpp"
@@ -70,6 +71,24 @@ TEST_CASE("The diagnosis says why in sentences, the largest cause first, none be
     CHECK(sentences[3] == "10.0 % inlier_unit waits for rasterizer: command is empty.");
     CHECK(sentences[4] == "5.0 % is inlier_unit between its loops.");
     CHECK(sentences[5] == "4.5 % is inlier_unit filling and draining pipelines.");
+}
+
+TEST_CASE("The diagnosis tells what iterations waited for writes", "[diagnosis]") {
+    RunStatistics run = example();
+    LoopStatistics& fragment = run.cores[1].loops[index_of(LoopId::fragment)];
+    fragment.iterations = 20;
+    fragment.interlock_cycles = fragment.recurrence_cycles = 15;
+    ProcessStatistics& inlier = run.cores[1].processes[index_of(ModuleId::inlier_unit)];
+    inlier[CycleClass::busy] -= 15;
+    inlier[CycleClass::recurrence] = 15;
+    Diagnosis const diagnosis = diagnose(run);
+    Cycles sum = 0;
+    for (Cause const& cause : diagnosis.causes)
+        sum += cause.cycles;
+    CHECK(sum == 1000);
+    std::vector<std::string> const sentences = report::diagnosis_sentences(run);
+    std::string const expected = "3.5 % is inlier_unit.fragment at II 1: 1.5 % of iterations that wait for writes.";
+    CHECK(std::count(sentences.begin(), sentences.end(), expected) == 1);
 }
 
 TEST_CASE("A run without samples is bound by nothing", "[diagnosis]") {

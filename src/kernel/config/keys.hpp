@@ -19,7 +19,7 @@ Keys const& all_keys();
 Keys timing_keys(RunConfig const& config);
 
 /// Those that may be changed without running the function again: timing_keys(), the kinds of FIFOs, partitions of block
-/// RAMs, how many cores share the samples, the clock.
+/// RAMs, how many cores share the samples, the clock; and stages of memories, unless decides_waits().
 Keys retiming_keys();
 
 /// Those that the figures of a run depend on: Key::of_runs and Key::decides_figures.

@@ -4,11 +4,13 @@
 #include "kernel/config/config_sources.hpp"
 #include "kernel/config/design.hpp"
 #include "kernel/config/machine_keys.hpp"
+#include "kernel/timing/operation.hpp"
 
 namespace faster {
 namespace {
 
-constexpr std::uint64_t most_banks = 1024;  ///< more than any device has block RAMs
+constexpr Cycles longest_interlock = timing::Operation::longest_count;  ///< of the distances that are recorded
+constexpr std::uint64_t most_banks = 1024;                              ///< more than any device has block RAMs
 
 std::int64_t integer_of(LoadedConfig const& loaded, std::string const& key) {
     return std::get<std::int64_t>(find_key(key)->read(loaded.config));
@@ -72,13 +74,23 @@ void check_dependence(LoadedConfig const& loaded, std::string const& loop, std::
 /// Iterations that wait let those before them go on, whose later accesses to FIFOs would no longer be II apart.
 void check_interlocks(LoadedConfig const& loaded, Machine const& machine, MachineLoop const& loop,
                       std::vector<std::string>& complaints) {
-    auto const reads_late = [&machine](std::size_t fifo) { return machine.fifos[fifo].read_stage > 0; };
-    bool const can_wait = loop.writes.empty() && std::none_of(loop.reads.begin(), loop.reads.end(), reads_late);
-    for (MachineDependence const& dependence : loop.dependences)
+    auto const is_there = [&machine](std::size_t fifo) { return machine.fifos[fifo].is_present; };
+    auto const reads_late = [&](std::size_t fifo) { return is_there(fifo) && machine.fifos[fifo].read_stage > 0; };
+    bool const can_wait = std::none_of(loop.writes.begin(), loop.writes.end(), is_there) &&
+                          std::none_of(loop.reads.begin(), loop.reads.end(), reads_late);
+    for (MachineDependence const& dependence : loop.dependences) {
+        auto const key = [&](char const* field) {
+            return dependence_key_name(loop.timed_by, machine.memories[dependence.memory].name, field);
+        };
         if (dependence.interlocks() && !can_wait)
-            complaints.push_back(complaint(
-                loaded, dependence_key_name(loop.timed_by, machine.memories[dependence.memory].name, "hazards"),
-                "report or forward: the loop writes FIFOs, or reads one in a later stage than its first"));
+            complaints.push_back(
+                complaint(loaded, key("hazards"),
+                          "report or forward: the loop writes FIFOs, or reads one in a later stage than its first"));
+        else if (dependence.interlocks() && dependence.longest_span > longest_interlock)
+            complaints.push_back(complaint(loaded, key("write_stage"),
+                                           fmt::format("at most {} behind {}, with hazards interlock",
+                                                       longest_interlock - 1, with_value(loaded, key("read_stage")))));
+    }
 }
 
 std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {

@@ -92,14 +92,26 @@ Json loop_schedules(RunConfig const& config) {
     return rows;
 }
 
+/// Without those of which a recording does not know enough.
+std::vector<std::string> retimable_choices(Key const& key, RunConfig const& recorded) {
+    std::vector<std::string> choices = key.choices;
+    auto const is_unknown = [&](std::string const& choice) {
+        RunConfig changed = recorded;
+        key.write(changed, choice);
+        return decides_waits(key, changed);
+    };
+    choices.erase(std::remove_if(choices.begin(), choices.end(), is_unknown), choices.end());
+    return choices;
+}
+
 /// No bound is null: JSON has no infinity.
-Json range_json(Key const& key) {
+Json range_json(Key const& key, RunConfig const& recorded) {
     if (key.kind == KeyKind::integer)
         return {{"min", key.integers.min}, {"max", key.integers.max}};
     if (key.kind == KeyKind::number)
         return {{"min", std::isfinite(key.numbers.min) ? Json(key.numbers.min) : Json()},
                 {"max", std::isfinite(key.numbers.max) ? Json(key.numbers.max) : Json()}};
-    return {{"choices", key.choices}};
+    return {{"choices", retimable_choices(key, recorded)}};
 }
 
 char const* kind_of(Key const& key) {
@@ -119,7 +131,7 @@ Json keys_json(RunConfig const& recorded) {
                         {"meaning", key.text.meaning},
                         {"source", key.text.source},
                         {"accepts", expectation(key)}});
-        rows.back().update(range_json(key));
+        rows.back().update(range_json(key, recorded));
     }
     return rows;
 }

@@ -28,6 +28,7 @@ struct DependenceRow {
     unsigned word_bits = 0;
     std::uint64_t smallest = 0;
     std::vector<std::uint64_t> counts;
+    Cycles interlock_cycles = 0;  ///< that iterations of the loop waited, for all its memories
 
     std::string name() const { return module + "." + loop; }
     /// Iterations, once for each word, that come too early.

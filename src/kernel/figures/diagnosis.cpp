@@ -28,7 +28,7 @@ Cause loop_cause(LoopStatistics const& row, std::size_t loop) {
     Cause cause;
     cause.item = loop;
     cause.port_conflict = row.port_conflict_cycles;
-    cause.recurrence = row.recurrence_cycles;
+    cause.interlock = row.interlock_cycles;
     cause.cycles = row.iterations * row.ii + row.interlock_cycles;
     return cause;
 }

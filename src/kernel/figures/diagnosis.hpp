@@ -13,7 +13,7 @@ struct Cause {
     std::size_t item = 0;      ///< number of a loop or FIFO of the machine
     Cycles cycles = 0;         ///< of one core
     Cycles port_conflict = 0;  ///< of them, in a loop
-    Cycles recurrence = 0;
+    Cycles interlock = 0;      ///< of them, in which iterations wait for others to write
 };
 
 /// What a run is bound by: of the core that ends last, the module that waits least, and what its time goes into.

@@ -96,7 +96,8 @@ std::vector<DependenceRow> dependence_rows(RunStatistics const& run) {
             MachineMemory const& memory = run.machine.memories[dependence.memory];
             rows.push_back({core, run.machine.processes[loop.process].name, loop.name, memory.name,
                             loop.interval.achieved, dependence, bits_for(memory.words - 1),
-                            static_cast<unsigned>(memory.shape.bits), seen.smallest, seen.counts});
+                            static_cast<unsigned>(memory.shape.bits), seen.smallest, seen.counts,
+                            run.cores[core].loops[seen.loop].interlock_cycles});
         }
     return rows;
 }
@@ -116,6 +117,7 @@ std::vector<DependenceRow> dependence_sums(RunStatistics const& run) {
             sum->smallest = row.smallest;
         for (std::size_t distance = 0; distance < row.counts.size(); ++distance)
             sum->counts[distance] += row.counts[distance];
+        sum->interlock_cycles += row.interlock_cycles;
     }
     return sums;
 }

@@ -78,7 +78,7 @@ class CycleSorter {
         add_loop_costs(process, row);
         row[CycleClass::setup] = cycles_of_setups(process);
         cut_off(process, process.end() - end, row);
-        if (row.sum() > end)  // iterations that waited for writes are beyond the end
+        if (row.sum() > end)  // it can only be iterations that wait for writes, of which nobody knows when they did
             row[CycleClass::recurrence] -= std::min(row[CycleClass::recurrence], row.sum() - end);
         row[CycleClass::busy] = end - row.sum();
         row[CycleClass::idle_after] = total_cycles_ - end;

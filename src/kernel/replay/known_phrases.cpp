@@ -89,6 +89,7 @@ void PhraseCheck::move_on(std::vector<OperationCheck>& checks) const {
         OperationCheck::State state = checks[index_of(m)].state();
         state.in_loop = ((in_loop_ >> m) & 1U) != 0;
         state.setups = m == 0 ? setups_ : state.setups;
+        state.loop = OperationCheck::unknown_loop;
         checks[index_of(m)].set_state(state);
     }
 }

@@ -8,12 +8,13 @@ namespace faster::replay {
 /// Whether a process can do operations one after the other: what is read from a file may say anything.
 class OperationCheck {
   public:
+    static constexpr std::size_t unknown_loop = ~std::size_t{0};
     /// What the operations so far left.
     struct State {
         bool in_loop = false;
-        bool stamped = false;                ///< once per sample at most
-        std::int64_t setups = 0;             ///< begun and not awaited
-        std::size_t loop = ~std::size_t{0};  ///< the last that it entered, as far as that is known
+        bool stamped = false;             ///< once per sample at most
+        std::int64_t setups = 0;          ///< begun and not awaited
+        std::size_t loop = unknown_loop;  ///< the last that it entered
     };
 
     explicit OperationCheck(timing::ProcessTiming const& process) : process_(&process) {}

@@ -31,6 +31,9 @@ std::string loop_sentence(Cause const& cause, Diagnosis const& diagnosis, RunSta
                                        why(run.cores.front().loops[cause.item], run.machine));
     if (cause.port_conflict > 0)
         sentence += fmt::format(": {} are port conflicts", share(cause.port_conflict, diagnosis));
+    if (cause.interlock > 0)
+        sentence += fmt::format("{} {} of iterations that wait for writes", cause.port_conflict > 0 ? "," : ":",
+                                share(cause.interlock, diagnosis));
     return sentence + ".";
 }
 

@@ -26,11 +26,13 @@ bool has_logic(DependenceRow const& row) { return row.dependence.handling != Haz
 std::string sentence(DependenceRow const& row) {
     if (row.hazards() == 0)
         return "";
-    if (has_logic(row))
+    if (has_logic(row)) {
+        std::string const done = row.dependence.interlocks()
+                                     ? fmt::format("hazards, for which iterations wait {} cycles", row.interlock_cycles)
+                                     : "forwarded";
         return fmt::format("  {} on {}: {} {}, by {} comparators and {} bits of registers a core.\n", row.name(),
-                           row.bram, row.hazards(),
-                           row.dependence.interlocks() ? "wait (recurrence cycles of the loop)" : "forwarded",
-                           row.comparators(), row.register_bits());
+                           row.bram, row.hazards(), done, row.comparators(), row.register_bits());
+    }
     return fmt::format("  {} on {}: {} hazards. In hardware these iterations work on a stale word.\n", row.name(),
                        row.bram, row.hazards());
 }
@@ -52,6 +54,7 @@ Json row_json(DependenceRow const& row) {
               {"distances", std::move(counts)},
               {"hazards", row.hazards()},
               {"handling", choice_name(row.dependence.handling)}};
+    json["interlock_cycles"] = row.interlock_cycles;
     json["comparators"] = has_logic(row) ? row.comparators() : 0;
     json["register_bits"] = has_logic(row) ? row.register_bits() : 0;
     return json;

@@ -86,7 +86,6 @@ class Operation {
     }
     /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
     enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence };
-    static constexpr std::uint32_t most_dependences = longest_gap - first_dependence + 1;
     bool is_plain_wait() const { return gap() == cycles; }
     /// Says nothing besides what its kind can mean.
     bool is_well_formed() const {

@@ -29,9 +29,8 @@ struct LoopShape {
     std::vector<LoopWrite> writes;
     /// All ports that the loop reads. May be empty if it writes none, and each iteration reads in its first step.
     std::vector<LoopRead> reads;
-    /// By number of a dependence: steps that lie at least between the begin of an iteration and of one that accesses
-    /// what it writes. 1: nobody waits for it. Empty: for none; else each iteration reads in its first step and writes
-    /// no FIFO.
+    /// By number of a dependence: the fewest steps from the begin of an iteration to that of one that accesses what it
+    /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
     bool uses_memory = false;  ///< each iteration takes a token of the process's memory stream, in its first step
 };

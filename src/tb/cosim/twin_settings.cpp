@@ -61,9 +61,9 @@ void check_design(AcceleratorConfig const& config, Machine const& machine) {
 void require_no_interlocks(Machine const& machine) {
     for (MachineLoop const& loop : machine.loops)
         for (MachineDependence const& dependence : loop.dependences)
-            require(!dependence.interlocks(),
-                    fmt::format("loops.{}.{}.hazards", loop.timed_by, machine.memories[dependence.memory].name),
-                    "report or forward");
+            if (dependence.interlocks())
+                refuse(fmt::format("loops.{}.{}.hazards", loop.timed_by, machine.memories[dependence.memory].name),
+                       "interlock", "report or forward");
 }
 
 /// Whether it is a design of the twin with lanes, or nearer to one than to the thesis's.

@@ -126,6 +126,8 @@ TEST_CASE("An iteration begins as many steps after a write that it awaits as the
     CHECK(cycles_of_loop(1, {{0, 0}, {1, 0}, {1, 0}}) == 2 + 5 + 3 + 3);
     CHECK(cycles_of_loop(1, {{0, 0}, {1, 0}, {2, 0}}) == 2 + 5 + 3);  // those 3 steps are between them
     CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {1, 0}, {3, 0}}) == 3 + 5 + 3);
+    // The last one is 3 iterations and both waits behind the write: enough.
+    CHECK(cycles_of_loop(1, {{0, 0}, {0, 0}, {0, 0}, {3, 0}, {2, 0}, {0, 3}}) == 5 + 5 + 1 + 1);
     CHECK(cycles_of_loop(2, {{0, 0}, {1, 0}, {0, 0}}) == 2 * 2 + 5 + 2);
     CHECK(cycles_of_loop(4, {{0, 0}, {1, 0}, {0, 1}}) == 2 * 4 + 5 + 1);
 }

@@ -61,23 +61,24 @@ void DataflowCore::remove_tap(std::size_t fifo, recording::TokenTap& tap) {
 
 WriteDistances* DataflowCore::write_distances(std::size_t process, std::string_view loop, std::string_view memory) {
     std::size_t const number = machine_->loop(process, loop);
-    std::vector<MachineDependence> const& dependences = machine_->loops[number].dependences;
     std::size_t const of_memory = machine_->memory(memory);
-    for (std::size_t i = 0; i < dependences.size(); ++i)
-        if (dependences[i].memory == of_memory && (watches_dependences_ || dependences[i].interlocks())) {
-            watched_.push_back(
-                {number, i,
-                 std::make_unique<WriteDistances>(machine_->memories[of_memory].words, dependences[i].span())});
-            return watched_.back().distances.get();
-        }
-    return nullptr;
+    std::optional<std::size_t> const found = machine_->loops[number].dependence_on(of_memory);
+    if (!found)
+        return nullptr;
+    MachineDependence const& dependence = machine_->loops[number].dependences[*found];
+    if (!watches_dependences_ && !dependence.interlocks())
+        return nullptr;
+    watched_.push_back(
+        {number, *found, std::make_unique<WriteDistances>(machine_->memories[of_memory].words, dependence.span())});
+    return watched_.back().distances.get();
 }
 
 std::vector<DependenceStatistics> DataflowCore::dependences() const {
     std::vector<DependenceStatistics> all;
+    if (!watches_dependences_)  // what is there only serves iterations that wait
+        return all;
     for (WatchedDependence const& one : watched_)
-        if (watches_dependences_)
-            all.push_back({one.loop, one.number, one.distances->smallest(), one.distances->counts()});
+        all.push_back({one.loop, one.number, one.distances->smallest(), one.distances->counts()});
     std::sort(all.begin(), all.end(), [](DependenceStatistics const& a, DependenceStatistics const& b) {
         return a.loop != b.loop ? a.loop < b.loop : a.number < b.number;
     });

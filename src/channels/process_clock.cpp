@@ -97,10 +97,11 @@ std::uint64_t ProcessClock::number(std::string_view name) const {
 WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string_view memory) {
     WriteDistances* const distances = dataflow_core_.write_distances(timing_.index(), loop, memory);
     Machine const& machine = dataflow_core_.machine();
-    std::vector<MachineDependence> const& dependences = machine.loops[machine.loop(timing_.index(), loop)].dependences;
-    for (std::uint32_t i = 0; i < dependences.size(); ++i)
-        if (dependences[i].memory == machine.memory(memory) && dependences[i].interlocks())
-            interlocks_.push_back({this->loop(loop), i, dependences[i].longest_span, distances});
+    MachineLoop const& described = machine.loops[machine.loop(timing_.index(), loop)];
+    std::optional<std::size_t> const found = described.dependence_on(machine.memory(memory));
+    if (found && described.dependences[*found].interlocks())
+        interlocks_.push_back({this->loop(loop), static_cast<std::uint32_t>(*found),
+                               described.dependences[*found].longest_span, distances});
     return distances;
 }
 

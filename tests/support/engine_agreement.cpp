@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "kernel/replay/retime.hpp"
 #include "support/cycle_twin.hpp"
 #include "support/forked_simulation.hpp"
+#include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 
 namespace faster::testing {
@@ -65,6 +67,16 @@ bool check_agreement(AcceleratorConfig const& config, Stimulus const& stimulus) 
     check_buckets(trial.lockstep);
     check_buckets(trial.decoupled);
     return true;
+}
+
+RunStatistics check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const& config,
+                             Stimulus const& stimulus) {
+    RunStatistics const retimed = replay::retime(recorded, raster_machine(config));
+    RunStatistics run = run_forked(config, stimulus, Engine::lockstep).statistics;
+    CHECK(retimed.deadlocked() == run.deadlocked());
+    if (!run.deadlocked())
+        CHECK(first_difference(all_cells(retimed), all_cells(run)) == "");
+    return run;
 }
 
 }  // namespace faster::testing

@@ -5,14 +5,11 @@
 #include <random>
 
 #include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
-#include "support/raster_machine.hpp"
-#include "support/run_cells.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::testing {
@@ -47,14 +44,6 @@ RandomConfigOptions machines(std::uint64_t seed) {
     options.any_region = true;
     options.max_lanes = has_wide_tokens(seed) ? 16 : 4;
     return options;
-}
-
-void check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const& config, Stimulus const& stimulus) {
-    RunStatistics const retimed = replay::retime(recorded, raster_machine(config));
-    RunStatistics const run = run_forked(config, stimulus, Engine::lockstep).statistics;
-    CHECK(retimed.deadlocked() == run.deadlocked());
-    if (!run.deadlocked())
-        CHECK(first_difference(all_cells(retimed), all_cells(run)) == "");
 }
 
 }  // namespace

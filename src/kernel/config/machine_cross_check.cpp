@@ -79,14 +79,16 @@ void check_interlocks(LoadedConfig const& loaded, Machine const& machine, Machin
     bool const can_wait = std::none_of(loop.writes.begin(), loop.writes.end(), is_there) &&
                           std::none_of(loop.reads.begin(), loop.reads.end(), reads_late);
     for (MachineDependence const& dependence : loop.dependences) {
+        if (!dependence.interlocks())
+            continue;
         auto const key = [&](char const* field) {
             return dependence_key_name(loop.timed_by, machine.memories[dependence.memory].name, field);
         };
-        if (dependence.interlocks() && !can_wait)
+        if (!can_wait)
             complaints.push_back(
                 complaint(loaded, key("hazards"),
                           "report or forward: the loop writes FIFOs, or reads one in a later stage than its first"));
-        else if (dependence.interlocks() && dependence.longest_span > longest_interlock)
+        else if (dependence.longest_span > longest_interlock)
             complaints.push_back(complaint(loaded, key("write_stage"),
                                            fmt::format("at most {} behind {}, with hazards interlock",
                                                        longest_interlock - 1, with_value(loaded, key("read_stage")))));

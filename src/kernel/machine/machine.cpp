@@ -325,6 +325,15 @@ timing::LoopShape MachineLoop::shape() const {
     return shape;
 }
 
+std::optional<std::size_t> MachineLoop::dependence_on(std::size_t memory) const {
+    auto const found =
+        std::find_if(dependences.begin(), dependences.end(),
+                     [memory](MachineDependence const& dependence) { return dependence.memory == memory; });
+    if (found == dependences.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - dependences.begin());
+}
+
 bool MachineLoop::has_interlocks() const {
     return std::any_of(dependences.begin(), dependences.end(),
                        [](MachineDependence const& dependence) { return dependence.interlocks(); });

@@ -82,6 +82,8 @@ struct MachineLoop {
     std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
     bool is_listed = true;           ///< in loops.csv
 
+    /// The number of its dependence on a memory, if it has one.
+    std::optional<std::size_t> dependence_on(std::size_t memory) const;
     /// Whether its iterations wait for each other's writes.
     bool has_interlocks() const;
     /// Without its FIFOs.

@@ -61,7 +61,7 @@ bool OperationCheck::accepts_mix(Operation const& operation) const {
 
 /// Outside loops a process waits, or does a whole setup; in a loop it awaits what it has begun, or a write.
 bool OperationCheck::accepts_wait(Operation const& operation) {
-    if (operation.gap() >= Operation::first_dependence)
+    if (operation.awaits_write())
         return state_.in_loop && accepts_await_write(operation);
     if (operation.gap() <= Operation::whole_setup)
         return !state_.in_loop;
@@ -74,7 +74,7 @@ bool OperationCheck::accepts_wait(Operation const& operation) {
 bool OperationCheck::accepts_await_write(Operation const& operation) const {
     auto const& loops = process_->loops();
     return operation.count() > 0 && state_.loop < loops.size() &&
-           operation.gap() - Operation::first_dependence < loops[state_.loop].interlock_spans.size();
+           operation.dependence() < loops[state_.loop].interlock_spans.size();
 }
 
 /// Loops that read and write do, no others.

@@ -87,6 +87,9 @@ class Operation {
     /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
     enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence };
     bool is_plain_wait() const { return gap() == cycles; }
+    /// Of a wait: what await_write() says, and the number of its dependence.
+    bool awaits_write() const { return gap() >= first_dependence; }
+    std::uint32_t dependence() const { return gap() - first_dependence; }
     /// Says nothing besides what its kind can mean.
     bool is_well_formed() const {
         switch (kind()) {

@@ -401,8 +401,8 @@ template <class Process, class Port> class ProcessRules {
 
     void await(Operation const& operation) {
         Cycles const cycles = shape_->setup_cycles;
-        if (operation.gap() >= Operation::first_dependence) {
-            await_write(operation.gap() - Operation::first_dependence, operation.count());
+        if (operation.awaits_write()) {
+            await_write(operation.dependence(), operation.count());
         } else if (operation.gap() == Operation::setup_begin) {
             state_.setups_done.push_back(state_.time + static_cast<Time>(cycles));
         } else if (operation.gap() == Operation::setup_end) {

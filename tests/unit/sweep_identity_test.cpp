@@ -48,6 +48,21 @@ TEST_CASE("Partitions of a block RAM are part of the function where they decide 
     CHECK(identity(MapClearing::wide, "2").function != identity(MapClearing::wide, "4").function);
 }
 
+TEST_CASE("Which iterations wait for writes is part of the function", "[sweeps]") {
+    auto const identity = [](HazardHandling hazards, Cycles write_stage) {
+        return with([=](RunConfig& config) {
+            DependenceSettings& dependence = config.machine().dependence("inlier_unit.fragment.depth_buffer");
+            dependence.hazards = hazards;
+            dependence.write_stage = write_stage;
+        });
+    };
+    PointIdentity const waits = identity(HazardHandling::interlock, 9);
+    CHECK(waits.function != identity(HazardHandling::interlock, 8).function);
+    CHECK(waits.function != identity(HazardHandling::report, 9).function);
+    CHECK(identity(HazardHandling::report, 9).function == identity(HazardHandling::forward, 8).function);
+    CHECK(identity(HazardHandling::report, 9).point != identity(HazardHandling::forward, 9).point);
+}
+
 TEST_CASE("The engine is no part of a point", "[sweeps]") {
     CHECK(with([](RunConfig& config) { config.simulation.engine = Engine::lockstep; }).point == identity_of({}).point);
 }

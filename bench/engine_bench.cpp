@@ -14,14 +14,15 @@
 #include <systemc>
 #include <unistd.h>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/recording/vcd_file.hpp"
-#include "kernel/recording/write_waveform.hpp"
-#include "modules/faster_simulation.hpp"
-#include "modules/raster_core_description.hpp"
-#include "reference/scorer.hpp"
-#include "workload/build_stimulus.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/tools/recording/vcd_file.hpp"
+#include "dataflow/tools/recording/write_waveform.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "modules/core/faster_simulation.hpp"
+#include "modules/core/raster_core_description.hpp"
 
 namespace {
 

@@ -12,10 +12,11 @@
 #include <systemc>
 #include <vector>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/keep_memory.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
+#include "dataflow/base/keep_memory.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"

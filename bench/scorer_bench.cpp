@@ -8,13 +8,14 @@
 #include <limits>
 #include <systemc>
 
-#include "datapath/untimed_scorer.hpp"
-#include "faster/faster_config.hpp"
-#include "kernel/config/load_config.hpp"
-#include "modules/faster_design.hpp"
-#include "reference/grip/score_poses.hpp"
-#include "reference/scorer.hpp"
-#include "workload/build_stimulus.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "modules/core/faster_design.hpp"
+#include "modules/core/untimed_scorer.hpp"
+#include "poses/grip/score_poses.hpp"
 
 namespace faster {
 namespace {

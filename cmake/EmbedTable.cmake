@@ -3,7 +3,7 @@
 file(READ "${RESOURCES}" resources)
 file(READ "${TIMING}" timing)
 file(WRITE "${OUTPUT}" "// Embedded from rtl/resources.csv and rtl/timing.csv by the build.
-#include \"faster/synthesized_units.hpp\"
+#include \"faster/config/synthesized_units.hpp\"
 
 namespace faster {
 

@@ -6,15 +6,15 @@ install(TARGETS faster-sim EXPORT faster-sim-targets RUNTIME DESTINATION ${CMAKE
 install(DIRECTORY configs traces DESTINATION ${CMAKE_INSTALL_DATADIR}/faster-sim)
 install(EXPORT faster-sim-targets NAMESPACE faster-sim:: DESTINATION ${faster_package_folder})
 
-# The kernel: faster-sim::tool brings all of it.
+# The kernel: dataflow::commands brings all of it.
 set_target_properties(faster_options PROPERTIES EXPORT_NAME options)
 set(faster_kernel faster_options)
 foreach(library IN LISTS faster_kernel_libraries)
-  list(APPEND faster_kernel faster_${library})
+  list(APPEND faster_kernel dataflow_${library})
 endforeach()
 install(TARGETS ${faster_kernel} EXPORT faster-sim-kernel ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/faster-sim)
-install(EXPORT faster-sim-kernel NAMESPACE faster-sim:: DESTINATION ${faster_package_folder})
-install(DIRECTORY src/kernel src/channels src/tool DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/faster-sim
+install(EXPORT faster-sim-kernel NAMESPACE dataflow:: DESTINATION ${faster_package_folder})
+install(DIRECTORY src/dataflow src/channels DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/faster-sim
   FILES_MATCHING PATTERN "*.hpp" PATTERN page EXCLUDE)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/faster-sim-config-version.cmake COMPATIBILITY SameMinorVersion)

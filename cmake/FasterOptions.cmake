@@ -32,14 +32,15 @@ if(FASTER_CCACHE)
   add_compile_options(-fpch-preprocess)
 endif()
 
-# faster_add_library(NAME SOURCES... [PUBLIC targets...] [PRIVATE targets...])
-# One folder of src/ is one static library faster_NAME, alias faster::NAME; its arrows are its link libraries.
-function(faster_add_library name)
+# faster_add_room(OWNER NAME SOURCES... [PUBLIC targets...] [PRIVATE targets...])
+# One folder of src/ is one static library OWNER_NAME, alias OWNER::NAME; its arrows are its link libraries. OWNER is
+# `dataflow` (the kernel) or `faster` (the design).
+function(faster_add_room owner name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(faster_${name} STATIC ${ARG_SOURCES})
-  add_library(faster::${name} ALIAS faster_${name})
-  set_target_properties(faster_${name} PROPERTIES EXPORT_NAME ${name})
-  target_link_libraries(faster_${name} PUBLIC faster_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  add_library(${owner}_${name} STATIC ${ARG_SOURCES})
+  add_library(${owner}::${name} ALIAS ${owner}_${name})
+  set_target_properties(${owner}_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(${owner}_${name} PUBLIC faster_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
 endfunction()
 
 # faster_compile_each_alone(TARGET...)

@@ -5,7 +5,7 @@ if(NOT FASTER_CHART_JS)
   message(FATAL_ERROR "Chart.js not found: install libjs-chart.js, or set FASTER_CHART_JS to chart.min.js 3.9")
 endif()
 set(FASTER_PAGE_JOINER ${CMAKE_CURRENT_LIST_DIR}/JoinReportPage.cmake)
-set(FASTER_PAGE_PARTS ${PROJECT_SOURCE_DIR}/src/kernel/report/html/page)
+set(FASTER_PAGE_PARTS ${PROJECT_SOURCE_DIR}/src/dataflow/tools/report/html/page)
 set(FASTER_PAGE_FRAME ${FASTER_PAGE_PARTS}/frame.html)
 set(FASTER_PAGE_STYLE ${FASTER_PAGE_PARTS}/report.css)
 # What every page's scripts use: elements, charts and tables.

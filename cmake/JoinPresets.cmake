@@ -10,7 +10,7 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "        {\"${name}\", R\"preset(${text})preset\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Joined from configs/architectures by the build.
-#include \"faster/faster_presets.hpp\"
+#include \"faster/config/faster_presets.hpp\"
 
 namespace faster {
 

@@ -1,4 +1,4 @@
-# Writes what common/program_commit.hpp declares, unless the file says so already.
+# Writes what tb/program_commit.hpp declares, unless the file says so already.
 #   cmake -DSOURCES=folder -DOUTPUT=program_commit.cpp -P WriteCommit.cmake
 # A folder below somebody else's clone is no clone of ours.
 set(commit "")
@@ -17,7 +17,7 @@ if(GIT)
   endif()
 endif()
 file(CONFIGURE OUTPUT "${OUTPUT}" CONTENT [[
-#include "common/program_commit.hpp"
+#include "tb/program_commit.hpp"
 
 namespace faster {
 

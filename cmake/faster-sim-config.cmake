@@ -1,5 +1,5 @@
 # find_package(faster-sim): the executable faster-sim::faster-sim, faster_add_budget() (FasterBudget.cmake), and, in a
-# project with the language CXX, the dataflow kernel as libraries: faster-sim::tool brings all of it.
+# project with the language CXX, the dataflow kernel as libraries: dataflow::commands brings all of it.
 include(${CMAKE_CURRENT_LIST_DIR}/faster-sim-targets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/FasterBudget.cmake)
 
@@ -17,4 +17,5 @@ if(CXX IN_LIST faster_sim_languages)
   find_dependency(CppHttplib)
   find_dependency(ZLIB)
   include(${CMAKE_CURRENT_LIST_DIR}/faster-sim-kernel.cmake)
+  add_library(faster-sim::tool ALIAS dataflow::commands)  # its name before 0.2
 endif()

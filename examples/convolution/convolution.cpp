@@ -1,7 +1,7 @@
 #include "line_buffer_activity.hpp"
 #include "modules.hpp"
 
-using namespace faster;
+using namespace dataflow;
 
 namespace convolution {
 namespace {
@@ -44,8 +44,8 @@ SimpleSimulation<ConvolutionCore> const& the_design() {
 }  // namespace
 }  // namespace convolution
 
-Design const& faster::design() { return convolution::the_design(); }
-SimulatedDesign const& faster::simulated_design() { return convolution::the_design(); }
+Design const& dataflow::design() { return convolution::the_design(); }
+SimulatedDesign const& dataflow::simulated_design() { return convolution::the_design(); }
 
 int sc_main(int argc, char** argv) {
     return run_tool({"convolution", "A 3 x 3 convolution with a line buffer whose ports decide the pace", "1.0"},

@@ -1,18 +1,19 @@
 #pragma once
+#include "dataflow/tools/recording/memory_activity.hpp"
 #include "image.hpp"
-#include "kernel/recording/memory_activity.hpp"
 
 namespace convolution {
 
 /// Which words of the line buffer an iteration accesses, for waveforms.
-class LineBufferActivity : public faster::recording::MemoryActivity {
+class LineBufferActivity : public dataflow::recording::MemoryActivity {
   public:
-    LineBufferActivity(Images const& images, faster::Machine const& machine)
+    LineBufferActivity(Images const& images, dataflow::Machine const& machine)
         : cols_(images.cols),
           line_buffer_(machine.memory("line_buffer")),
           loop_(machine.loop(machine.process("convolve"), "convolve")) {}
 
-    void iterated(faster::recording::LoopIteration const& iteration, faster::recording::MemoryPorts& ports) override {
+    void iterated(dataflow::recording::LoopIteration const& iteration,
+                  dataflow::recording::MemoryPorts& ports) override {
         if (iteration.loop != loop_)
             return;
         auto const pixel = static_cast<std::uint64_t>(iteration.number);

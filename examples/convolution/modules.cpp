@@ -2,7 +2,7 @@
 
 namespace convolution {
 
-using faster::ModuleDescription;
+using dataflow::ModuleDescription;
 
 ModuleDescription Reader::describe() {
     ModuleDescription module("reader");
@@ -35,7 +35,7 @@ ModuleDescription Convolve::describe(Images const& images) {
     return module;
 }
 
-Convolve::Convolve(sc_core::sc_module_name const& name, faster::SimpleCore& core)
+Convolve::Convolve(sc_core::sc_module_name const& name, dataflow::SimpleCore& core)
     : SimpleModule(name, core), images_(images_of(core.numbers())) {
     for (std::vector<Pixel>& row : line_buffer_)
         row.resize(images_.cols);

@@ -2,20 +2,22 @@
 #include <array>
 #include <vector>
 
+#include "dataflow/commands/simple_tool.hpp"
 #include "image.hpp"
-#include "tool/simple_tool.hpp"
 
 namespace convolution {
 
-inline Images images_of(faster::Numbers const& numbers) { return {numbers["workload.rows"], numbers["workload.cols"]}; }
+inline Images images_of(dataflow::Numbers const& numbers) {
+    return {numbers["workload.rows"], numbers["workload.cols"]};
+}
 
 /// Sends the pixels of an image, row by row.
-class Reader : public faster::SimpleModule {
+class Reader : public dataflow::SimpleModule {
   public:
     sc_core::sc_fifo_out<Pixel> pixel_out{"pixel_out"};
 
-    static faster::ModuleDescription describe();
-    Reader(sc_core::sc_module_name const& name, faster::SimpleCore& core)
+    static dataflow::ModuleDescription describe();
+    Reader(sc_core::sc_module_name const& name, dataflow::SimpleCore& core)
         : SimpleModule(name, core), images_(images_of(core.numbers())) {}
 
   private:
@@ -26,13 +28,13 @@ class Reader : public faster::SimpleModule {
 
 /// Adds up the 3 x 3 pixels that end at each pixel. The two rows above come from the line buffer, a block RAM of two
 /// rows: row y of the image lies in its row y mod 2, so that the newest pixel takes the place of the oldest.
-class Convolve : public faster::SimpleModule {
+class Convolve : public dataflow::SimpleModule {
   public:
     sc_core::sc_fifo_in<Pixel> pixel_in{"pixel_in"};
     sc_core::sc_fifo_out<Sum> sum_out{"sum_out"};
 
-    static faster::ModuleDescription describe(Images const& images);
-    Convolve(sc_core::sc_module_name const& name, faster::SimpleCore& core);
+    static dataflow::ModuleDescription describe(Images const& images);
+    Convolve(sc_core::sc_module_name const& name, dataflow::SimpleCore& core);
 
   private:
     void work(std::size_t image) override;
@@ -44,12 +46,12 @@ class Convolve : public faster::SimpleModule {
 };
 
 /// Counts the sums that are not those of the plain loop.
-class Writer : public faster::SimpleModule {
+class Writer : public dataflow::SimpleModule {
   public:
     sc_core::sc_fifo_in<Sum> sum_in{"sum_in"};
 
-    static faster::ModuleDescription describe();
-    Writer(sc_core::sc_module_name const& name, faster::SimpleCore& core)
+    static dataflow::ModuleDescription describe();
+    Writer(sc_core::sc_module_name const& name, dataflow::SimpleCore& core)
         : SimpleModule(name, core), images_(images_of(core.numbers())) {}
 
   private:

@@ -1,8 +1,8 @@
 // Two modules that wait for each other: a controller sends a request and reads the answer before it goes on, a
 // processor answers. After design 02_fig3_ex3 of the public omnisim-benchmarks; README.md counts its cycles.
-#include "tool/simple_tool.hpp"
+#include "dataflow/commands/simple_tool.hpp"
 
-using namespace faster;
+using namespace dataflow;
 
 namespace {
 
@@ -92,8 +92,8 @@ SimpleSimulation<CyclicCore> const& cyclic() {
 
 }  // namespace
 
-Design const& faster::design() { return cyclic(); }
-SimulatedDesign const& faster::simulated_design() { return cyclic(); }
+Design const& dataflow::design() { return cyclic(); }
+SimulatedDesign const& dataflow::simulated_design() { return cyclic(); }
 
 int sc_main(int argc, char** argv) {
     return run_tool({"cyclic", "A controller and a processor that wait for each other", "1.0"}, standard_commands(),

@@ -1,8 +1,8 @@
 // Three modules in a row: a reader fetches numbers, a scaler multiplies them, a writer adds up what arrives.
 // docs/tutorial.md explains every line.
-#include "tool/simple_tool.hpp"
+#include "dataflow/commands/simple_tool.hpp"
 
-using namespace faster;
+using namespace dataflow;
 
 namespace {
 
@@ -98,8 +98,8 @@ SimpleSimulation<Pipeline> const& pipeline() {
 
 }  // namespace
 
-Design const& faster::design() { return pipeline(); }
-SimulatedDesign const& faster::simulated_design() { return pipeline(); }
+Design const& dataflow::design() { return pipeline(); }
+SimulatedDesign const& dataflow::simulated_design() { return pipeline(); }
 
 int sc_main(int argc, char** argv) {
     return run_tool({"pipeline", "A reader, a scaler and a writer", "1.0"}, standard_commands(), argc, argv);

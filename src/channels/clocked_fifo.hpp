@@ -6,7 +6,7 @@
 #include "channels/process_clock.hpp"
 #include "channels/token_queue.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A FIFO whose accesses take place in cycles (SPEC section 3). Modules use it through plain sc_fifo_in/out ports;
 /// every read() or write() is then a step of the calling process, or part of its open Step. Hot loops move bursts of
@@ -163,4 +163,4 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     std::size_t fields_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -6,7 +6,7 @@
 
 #include "channels/own_stack.hpp"
 
-namespace faster {
+namespace dataflow {
 
 DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
                                          std::size_t samples, Engine engine, MakeCore const& make_core)
@@ -87,4 +87,4 @@ void DataflowAccelerator::run() {
     back_on_own_stack();
 }
 
-}  // namespace faster
+}  // namespace dataflow

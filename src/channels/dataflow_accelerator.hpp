@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "channels/dataflow_core.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
-#include "kernel/timing/memory/memory_system.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// All cores of a machine. They share the list of samples, of which each does a part, and nothing else, unless there is
 /// an external memory.
@@ -59,4 +59,4 @@ class DataflowAccelerator : public sc_core::sc_module {
     sc_core::sc_event memory_asked_{"memory_asked"};
 };
 
-}  // namespace faster
+}  // namespace dataflow

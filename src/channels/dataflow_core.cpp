@@ -5,7 +5,7 @@
 
 #include "channels/fifo_channel.hpp"
 
-namespace faster {
+namespace dataflow {
 
 DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine, CoreShare share,
                            TimeBase const& time_base)
@@ -157,4 +157,4 @@ void DataflowCore::end_turn() {
     turn_ends_.notify(sc_core::SC_ZERO_TIME);
 }
 
-}  // namespace faster
+}  // namespace dataflow

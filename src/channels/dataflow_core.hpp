@@ -12,14 +12,14 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/time_base.hpp"
-#include "kernel/base/write_distances.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/recording/running_core.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/base/write_distances.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/recording/running_core.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// One core of a machine: the SystemC module that a design derives its own from. The derived class has the modules and
 /// the FIFOs between them as members, and binds them:
@@ -157,4 +157,4 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     sc_core::sc_event turn_ends_{"turn_ends"};
 };
 
-}  // namespace faster
+}  // namespace dataflow

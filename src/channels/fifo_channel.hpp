@@ -3,11 +3,11 @@
 #include <systemc>
 #include <vector>
 
-#include "kernel/recording/token_tap.hpp"
-#include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/ports.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/core/time/ports.hpp"
+#include "dataflow/tools/recording/token_tap.hpp"
 
-namespace faster {
+namespace dataflow {
 
 class ProcessClock;
 
@@ -66,4 +66,4 @@ class FifoChannel : public sc_core::sc_prim_channel {
     bool writer_waits_ = false;
 };
 
-}  // namespace faster
+}  // namespace dataflow

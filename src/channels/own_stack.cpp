@@ -10,7 +10,7 @@ extern "C" {  // of <sanitizer/common_interface_defs.h>; null in a program witho
 // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
-namespace faster {
+namespace dataflow {
 
 void back_on_own_stack() {
     if (__sanitizer_start_switch_fiber == nullptr)
@@ -27,4 +27,4 @@ void back_on_own_stack() {
     __sanitizer_finish_switch_fiber(saved, nullptr, nullptr);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,7 +4,7 @@
 
 #include "channels/port_binding.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// An end of a FIFO whose tokens are pixels one by one, or groups of pixels of a row: a port for either, of which one
 /// is bound, or none.
@@ -53,4 +53,4 @@ template <class Pixel, class Group> class PixelsFifo {
     std::unique_ptr<ClockedFifo<Group>> groups_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

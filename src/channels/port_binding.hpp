@@ -3,7 +3,7 @@
 
 #include "channels/clocked_fifo.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Ports that some flows leave unbound.
 template <class Token>
@@ -28,4 +28,4 @@ template <class Token> ClockedFifo<Token>* channel_of(OptionalFifoOut<Token>& po
     return port.size() == 0 ? nullptr : &dynamic_cast<ClockedFifo<Token>&>(*port.get_interface());
 }
 
-}  // namespace faster
+}  // namespace dataflow

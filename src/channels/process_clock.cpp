@@ -8,7 +8,7 @@
 #include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
 
-namespace faster {
+namespace dataflow {
 
 std::uint64_t TimeBase::ticks_per_cycle() const {
     double const seconds = 1e-6 / clock_mhz;
@@ -228,4 +228,4 @@ void ProcessClock::wait_for_room(FifoChannel& fifo) {
     sc_core::wait(fifo.read_);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "channels/time_base.hpp"
-#include "kernel/base/cycles.hpp"
-#include "kernel/base/source_site.hpp"
-#include "kernel/base/write_distances.hpp"
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/memory/memory_block.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/base/source_site.hpp"
+#include "dataflow/base/write_distances.hpp"
+#include "dataflow/core/memory/memory_block.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster {
+namespace dataflow {
 
 class DataflowCore;
 class FifoChannel;
@@ -269,4 +269,4 @@ class Step {
     ProcessClock& clock_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 bool wants(recording::RecordingWindow const& window, std::size_t core) {
@@ -77,4 +77,4 @@ void Recordings::finish(Cycles end) {
     }
 }
 
-}  // namespace faster
+}  // namespace dataflow

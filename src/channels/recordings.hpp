@@ -5,10 +5,10 @@
 
 #include "channels/dataflow_accelerator.hpp"
 #include "channels/simulate.hpp"
-#include "kernel/recording/core_recorder.hpp"
-#include "kernel/recording/memory_recorder.hpp"
+#include "dataflow/tools/recording/core_recorder.hpp"
+#include "dataflow/tools/recording/memory_recorder.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The recorders of all recordings of a run.
 class Recordings {
@@ -35,4 +35,4 @@ class Recordings {
     std::optional<recording::MemoryRecorder> memory_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,6 +1,6 @@
 #include "channels/sample_module.hpp"
 
-namespace faster {
+namespace dataflow {
 
 SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& core)
     : sc_module(name), clock_(core, basename()), core_(core) {
@@ -22,4 +22,4 @@ void SampleModule::run() {
     }
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,7 +5,7 @@
 #include "channels/dataflow_core.hpp"
 #include "channels/process_clock.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A module with one process, which does its part of one sample after the other. The derived class says in work() what
 /// that is; everything that all such modules do alike is done here. Its name is the one in its description.
@@ -29,4 +29,4 @@ class SampleModule : public sc_core::sc_module {
     DataflowCore& core_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -6,9 +6,9 @@
 
 #include "channels/sample_module.hpp"
 #include "channels/simulated_design.hpp"
-#include "kernel/config/simple_design.hpp"
+#include "dataflow/run/config/simple_design.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What one core of a simple design is made of; passed on to SimpleCore.
 struct SimpleCoreParts {
@@ -70,8 +70,8 @@ class SimpleModule : public SampleModule {
 ///         static SimpleSimulation<MyCore> const one({"my_design", {{"workload.length", 100, "Numbers."}}});
 ///         return one;
 ///     }
-///     faster::Design const& faster::design() { return my_design(); }
-///     faster::SimulatedDesign const& faster::simulated_design() { return my_design(); }
+///     dataflow::Design const& dataflow::design() { return my_design(); }
+///     dataflow::SimulatedDesign const& dataflow::simulated_design() { return my_design(); }
 template <class Core> class SimpleSimulation final : public SimpleDesign, public SimulatedDesign {
   public:
     using SimpleDesign::SimpleDesign;
@@ -104,4 +104,4 @@ template <class Core> class SimpleSimulation final : public SimpleDesign, public
     };
 };
 
-}  // namespace faster
+}  // namespace dataflow

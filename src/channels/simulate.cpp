@@ -6,10 +6,10 @@
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
-#include "kernel/replay/collect.hpp"
-#include "kernel/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/replay/critical_path_of.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 /// A waveform and a critical path are told by the cores that keep the time, and so are cores that share a memory.
@@ -109,4 +109,4 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     return run;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "channels/dataflow_accelerator.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/recording/recorded_window.hpp"
-#include "kernel/recording/recording_window.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/core/time/trail.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/tools/recording/recorded_window.hpp"
+#include "dataflow/tools/recording/recording_window.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Something to be recorded, and what to do with it when the run is over, or stuck. Cores that do none of the wanted
 /// samples are left out.
@@ -38,4 +38,4 @@ struct SimulationOptions {
 /// RunStatistics::stuck. The SystemC kernel elaborates once per process, so call this once per process.
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options = {});
 
-}  // namespace faster
+}  // namespace dataflow

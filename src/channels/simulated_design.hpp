@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "channels/dataflow_accelerator.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// About how many iterations all loops of all cores make together.
 struct LoopIterations {
@@ -47,4 +47,4 @@ class SimulatedDesign {
 /// The design of this program.
 SimulatedDesign const& simulated_design();
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/replay/plain_reader.hpp"
-#include "kernel/replay/replay.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
+#include "dataflow/run/replay/replay.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 replay::TapeWriter::Timed timed_cores(DataflowAccelerator const& accelerator) {
@@ -179,4 +179,4 @@ void Taping::tell_cores() {
     }
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "channels/dataflow_accelerator.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/tape_writer.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/tape_writer.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The results of the samples that a core has done.
 std::vector<Counters> all_results(DataflowCore const& core);
@@ -59,4 +59,4 @@ class Taping {
     replay::TapeWriter writer_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How simulated time is driven: the engine, and the length of a cycle on the SystemC kernel's clock.
 struct TimeBase {
@@ -12,4 +12,4 @@ struct TimeBase {
     std::uint64_t ticks_per_cycle() const;  ///< in units of the kernel's time resolution, rounded, at least 1
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// The tokens on their way through a channel, as the host holds them: contiguous for both sides, so that bursts are
 /// plain array accesses. A token is `width` values side by side, one unless told otherwise; counts are of tokens. Knows
@@ -53,4 +53,4 @@ template <class Token> class TokenQueue {
     std::size_t tail_ = 0;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,15 +1,12 @@
 #pragma once
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 
-/// Each a command of faster-sim, with its options; `evaluate` is in evaluate_command.hpp.
+/// Each a command of faster-sim, with its options; those around poses are in poses/commands.
 Subcommand compare_architectures_command();
 Subcommand cosim_command();
-Subcommand edge_quality_command();
-Subcommand estimate_command();
-Subcommand experiment_command();
-Subcommand grip_command();
 Subcommand record_command();
 Subcommand show_command();
 

@@ -5,19 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/layered_config.hpp"
-#include "modules/faster_simulation.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/layered_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/workload_source.hpp"
+#include "modules/core/faster_simulation.hpp"
+#include "poses/commands/workload_iterations.hpp"
 #include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
-#include "tb/workload_iterations.hpp"
-#include "tb/workload_source.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/say.hpp"
-#include "tool/work_size.hpp"
 
 namespace faster {
 

@@ -3,8 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "common/sample_counters.hpp"
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "faster/dataflow_names.hpp"
 #include "tb/faster_workload.hpp"
 
 namespace faster {

@@ -3,8 +3,9 @@
 #include <memory>
 #include <string>
 
+#include "dataflow/commands/run_extras.hpp"
+#include "faster/dataflow_names.hpp"
 #include "tb/sample_pictures.hpp"
-#include "tool/run_extras.hpp"
 
 namespace faster {
 

@@ -1,9 +1,9 @@
 #include "tb/faster_workload.hpp"
 
-#include "faster/faster_config.hpp"
-#include "modules/faster_simulation.hpp"
-#include "tb/workload_source.hpp"
-#include "workload/pose_list.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/workload/pose_list.hpp"
+#include "faster/workload/workload_source.hpp"
+#include "modules/core/faster_simulation.hpp"
 
 namespace faster {
 

@@ -1,8 +1,9 @@
 #pragma once
 #include "channels/simulated_design.hpp"
-#include "common/stimulus.hpp"
-#include "modules/core_context.hpp"
-#include "tb/workload_iterations.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "poses/commands/workload_iterations.hpp"
 
 namespace faster {
 

@@ -3,16 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/trace.hpp"
+#include "faster/workload/workload_source.hpp"
+#include "modules/vertex_transform/explicit_triangles.hpp"
 #include "tb/commands.hpp"
-#include "tb/workload_source.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/say.hpp"
-#include "tool/work_size.hpp"
-#include "workload/files/trace.hpp"
 
 namespace faster {
 

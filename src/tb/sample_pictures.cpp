@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "common/sample_counters.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/files/sample_picture.hpp"
-#include "workload/pictures/contact_sheet.hpp"
-#include "workload/pictures/depth_map.hpp"
-#include "workload/pictures/drawing.hpp"
-#include "workload/pictures/overlay.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/files/sample_picture.hpp"
+#include "faster/workload/pictures/contact_sheet.hpp"
+#include "faster/workload/pictures/depth_map.hpp"
+#include "faster/workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/overlay.hpp"
 
 namespace faster {
 

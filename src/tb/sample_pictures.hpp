@@ -3,11 +3,12 @@
 #include <map>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/html/html_report.hpp"
-#include "modules/core_context.hpp"
-#include "workload/pictures/colour.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "modules/core/core_context.hpp"
 
 namespace faster {
 

@@ -1,14 +1,16 @@
 #include <systemc>
 
-#include "common/program_commit.hpp"
+#include "dataflow/commands/check_command.hpp"
+#include "dataflow/commands/run_command.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/commands/sweep_command.hpp"
+#include "dataflow/commands/tool.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/commands/evaluate_command.hpp"
+#include "poses/commands/pose_commands.hpp"
 #include "tb/commands.hpp"
-#include "tb/evaluate_command.hpp"
 #include "tb/faster_run_extras.hpp"
-#include "tool/check_command.hpp"
-#include "tool/run_command.hpp"
-#include "tool/standard_commands.hpp"
-#include "tool/sweep_command.hpp"
-#include "tool/tool.hpp"
+#include "tb/program_commit.hpp"
 
 int sc_main(int argc, char** argv) {
     using namespace faster;

@@ -12,17 +12,18 @@
 #include <utility>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "kernel/base/files/csv_integers.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/files/csv_integers.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/files/sample_picture.hpp"
+#include "faster/workload/pictures/depth_scale.hpp"
+#include "faster/workload/pictures/terminal_picture.hpp"
 #include "tb/commands.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/files/sample_picture.hpp"
-#include "workload/pictures/depth_scale.hpp"
-#include "workload/pictures/terminal_picture.hpp"
 
 namespace faster {
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "poses/evaluation_json.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/judging/evaluation_json.hpp"
 #include "support/browser.hpp"
 
 namespace evaluation_page_browser_test {

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <thread>
 
+#include "faster/dataflow_names.hpp"
 #include "support/browser.hpp"
 #include "support/explore_process.hpp"
 #include "support/live_browser.hpp"

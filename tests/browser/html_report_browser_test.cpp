@@ -5,8 +5,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "kernel/report/html/deadlock_html.hpp"
-#include "kernel/report/html/html_report.hpp"
+#include "dataflow/tools/report/html/deadlock_html.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/browser.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"

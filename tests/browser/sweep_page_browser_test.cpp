@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/sweeps/sweep_page.hpp"
+#include "dataflow/tools/sweeps/sweep_page.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/browser.hpp"
 
 namespace sweep_page_browser_test {

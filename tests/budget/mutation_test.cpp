@@ -7,16 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "faster/adopt_trace.hpp"
-#include "faster/faster_config.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/config/adopt_trace.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/trace.hpp"
 #include "support/command.hpp"
 #include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/files/trace.hpp"
 
 namespace mutation_test {
 

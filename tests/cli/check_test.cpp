@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"

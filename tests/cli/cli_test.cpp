@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
@@ -488,8 +489,9 @@ TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes 
                                                    engine_is(engine) + Words{"--images", "1", "--out", "new/out"});
         CHECK(result.exit_code == 3);
         CHECK(result.out.empty());
-        for (std::string const part : {"deadlock", "wait-for cycle", "rasterizer", "inlier_unit", "fragment_depth",
-                                       "src/modules/rasterizer.cpp:", "src/modules/inlier_unit.cpp:"})
+        for (std::string const part :
+             {"deadlock", "wait-for cycle", "rasterizer", "inlier_unit", "fragment_depth",
+              "src/modules/rasterizer/rasterizer.cpp:", "src/modules/inlier_unit/inlier_unit.cpp:"})
             CHECK_THAT(result.err, Contains(part));
         std::set<std::string> after = before;
         after.insert({"new", "new/out", "new/out/summary.json"});

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 

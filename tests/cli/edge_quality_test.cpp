@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/on_terminal.hpp"
 #include "support/temp_folder.hpp"

@@ -2,11 +2,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/read_dataset.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
-#include "workload/bop/read_dataset.hpp"
 
 namespace estimate_test {
 

@@ -3,11 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/pose_results.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/tool_output.hpp"
-#include "workload/bop/pose_results.hpp"
 
 namespace evaluate_test {
 

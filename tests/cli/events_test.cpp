@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/report_page.hpp"
 #include "support/small_workspace.hpp"

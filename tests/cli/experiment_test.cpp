@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"

@@ -2,7 +2,8 @@
 #include <httplib.h>
 #include <thread>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/explore_process.hpp"
 #include "support/report_page.hpp"
 #include "support/small_workspace.hpp"

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/report_page.hpp"
 #include "support/small_workspace.hpp"

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"

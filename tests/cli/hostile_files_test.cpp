@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/small_workspace.hpp"
 #include "support/temp_folder.hpp"

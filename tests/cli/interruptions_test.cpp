@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/tool_output.hpp"
 #include "support/writing_commands.hpp"

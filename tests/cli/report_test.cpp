@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/report_page.hpp"
 #include "support/small_workspace.hpp"

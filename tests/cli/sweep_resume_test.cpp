@@ -10,6 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "faster/dataflow_names.hpp"
 #include "support/sweep_workspace.hpp"
 
 namespace sweep_resume_test {

@@ -2,6 +2,7 @@
 #include <map>
 #include <sstream>
 
+#include "faster/dataflow_names.hpp"
 #include "support/on_terminal.hpp"
 #include "support/report_page.hpp"
 #include "support/sweep_workspace.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "faster/dataflow_names.hpp"
 #include "support/waves.hpp"
 
 namespace waveform_windows_test {

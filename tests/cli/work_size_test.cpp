@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"

@@ -3,8 +3,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/small_stimulus.hpp"

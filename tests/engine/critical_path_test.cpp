@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"

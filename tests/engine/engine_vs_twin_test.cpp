@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <random>
 
+#include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"

@@ -1,10 +1,11 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "kernel/events/event_file.hpp"
-#include "kernel/explore/replayed_timeline.hpp"
-#include "kernel/recording/core_timeline.hpp"
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/tools/explore/replayed_timeline.hpp"
+#include "dataflow/tools/recording/core_timeline.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/memory_trials.hpp"
 #include "support/random_stimulus.hpp"

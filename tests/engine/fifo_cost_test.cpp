@@ -5,9 +5,10 @@
 #include <sstream>
 #include <tuple>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/sizing/cheapest_choice.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/tools/sizing/cheapest_choice.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/token_bits.hpp"

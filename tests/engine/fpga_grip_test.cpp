@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"

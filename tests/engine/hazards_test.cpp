@@ -4,7 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"

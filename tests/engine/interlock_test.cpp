@@ -4,8 +4,9 @@
 #include <random>
 #include <string>
 
-#include "kernel/events/event_file.hpp"
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/parts.hpp"

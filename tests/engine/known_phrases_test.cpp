@@ -1,10 +1,11 @@
-#include "kernel/replay/known_phrases.hpp"
+#include "dataflow/run/replay/known_phrases.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::replay::known_phrases_test {
 

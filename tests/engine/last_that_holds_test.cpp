@@ -1,4 +1,4 @@
-#include "kernel/sizing/last_that_holds.hpp"
+#include "dataflow/tools/sizing/last_that_holds.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::sizing::last_that_holds_test {
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
+#include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"

@@ -1,14 +1,15 @@
-#include "kernel/timing/ports.hpp"
+#include "dataflow/core/time/ports.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "kernel/replay/bytes.hpp"
-#include "kernel/replay/operation_check.hpp"
-#include "kernel/replay/operation_columns.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/replay/bytes.hpp"
+#include "dataflow/run/replay/operation_check.hpp"
+#include "dataflow/run/replay/operation_columns.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::ports_test {
 

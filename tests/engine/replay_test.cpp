@@ -1,14 +1,15 @@
-#include "kernel/replay/replay.hpp"
+#include "dataflow/run/replay/replay.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <memory>
 
-#include "faster/faster_config.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/core_variant.hpp"
-#include "kernel/replay/plain_reader.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/small_stimulus.hpp"

@@ -1,9 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/enum_names.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"

@@ -1,10 +1,11 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "faster/faster_config.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/sizing/size_fifos.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/tools/sizing/size_fifos.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/cheaper_choices.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"

@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/build_stimulus.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
-#include "workload/build_stimulus.hpp"
 
 namespace faster::testing::engines_on_meshes_test {
 

@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/random.hpp"
-#include "reference/scorer.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "faster/workload/object_mesh.hpp"
 #include "support/counters.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
-#include "workload/files/mesh_file.hpp"
-#include "workload/models/builtin_models.hpp"
-#include "workload/object_mesh.hpp"
 
 namespace faster::testing::model_vs_reference_test {
 

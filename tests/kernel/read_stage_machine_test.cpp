@@ -3,9 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "kernel/config/machine_keys.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/replay/core_variant.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace read_stage_machine_test {
 

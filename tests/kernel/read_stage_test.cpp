@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/path_sweep.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/core/time/path_sweep.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace read_stage_test {
 

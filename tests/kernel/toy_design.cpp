@@ -1,6 +1,7 @@
-#include "kernel/toy_design.hpp"
+#include "dataflow/toy_design.hpp"
 
-#include "kernel/config/machine_keys.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::test {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::test {
 

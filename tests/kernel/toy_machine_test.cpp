@@ -2,12 +2,13 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/config/machine_keys.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/toy_design.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/toy_design.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

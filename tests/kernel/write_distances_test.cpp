@@ -1,12 +1,13 @@
-#include "kernel/base/write_distances.hpp"
+#include "dataflow/base/write_distances.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "kernel/machine/dependence.hpp"
-#include "kernel/replay/operation_check.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/machine/dependence.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/replay/operation_check.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::write_distances_test {
 

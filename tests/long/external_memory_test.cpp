@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/memory_trials.hpp"
 
 namespace faster::testing::external_memory_test {

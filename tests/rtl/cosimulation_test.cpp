@@ -2,9 +2,11 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/layered_config.hpp"
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/trace.hpp"
 #include "support/command.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
@@ -12,7 +14,6 @@
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
 #include "tb/cosim/comparison.hpp"
-#include "workload/files/trace.hpp"
 
 namespace faster::testing::cosimulation_test {
 

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "workload/files/png_image.hpp"
-#include "workload/scene_renderer.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/scene_renderer.hpp"
 
 namespace faster::test {
 namespace {

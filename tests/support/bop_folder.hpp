@@ -2,8 +2,9 @@
 #include <filesystem>
 #include <string>
 
-#include "common/camera.hpp"
-#include "common/mesh.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::test {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/report_page.hpp"
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::test {

@@ -3,7 +3,8 @@
 #include <functional>
 #include <utility>
 
-#include "kernel/sizing/size_fifos.hpp"
+#include "dataflow/tools/sizing/size_fifos.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "faster/dataflow_names.hpp"
 #include "support/longest_run.hpp"
 #include "support/temp_folder.hpp"
 

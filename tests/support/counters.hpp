@@ -1,8 +1,9 @@
 #pragma once
 #include <array>
 
-#include "common/tokens.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

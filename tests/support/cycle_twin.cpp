@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "faster/dataflow_names.hpp"
 #include "support/memory_twin.hpp"
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "common/tokens.hpp"
-#include "faster/accelerator_config.hpp"
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/memory_twin.hpp"
 #include "support/parts.hpp"
 

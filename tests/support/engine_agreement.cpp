@@ -3,7 +3,8 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"

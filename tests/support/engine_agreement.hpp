@@ -1,8 +1,9 @@
 #pragma once
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

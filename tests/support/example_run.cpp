@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <random>
 
-#include "faster/faster_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/idle_run.hpp"
 #include "support/parts.hpp"

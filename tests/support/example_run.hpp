@@ -2,10 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/report/html/packed_timeline.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
+#include "dataflow/tools/report/html/packed_timeline.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::test {
 

@@ -8,6 +8,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include "faster/dataflow_names.hpp"
+
 namespace faster::test {
 
 namespace {

@@ -9,11 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/sensitivities.hpp"
-#include "kernel/report/summary.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/sensitivities.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/byte_stream.hpp"
 #include "support/idle_run.hpp"
 #include "support/longest_run.hpp"

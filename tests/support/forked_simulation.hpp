@@ -2,11 +2,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/timing/trail.hpp"
-#include "modules/faster_simulation.hpp"
+#include "dataflow/core/time/trail.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/faster_simulation.hpp"
 
 namespace faster::testing {
 

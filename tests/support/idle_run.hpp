@@ -1,5 +1,6 @@
 #pragma once
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

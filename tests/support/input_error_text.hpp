@@ -1,7 +1,8 @@
 #pragma once
 #include <string>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::test {
 

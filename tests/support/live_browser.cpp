@@ -10,6 +10,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
+
 namespace faster::test {
 
 using Json = nlohmann::json;

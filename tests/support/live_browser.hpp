@@ -6,6 +6,7 @@
 #include <sys/types.h>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace faster::test {

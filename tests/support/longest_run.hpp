@@ -1,4 +1,5 @@
 #pragma once
+#include "faster/dataflow_names.hpp"
 #include "support/is_instrumented.hpp"
 
 namespace faster::test {

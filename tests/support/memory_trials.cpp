@@ -4,7 +4,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "kernel/events/event_file.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"

@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "faster/dataflow_names.hpp"
+
 namespace faster::testing {
 namespace {
 

@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/twin_function.hpp"
 
 namespace faster::testing {

@@ -7,6 +7,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "faster/dataflow_names.hpp"
 #include "support/longest_run.hpp"
 
 namespace faster::test {

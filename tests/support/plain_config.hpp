@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/memory_twin.hpp"
 #include "support/parts.hpp"
 #include "support/token_bits.hpp"

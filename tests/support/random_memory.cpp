@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <random>
 
+#include "faster/dataflow_names.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
 
 namespace faster::testing {
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "faster/dataflow_names.hpp"
 #include "support/plain_config.hpp"
 
 namespace faster::testing {

@@ -2,9 +2,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "kernel/machine/machine.hpp"
-#include "modules/raster_core_description.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/raster_core_description.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {

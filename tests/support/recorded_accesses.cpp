@@ -1,7 +1,8 @@
 #include "support/recorded_accesses.hpp"
 
-#include "kernel/recording/fifo_state.hpp"
-#include "kernel/recording/memory_trace.hpp"
+#include "dataflow/tools/recording/fifo_state.hpp"
+#include "dataflow/tools/recording/memory_trace.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

@@ -2,9 +2,10 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/recording/event_merge.hpp"
-#include "kernel/recording/memory_ports.hpp"
-#include "kernel/recording/recorded_core.hpp"
+#include "dataflow/tools/recording/event_merge.hpp"
+#include "dataflow/tools/recording/memory_ports.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "kernel/figures/column_values.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 
 namespace faster::testing {

@@ -2,7 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
 
 namespace faster::testing {

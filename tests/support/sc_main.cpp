@@ -1,6 +1,7 @@
 #include <cstdlib>
 #include <systemc>
 
+#include "faster/dataflow_names.hpp"
 #include "support/test_runner.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::testing {
 

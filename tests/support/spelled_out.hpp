@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/operation.hpp"
+#include "dataflow/core/time/operation.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 

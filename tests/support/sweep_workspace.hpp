@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
 

@@ -1,5 +1,7 @@
 #include "support/test_runner.hpp"
 
+#include "faster/dataflow_names.hpp"
+
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 

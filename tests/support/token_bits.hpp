@@ -1,5 +1,6 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {

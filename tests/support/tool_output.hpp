@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 
 namespace faster::test {

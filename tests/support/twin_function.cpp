@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/fixed_point.hpp"
-#include "common/image.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/data/image.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::testing {
 namespace {

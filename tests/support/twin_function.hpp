@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "common/tokens.hpp"
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/parts.hpp"
 
 namespace faster::testing {

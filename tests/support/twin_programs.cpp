@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "faster/dataflow_names.hpp"
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
 

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "faster/dataflow_names.hpp"
+
 namespace faster::test {
 
 namespace {

@@ -5,9 +5,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/pose_results.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
-#include "workload/bop/pose_results.hpp"
 
 namespace faster::test {
 

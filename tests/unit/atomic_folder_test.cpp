@@ -1,4 +1,4 @@
-#include "kernel/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -8,8 +8,9 @@
 #include <thread>
 #include <unistd.h>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/files/text_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

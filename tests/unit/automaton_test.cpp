@@ -1,4 +1,4 @@
-#include "kernel/timing/lookup/automaton.hpp"
+#include "dataflow/lookup/automaton.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::automaton_test {
 

@@ -1,8 +1,10 @@
-#include "kernel/machine/bank_partition.hpp"
+#include "dataflow/core/machine/bank_partition.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::bank_partition_test {
 

@@ -1,9 +1,11 @@
-#include "kernel/timing/lookup/bench_fifo.hpp"
+#include "dataflow/lookup/bench_fifo.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 #include <vector>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::bench_fifo_test {
 

@@ -1,6 +1,8 @@
-#include "kernel/machine/block_ram.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::block_ram_test {
 

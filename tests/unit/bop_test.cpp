@@ -4,13 +4,14 @@
 #include <regex>
 #include <string>
 
-#include "kernel/base/random.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/scene_renderer.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/bop/pose_results.hpp"
+#include "poses/bop/read_dataset.hpp"
 #include "support/bop_folder.hpp"
 #include "support/input_error_text.hpp"
-#include "workload/bop/detections.hpp"
-#include "workload/bop/pose_results.hpp"
-#include "workload/bop/read_dataset.hpp"
-#include "workload/scene_renderer.hpp"
 
 namespace bop_test {
 

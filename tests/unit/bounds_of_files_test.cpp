@@ -1,9 +1,10 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "kernel/base/files/csv_cells.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/files/yaml_document.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

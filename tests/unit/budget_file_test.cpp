@@ -1,8 +1,9 @@
-#include "kernel/budgets/budget_file.hpp"
+#include "dataflow/tools/budgets/budget_file.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "kernel/budgets/baseline_text.hpp"
+#include "dataflow/tools/budgets/baseline_text.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

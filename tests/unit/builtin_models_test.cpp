@@ -1,4 +1,4 @@
-#include "workload/models/builtin_models.hpp"
+#include "faster/workload/models/builtin_models.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace builtin_models_test {
 

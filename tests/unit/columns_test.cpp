@@ -1,10 +1,11 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "common/sample_counters.hpp"
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/module_row.hpp"
-#include "kernel/figures/table_columns.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/run/figures/module_row.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace columns_test {

@@ -1,10 +1,11 @@
-#include "kernel/compare/compare.hpp"
+#include "dataflow/tools/compare/compare.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "kernel/compare/comparison_report.hpp"
+#include "dataflow/tools/compare/comparison_report.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace compare_test {
 

@@ -7,15 +7,16 @@
 #include <unistd.h>
 #include <vector>
 
-#include "faster/adopt_trace.hpp"
-#include "faster/faster_config.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/keys_as_markdown.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/keys_as_markdown.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "faster/config/adopt_trace.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/parts.hpp"
 
 namespace config_test {

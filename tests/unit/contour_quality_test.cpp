@@ -1,11 +1,11 @@
-#include "reference/quality/contour_quality.hpp"
+#include "poses/quality/contour_quality.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
-#include "reference/quality/pose_survey.hpp"
-#include "workload/models/builtin_models.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "poses/quality/pose_survey.hpp"
 
 namespace faster::quality::contour_quality_test {
 

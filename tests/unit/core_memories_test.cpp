@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/machine/block_ram.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/raster_machine.hpp"
 
 // The memories of a raster core, and what its loops do to them.

@@ -1,10 +1,11 @@
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace counter_random_test {
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/random_stimulus.hpp"
 
 namespace faster::testing::cycle_twin_test {

@@ -1,9 +1,10 @@
-#include "kernel/figures/diagnosis.hpp"
+#include "dataflow/run/figures/diagnosis.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "kernel/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/idle_run.hpp"
 #include "support/parts.hpp"
 #include "support/raster_machine.hpp"

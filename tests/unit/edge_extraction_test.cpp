@@ -1,10 +1,10 @@
-#include "datapath/edge_extraction.hpp"
+#include "modules/edge_extractor/edge_extraction.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "common/fixed_point.hpp"
-#include "reference/edge_extraction.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/reference/edge_extraction.hpp"
 
 namespace faster::edge_extraction_test {
 

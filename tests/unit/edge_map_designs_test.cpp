@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/scorer.hpp"
+#include "faster/reference/scorer.hpp"
 
 // What the thesis tells of its designs (chapter 5), on a shape small enough to look at: a rectangle of eight triangles
 // around a middle vertex, seen from the front.

@@ -1,17 +1,17 @@
-#include "datapath/edge_map/edge_map_policy.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "common/image.hpp"
-#include "reference/edge_map/bounded.hpp"
-#include "reference/edge_map/dual_map.hpp"
-#include "reference/edge_map/dual_map_4_1_2.hpp"
-#include "reference/edge_map/inner_border.hpp"
-#include "reference/edge_map/threshold.hpp"
-#include "reference/edge_map/transition.hpp"
+#include "faster/data/image.hpp"
+#include "faster/reference/edge_map/bounded.hpp"
+#include "faster/reference/edge_map/dual_map.hpp"
+#include "faster/reference/edge_map/dual_map_4_1_2.hpp"
+#include "faster/reference/edge_map/inner_border.hpp"
+#include "faster/reference/edge_map/threshold.hpp"
+#include "faster/reference/edge_map/transition.hpp"
 
 namespace faster::datapath::edge_map_policy_test {
 

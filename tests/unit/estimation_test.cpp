@@ -3,12 +3,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "estimation/estimator.hpp"
-#include "estimation/first_samples.hpp"
-#include "estimation/resampling.hpp"
-#include "estimation/streams.hpp"
-#include "kernel/base/portable_math.hpp"
-#include "workload/models/builtin_models.hpp"
+#include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "poses/estimation/estimator.hpp"
+#include "poses/estimation/first_samples.hpp"
+#include "poses/estimation/resampling.hpp"
+#include "poses/estimation/streams.hpp"
 
 namespace estimation_test {
 

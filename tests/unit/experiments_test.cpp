@@ -3,16 +3,17 @@
 #include <filesystem>
 #include <set>
 
-#include "kernel/base/files/text_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "poses/bop/read_dataset.hpp"
+#include "poses/experiments/boxes_of_detector.hpp"
+#include "poses/experiments/estimate_journal.hpp"
+#include "poses/experiments/experiment_file.hpp"
+#include "poses/experiments/made_dataset.hpp"
+#include "poses/experiments/ycb_classes.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/bop/read_dataset.hpp"
-#include "workload/experiments/boxes_of_detector.hpp"
-#include "workload/experiments/estimate_journal.hpp"
-#include "workload/experiments/experiment_file.hpp"
-#include "workload/experiments/made_dataset.hpp"
-#include "workload/experiments/ycb_classes.hpp"
-#include "workload/models/builtin_models.hpp"
 
 namespace experiments_test {
 

@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "fuzz/mutator.hpp"
 #include "fuzz/targets.hpp"
 #include "support/temp_folder.hpp"

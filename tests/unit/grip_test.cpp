@@ -3,10 +3,10 @@
 #include <cmath>
 #include <random>
 
-#include "common/fixed_point.hpp"
-#include "reference/grip/rank_correlation.hpp"
-#include "reference/grip/rendered_object.hpp"
-#include "reference/grip/score_poses.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "poses/grip/rank_correlation.hpp"
+#include "poses/grip/rendered_object.hpp"
+#include "poses/grip/score_poses.hpp"
 
 namespace faster::grip::grip_test {
 

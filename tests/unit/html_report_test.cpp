@@ -1,9 +1,10 @@
-#include "kernel/report/html/html_report.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "kernel/report/latencies.hpp"
+#include "dataflow/tools/report/latencies.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"
 #include "support/raster_machine.hpp"

@@ -1,9 +1,10 @@
-#include "kernel/report/html/html_text.hpp"
+#include "dataflow/tools/report/html/html_text.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "kernel/base/markup_text.hpp"
+#include "dataflow/base/markup_text.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::report::html_text_test {
 

@@ -1,11 +1,12 @@
-#include "kernel/timing/memory/memory_system.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <deque>
 #include <random>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::memory_system_test {
 

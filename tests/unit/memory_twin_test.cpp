@@ -6,6 +6,8 @@
 #include <deque>
 #include <stdexcept>
 
+#include "faster/dataflow_names.hpp"
+
 namespace faster::testing::memory_twin_test {
 
 /// A loop of II 1, entered in some cycle, that takes a token per iteration.

@@ -1,12 +1,13 @@
-#include "workload/files/mesh_file.hpp"
+#include "faster/workload/files/mesh_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/ply_length.hpp"
 #include "support/input_error_text.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/files/ply_length.hpp"
 
 namespace mesh_file_test {
 

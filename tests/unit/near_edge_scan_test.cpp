@@ -1,4 +1,4 @@
-#include "datapath/near_edge_scan.hpp"
+#include "modules/rasterizer/near_edge_scan.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,8 +1,10 @@
-#include "kernel/base/nearest_name.hpp"
+#include "dataflow/base/nearest_name.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
+
+#include "faster/dataflow_names.hpp"
 
 namespace nearest_name_test {
 

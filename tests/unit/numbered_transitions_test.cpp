@@ -1,9 +1,11 @@
-#include "kernel/timing/lookup/numbered_transitions.hpp"
+#include "dataflow/lookup/numbered_transitions.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <utility>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::numbered_transitions_test {
 

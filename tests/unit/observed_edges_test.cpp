@@ -1,11 +1,12 @@
-#include "workload/observed_edges.hpp"
+#include "faster/workload/observed_edges.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kernel/base/random.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace observed_edges_test {
 

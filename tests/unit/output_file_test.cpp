@@ -1,7 +1,8 @@
-#include "kernel/base/files/output_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

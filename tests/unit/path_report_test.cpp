@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 
 namespace faster::report::path_report_test {

@@ -1,13 +1,14 @@
-#include "kernel/timing/lookup/phrase_cutter.hpp"
+#include "dataflow/lookup/phrase_cutter.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/lookup/cut_trial.hpp"
-#include "kernel/timing/lookup/transition_store.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/lookup/cut_trial.hpp"
+#include "dataflow/lookup/transition_store.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/spelled_out.hpp"
 
 namespace faster::timing::phrase_cutter_test {

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/contact_sheet.hpp"
-#include "workload/pictures/depth_map.hpp"
-#include "workload/pictures/depth_scale.hpp"
-#include "workload/pictures/drawing.hpp"
-#include "workload/pictures/line_plot.hpp"
-#include "workload/pictures/overlay.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/contact_sheet.hpp"
+#include "faster/workload/pictures/depth_map.hpp"
+#include "faster/workload/pictures/depth_scale.hpp"
+#include "faster/workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/line_plot.hpp"
+#include "faster/workload/pictures/overlay.hpp"
 
 namespace pictures_test {
 

@@ -1,4 +1,4 @@
-#include "workload/files/png_image.hpp"
+#include "faster/workload/files/png_image.hpp"
 
 #include <catch2/catch.hpp>
 #include <opencv2/core.hpp>
@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

@@ -1,12 +1,13 @@
-#include "poses/pose_error.hpp"
+#include "poses/judging/pose_error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kernel/base/random.hpp"
-#include "poses/judge.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/judging/judge.hpp"
 #include "support/bop_folder.hpp"
 
 namespace pose_error_test {

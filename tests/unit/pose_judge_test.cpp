@@ -2,14 +2,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "poses/accuracy_plot.hpp"
-#include "poses/evaluation.hpp"
-#include "poses/evaluation_json.hpp"
-#include "poses/evaluation_text.hpp"
-#include "poses/judge.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/read_dataset.hpp"
+#include "poses/judging/accuracy_plot.hpp"
+#include "poses/judging/evaluation.hpp"
+#include "poses/judging/evaluation_json.hpp"
+#include "poses/judging/evaluation_text.hpp"
+#include "poses/judging/judge.hpp"
 #include "support/bop_folder.hpp"
 #include "support/input_error_text.hpp"
-#include "workload/bop/read_dataset.hpp"
 
 namespace pose_judge_test {
 

@@ -4,10 +4,11 @@
 #include <limits>
 #include <random>
 
-#include "kernel/base/random.hpp"
-#include "poses/bootstrap.hpp"
-#include "poses/judge.hpp"
-#include "poses/scores.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/judging/bootstrap.hpp"
+#include "poses/judging/judge.hpp"
+#include "poses/judging/scores.hpp"
 
 namespace pose_scores_test {
 

@@ -1,15 +1,16 @@
-#include "kernel/config/presets.hpp"
+#include "dataflow/run/config/presets.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace presets_test {

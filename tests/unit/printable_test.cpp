@@ -1,12 +1,13 @@
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/printable.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <string>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/utf8.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/utf8.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace printable_test {
 

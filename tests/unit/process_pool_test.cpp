@@ -1,4 +1,4 @@
-#include "kernel/base/process_pool.hpp"
+#include "dataflow/base/process_pool.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,6 +9,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
 namespace process_pool_test {

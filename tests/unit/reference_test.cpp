@@ -9,14 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/input_error.hpp"
-#include "reference/depth_buffer.hpp"
-#include "reference/edge_map/dual_map.hpp"
-#include "reference/edge_tokens.hpp"
-#include "reference/inlier_sweep.hpp"
-#include "reference/rasterize.hpp"
-#include "reference/scorer.hpp"
-#include "reference/vertex_transform.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/depth_buffer.hpp"
+#include "faster/reference/edge_map/dual_map.hpp"
+#include "faster/reference/edge_tokens.hpp"
+#include "faster/reference/inlier_sweep.hpp"
+#include "faster/reference/rasterize.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/reference/vertex_transform.hpp"
 
 namespace reference_test {
 

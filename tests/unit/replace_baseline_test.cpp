@@ -1,7 +1,8 @@
-#include "kernel/budgets/replace_baseline.hpp"
+#include "dataflow/tools/budgets/replace_baseline.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 
 namespace replace_baseline_test {

@@ -1,8 +1,9 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "kernel/report/html/timeline_data.hpp"
-#include "kernel/report/latencies.hpp"
+#include "dataflow/tools/report/html/timeline_data.hpp"
+#include "dataflow/tools/report/latencies.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 
 namespace faster::report::report_figures_test {

@@ -3,14 +3,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "faster/faster_presets.hpp"
-#include "faster/synthesized_units.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/figures/power.hpp"
-#include "kernel/machine/machine_resources.hpp"
-#include "kernel/report/resource_report.hpp"
-#include "kernel/report/timing_report.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/tools/report/resource_report.hpp"
+#include "dataflow/tools/report/timing_report.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
+#include "dataflow/tools/resources/power.hpp"
+#include "faster/config/faster_presets.hpp"
+#include "faster/config/synthesized_units.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 #include "support/temp_folder.hpp"
 

@@ -1,13 +1,14 @@
-#include "workload/sample_poses.hpp"
+#include "faster/workload/sample_poses.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kernel/base/random.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/object_pose.hpp"
+#include "faster/workload/pose_list.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/object_pose.hpp"
-#include "workload/pose_list.hpp"
 
 namespace sample_poses_test {
 

@@ -3,11 +3,11 @@
 #include <random>
 #include <vector>
 
-#include "datapath/early_exit_scan.hpp"
-#include "datapath/grouped_line.hpp"
-#include "datapath/span_scan.hpp"
-#include "reference/edge_tokens.hpp"
-#include "reference/rasterize.hpp"
+#include "faster/reference/edge_tokens.hpp"
+#include "faster/reference/rasterize.hpp"
+#include "modules/rasterizer/early_exit_scan.hpp"
+#include "modules/rasterizer/grouped_line.hpp"
+#include "modules/rasterizer/span_scan.hpp"
 
 namespace faster::datapath::scan_policies_test {
 

@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/object_mesh.hpp"
+#include "faster/workload/object_pose.hpp"
+#include "faster/workload/observed_edges.hpp"
+#include "faster/workload/scene_renderer.hpp"
+#include "faster/workload/sensor_noise.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/build_stimulus.hpp"
-#include "workload/files/mesh_file.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/object_mesh.hpp"
-#include "workload/object_pose.hpp"
-#include "workload/observed_edges.hpp"
-#include "workload/scene_renderer.hpp"
-#include "workload/sensor_noise.hpp"
 
 namespace scene_test {
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"

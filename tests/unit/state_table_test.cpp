@@ -1,7 +1,9 @@
-#include "kernel/timing/lookup/state_table.hpp"
+#include "dataflow/lookup/state_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
+
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::state_table_test {
 

@@ -1,10 +1,11 @@
-#include "kernel/sweeps/sweep_file.hpp"
+#include "dataflow/tools/sweeps/sweep_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

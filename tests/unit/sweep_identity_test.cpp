@@ -2,9 +2,10 @@
 #include <filesystem>
 #include <functional>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/layered_config.hpp"
-#include "kernel/sweeps/point_identity.hpp"
+#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/tools/sweeps/point_identity.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
 

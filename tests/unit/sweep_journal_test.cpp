@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "kernel/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
+#include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 
 namespace sweep_manifest_test {

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "kernel/sweeps/schedule.hpp"
-#include "kernel/sweeps/shard.hpp"
+#include "dataflow/tools/sweeps/schedule.hpp"
+#include "dataflow/tools/sweeps/shard.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace sweep_schedule_test {
 

@@ -1,4 +1,4 @@
-#include "workload/pictures/terminal_picture.hpp"
+#include "faster/workload/pictures/terminal_picture.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

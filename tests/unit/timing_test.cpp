@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/initiation_interval.hpp"
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/core/time/initiation_interval.hpp"
+#include "dataflow/core/time/process_timing.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::timing::timing_test {
 

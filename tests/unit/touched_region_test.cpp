@@ -2,10 +2,10 @@
 #include <random>
 #include <vector>
 
-#include "common/fixed_point.hpp"
-#include "datapath/touched_box.hpp"
-#include "datapath/valid_depth_table.hpp"
-#include "faster/lane_rows.hpp"
+#include "faster/config/lane_rows.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "modules/inlier_unit/touched_box.hpp"
+#include "modules/inlier_unit/valid_depth_table.hpp"
 
 namespace faster::touched_region_test {
 

@@ -1,12 +1,13 @@
-#include "workload/files/trace.hpp"
+#include "faster/workload/files/trace.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
-#include "workload/files/png_image.hpp"
 
 namespace trace_test {
 

@@ -1,11 +1,11 @@
-#include "datapath/untimed_scorer.hpp"
+#include "modules/core/untimed_scorer.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "reference/scorer.hpp"
-#include "workload/build_stimulus.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/workload/build_stimulus.hpp"
 
 namespace untimed_scorer_test {
 

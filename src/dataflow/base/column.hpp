@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-namespace faster {
+namespace dataflow {
 
 /// What a column tells of its row.
 enum class Tells {
@@ -57,4 +57,4 @@ template <class Row> struct Column : ColumnFacts {
         : ColumnFacts{its_name, its_unit, what, its_meaning, its_list, where}, member(its_member) {}
 };
 
-}  // namespace faster
+}  // namespace dataflow

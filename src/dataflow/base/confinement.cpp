@@ -1,11 +1,11 @@
-#include "kernel/base/confinement.hpp"
+#include "dataflow/base/confinement.hpp"
 
 #include <fcntl.h>
 #include <fstream>
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 namespace {
 
@@ -40,4 +40,4 @@ void confine_process(std::uint64_t more_memory_bytes) {
     fall_silent();
 }
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

@@ -3,7 +3,7 @@
 #include <functional>
 #include <mutex>
 
-namespace faster {
+namespace dataflow {
 
 /// Told after each piece of work how many are done; may be empty.
 using TellProgress = std::function<void(std::size_t done, std::size_t all)>;
@@ -26,4 +26,4 @@ class CountedProgress {
     std::mutex mutex_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
 
 #include <cmath>
 
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -51,4 +51,4 @@ double CounterRandom::normal() {
 
 std::uint32_t CounterRandom::below(std::uint32_t count) { return high(std::uint64_t{high(bits())} * count); }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// Seeded random numbers by a counter: Philox4x32-10 (Salmon, Moraes, Dror, Shaw: "Parallel random numbers: as easy as
 /// 1, 2, 3", SC 2011). A number depends on seed, stream, substream and its place, and on nothing that was drawn
@@ -36,4 +36,4 @@ class CounterRandom {
     int used_ = 2;  ///< halves of block_ that are spent
 };
 
-}  // namespace faster
+}  // namespace dataflow

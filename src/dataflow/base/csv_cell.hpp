@@ -2,9 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/printable.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A name or a value from outside as a cell of a CSV table: printable(), and in quotes if it has a comma or a quote.
 inline std::string csv_cell(std::string_view value) {
@@ -17,4 +17,4 @@ inline std::string csv_cell(std::string_view value) {
     return cell + '"';
 }
 
-}  // namespace faster
+}  // namespace dataflow

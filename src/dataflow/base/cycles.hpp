@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// A point in, or a length of, simulated time, in clock cycles. Cycle 0 is the first one (SPEC section 3).
 using Cycles = std::uint64_t;
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// Calls `visit` with the number of each bit that is set, from the lowest up.
 template <class Visit> void for_each_bit(std::uint32_t mask, Visit visit) {
@@ -9,4 +9,4 @@ template <class Visit> void for_each_bit(std::uint32_t mask, Visit visit) {
         visit(static_cast<unsigned>(__builtin_ctz(mask)));
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace faster {
+namespace dataflow {
 
 /// The FNV-1a hash of 64 bits of all bytes added so far (offset 14695981039346656037, prime 1099511628211). It tells
 /// contents apart and finds damage; it protects against nobody.
@@ -20,4 +20,4 @@ class Fnv1a {
     std::uint64_t hash_ = 14695981039346656037U;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/base/held_signals.hpp"
+#include "dataflow/base/held_signals.hpp"
 
 #include <cerrno>
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 namespace {
 
@@ -68,4 +68,4 @@ void let_signals_through() {
     pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
 }
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

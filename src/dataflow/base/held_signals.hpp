@@ -3,7 +3,7 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 /// Thrown where work is given up because somebody wants the program to end.
 class Interrupted : public std::runtime_error {
@@ -37,4 +37,4 @@ void give_up_if_interrupted();
 /// For a child process, which is not to hold back what its parent holds back.
 void let_signals_through();
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

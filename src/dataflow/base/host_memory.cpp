@@ -1,4 +1,4 @@
-#include "kernel/base/host_memory.hpp"
+#include "dataflow/base/host_memory.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <string>
 #include <sys/resource.h>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::uint64_t available_memory_bytes() {
     return std::min(available_on_host(), is_limited ? std::uint64_t{limit.rlim_cur} : unknown);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/printable.hpp"
 
-namespace faster {
+namespace dataflow {
 
 InputError::InputError(std::string const& message) : std::runtime_error(message_line(message)) {}
 
-}  // namespace faster
+}  // namespace dataflow

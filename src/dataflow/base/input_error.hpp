@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// Something the user handed us (configuration, mesh, image, trace, flag) is unusable. `what()` is one line that names
 /// the file, line or key, what was found and what was expected. The binary exits with code 2 on it (SPEC section 4).
@@ -19,4 +19,4 @@ class HostError : public InputError {
     using InputError::InputError;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// Bits of the numbers from 0 to the largest; none for 0.
 constexpr unsigned bits_for(std::uint64_t largest) {
@@ -14,4 +14,4 @@ constexpr unsigned bits_for(std::uint64_t largest) {
 /// 0 counts as one.
 constexpr bool is_power_of_two(std::uint64_t number) { return (number & (number - 1)) == 0; }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,7 +4,7 @@
 #include <malloc.h>
 #endif
 
-namespace faster {
+namespace dataflow {
 
 /// For a program that does the same again and again: memory that was freed stays with it. Otherwise what one retiming
 /// gives back to the host the next asks for again, page by page.
@@ -16,4 +16,4 @@ inline void keep_freed_memory() {
 #endif
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// The lowest `width` bytes of a number, the lowest first.
 template <std::size_t width> void put_little_endian(std::uint64_t number, char* bytes) {
@@ -18,4 +18,4 @@ template <std::size_t width> std::uint64_t little_endian_at(char const* bytes) {
     return number;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// Which program writes the outputs at hand, and what it was asked for. run_tool() says it.
 struct MadeBy {
@@ -16,4 +16,4 @@ inline MadeBy& made_by() {
     return maker;
 }
 
-}  // namespace faster
+}  // namespace dataflow

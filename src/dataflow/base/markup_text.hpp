@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace faster {
+namespace dataflow {
 
 /// Text as the content of an HTML or XML element or a quoted attribute.
 inline std::string markup_escaped(std::string_view text) {
@@ -24,4 +24,4 @@ inline std::string markup_escaped(std::string_view text) {
     return escaped;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// Number of insertions, deletions, substitutions and swaps of neighbouring letters that turn `a` into `b`
 /// (Damerau-Levenshtein distance, restricted: no letter is edited twice).
@@ -58,4 +58,4 @@ template <class Candidates> std::string did_you_mean(std::string_view name, Cand
     return nearest.empty() ? std::string{} : ", did you mean " + nearest + "?";
 }
 
-}  // namespace faster
+}  // namespace dataflow

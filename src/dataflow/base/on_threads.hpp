@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// How many jobs at once, where 0 (or less) means as many as the host has cores.
 template <class Number> std::size_t jobs_or_host_cores(Number jobs) {
@@ -45,4 +45,4 @@ inline void on_threads(std::size_t count, std::size_t jobs, std::function<void(s
         std::rethrow_exception(error);
 }
 
-}  // namespace faster
+}  // namespace dataflow

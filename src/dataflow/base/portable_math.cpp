@@ -1,9 +1,9 @@
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace faster::portable {
+namespace dataflow::portable {
 
 namespace {
 
@@ -80,4 +80,4 @@ double angle_of(double y, double x) {
     return 8 * tangent * sum;
 }
 
-}  // namespace faster::portable
+}  // namespace dataflow::portable

@@ -3,7 +3,7 @@
 /// Functions of the C library that may differ in the last bit from machine to machine, made of + - * / and square roots
 /// alone. IEEE 754 defines these to the bit, so with doubles of 64 bits and without contraction (-ffp-contract=off) the
 /// results are the same everywhere. They are within a few units in the last place of the true value.
-namespace faster::portable {
+namespace dataflow::portable {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -26,4 +26,4 @@ SineAndCosine sine_and_cosine(double angle);
 /// The angle [rad] of a vector with y >= 0 and x >= 0, not both 0.
 double angle_of(double y, double x);
 
-}  // namespace faster::portable
+}  // namespace dataflow::portable

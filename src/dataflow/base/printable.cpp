@@ -1,11 +1,11 @@
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/printable.hpp"
 
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/utf8.hpp"
+#include "dataflow/base/utf8.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::string message_line(std::string_view text) {
     return line;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace faster {
+namespace dataflow {
 
 /// Text from outside as it may stand on one line of a terminal or a page: valid UTF-8 without anything that moves the
 /// cursor, changes colours or the order of reading. Such characters, and bytes that are no UTF-8, are escaped: \n,
@@ -19,4 +19,4 @@ std::string shortened(std::string_view text);
 /// overlong whole, lose their middle, since the begin names the file and the end says what was expected.
 std::string message_line(std::string_view text);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "kernel/base/process_pool.hpp"
+#include "dataflow/base/process_pool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@
 #include <unistd.h>
 #include <utility>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 namespace {
 
@@ -237,4 +237,4 @@ std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, S
     return outcomes;
 }
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/signal_watch.hpp"
+#include "dataflow/base/signal_watch.hpp"
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 /// Work for a process of its own: what it returns is sent back. Exceptions end the process with exit code 1.
 struct Task {
@@ -53,4 +53,4 @@ void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& w
 std::vector<Outcome> run_all(std::vector<Task> const& tasks, std::size_t jobs, SignalWatch const& watch,
                              std::function<void(std::size_t done, std::size_t all)> const& progress = {});
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// How the program at hand is called, for messages that tell what to do next. run_tool() sets it.
 inline std::string& program_name() {
@@ -9,4 +9,4 @@ inline std::string& program_name() {
     return name;
 }
 
-}  // namespace faster
+}  // namespace dataflow

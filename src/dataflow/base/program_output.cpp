@@ -1,4 +1,4 @@
-#include "kernel/base/program_output.hpp"
+#include "dataflow/base/program_output.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -8,10 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "kernel/base/files/c_file.hpp"
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/files/c_file.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::optional<std::string> program_output(std::vector<std::string> words, std::s
     return run(words, in.get(), out.get()) ? std::optional(read_all(out.get())) : std::nullopt;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-namespace faster {
+namespace dataflow {
 
 /// Seeded random numbers that are the same with every compiler and library: the engine is fixed by the standard, the
 /// distributions, which the standard leaves open, are written here. Each call takes a fixed number of engine outputs,
@@ -27,4 +27,4 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "kernel/base/signal_watch.hpp"
+#include "dataflow/base/signal_watch.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -6,9 +6,9 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 SignalWatch::SignalWatch() {
     sigset_t const watched = ending_signals();
@@ -26,4 +26,4 @@ void SignalWatch::take() const {
     }
 }
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

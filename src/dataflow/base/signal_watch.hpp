@@ -1,7 +1,7 @@
 #pragma once
-#include "kernel/base/held_signals.hpp"
+#include "dataflow/base/held_signals.hpp"
 
-namespace faster::processes {
+namespace dataflow::processes {
 
 /// HeldSignals for who waits: polls descriptor(), and throws Interrupted once it is readable.
 class SignalWatch {
@@ -22,4 +22,4 @@ class SignalWatch {
     int descriptor_;
 };
 
-}  // namespace faster::processes
+}  // namespace dataflow::processes

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace faster {
+namespace dataflow {
 
 /// A line of our source. As a default argument, the line of the call.
 struct SourceSite {
@@ -12,4 +12,4 @@ struct SourceSite {
     }
 };
 
-}  // namespace faster
+}  // namespace dataflow

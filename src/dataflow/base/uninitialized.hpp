@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-namespace faster {
+namespace dataflow {
 
 /// An allocator whose containers leave new elements of trivial types as they are: for what is written over anyway.
 template <class Element> struct Uninitialized {
@@ -30,4 +30,4 @@ bool operator!=(Uninitialized<One> const& /*one*/, Uninitialized<Other> const& /
     return false;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
-#include "kernel/base/utf8.hpp"
+#include "dataflow/base/utf8.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
     return std::nullopt;
 }
 
-}  // namespace faster
+}  // namespace dataflow

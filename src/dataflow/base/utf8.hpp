@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace faster {
+namespace dataflow {
 
 /// A character of UTF-8 text.
 struct Utf8Character {
@@ -22,4 +22,4 @@ bool is_printable(char32_t code);
 /// Where a byte sequence stops being printable UTF-8 (tabs and line ends are fine), from 0; none if it never does.
 std::optional<std::size_t> first_bad_byte(std::string_view text);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// How many iterations of a loop lie between one that writes a word of a memory and a later one that reads or writes
 /// it, within one entry of the loop: what `dependence inter false` promises to be enough. Every iteration counts once
@@ -78,4 +78,4 @@ struct NoWriteDistances {
     void overwrite(std::size_t /*word*/) {}
 };
 
-}  // namespace faster
+}  // namespace dataflow

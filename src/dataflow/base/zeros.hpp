@@ -6,7 +6,7 @@
 #include <new>
 #include <type_traits>
 
-namespace faster {
+namespace dataflow {
 
 /// Numbers that begin as zeros which the host need not write: of what is large, only the pages that are used take
 /// memory.
@@ -45,4 +45,4 @@ template <class Number> class Zeros {
     std::unique_ptr<Number[], Free> numbers_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "tool/budget_run.hpp"
+#include "dataflow/commands/budget_run.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -7,17 +7,17 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/budgets/figures.hpp"
-#include "kernel/budgets/measurement.hpp"
-#include "kernel/config/configuration_hash.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/report/text_report.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/simulated_run.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/simulated_run.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
+#include "dataflow/tools/report/text_report.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string why_no_result(processes::Outcome const& outcome, double time_limit_s
 
 std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
-}  // namespace faster
+}  // namespace dataflow

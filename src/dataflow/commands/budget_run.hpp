@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/process_pool.hpp"
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/measurement.hpp"
-#include "tool/check_command.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/commands/check_command.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Simulates what a budget is about, with `overrides` on top of its own, and takes all figures. Goes to the budget's
 /// folder first, since that is what its paths are relative to, so call it in a process of its own. Does not throw.
@@ -28,4 +28,4 @@ std::string why_no_result(processes::Outcome const& outcome, double time_limit_s
 /// YYYY-MM-DD, UTC.
 std::string today();
 
-}  // namespace faster
+}  // namespace dataflow

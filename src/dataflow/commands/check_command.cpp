@@ -1,4 +1,4 @@
-#include "tool/check_command.hpp"
+#include "dataflow/commands/check_command.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,28 +6,28 @@
 #include <memory>
 #include <set>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/files/scratch.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/process_pool.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/base/utf8.hpp"
-#include "kernel/budgets/baseline_text.hpp"
-#include "kernel/budgets/budget_file.hpp"
-#include "kernel/budgets/check_files.hpp"
-#include "kernel/budgets/check_text.hpp"
-#include "kernel/budgets/replace_baseline.hpp"
-#include "kernel/budgets/starting_budget.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "tool/budget_run.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/say.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/files/scratch.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/base/utf8.hpp"
+#include "dataflow/commands/budget_run.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/tools/budgets/baseline_text.hpp"
+#include "dataflow/tools/budgets/budget_file.hpp"
+#include "dataflow/tools/budgets/check_files.hpp"
+#include "dataflow/tools/budgets/check_text.hpp"
+#include "dataflow/tools/budgets/replace_baseline.hpp"
+#include "dataflow/tools/budgets/starting_budget.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -295,4 +295,4 @@ Subcommand check_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// `faster-sim check`.
 struct CheckRequest {
@@ -29,4 +29,4 @@ int check(CheckRequest const& request);
 /// `check`.
 Subcommand check_command();
 
-}  // namespace faster
+}  // namespace dataflow

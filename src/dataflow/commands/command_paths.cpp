@@ -1,12 +1,12 @@
-#include "tool/command_paths.hpp"
+#include "dataflow/commands/command_paths.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/named_files.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/named_files.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -73,4 +73,4 @@ void CommandPaths::require_apart(Place const& older, Place const& newer) {
                                  output.given.string(), input.given.string()));
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/folder_kind.hpp"
-#include "kernel/config/run_config.hpp"
+#include "dataflow/base/files/folder_kind.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The paths of one command, to see that none of its outputs gets onto another, or onto what it reads: each call throws
 /// an InputError if the path does so with one given before. Empty paths, devices and pipes are none.
@@ -34,4 +34,4 @@ class CommandPaths {
     std::vector<Place> places_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "tool/command_text.hpp"
+#include "dataflow/commands/command_text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string command_text(CLI::App const& command) {
     return text;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,18 +1,18 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/compare/compare.hpp"
-#include "kernel/compare/comparison_report.hpp"
-#include "kernel/compare/read_run.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/results_folder.hpp"
-#include "tool/say.hpp"
-#include "tool/standard_commands.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/results_folder.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/tools/compare/compare.hpp"
+#include "dataflow/tools/compare/comparison_report.hpp"
+#include "dataflow/tools/compare/read_run.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -58,4 +58,4 @@ Subcommand compare_command() {
         }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace faster {
+namespace dataflow {
 
 /// The process's exit codes (SPEC section 4).
 enum ExitCode : int { exit_done = 0, exit_failed_check = 1, exit_bad_input = 2, exit_deadlock = 3 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -14,23 +14,23 @@
 #include <unistd.h>
 #include <vector>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/signal_watch.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/events/event_file_format.hpp"
-#include "kernel/explore/answers.hpp"
-#include "kernel/explore/exploration.hpp"
-#include "kernel/report/text_report.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/say.hpp"
-#include "tool/simulated_run.hpp"
-#include "tool/standard_commands.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/signal_watch.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/simulated_run.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/events/event_file_format.hpp"
+#include "dataflow/tools/explore/answers.hpp"
+#include "dataflow/tools/explore/exploration.hpp"
+#include "dataflow/tools/report/text_report.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -244,4 +244,4 @@ Subcommand explore_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

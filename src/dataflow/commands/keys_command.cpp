@@ -1,9 +1,9 @@
-#include "kernel/config/keys_as_markdown.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/say.hpp"
-#include "tool/standard_commands.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/run/config/keys_as_markdown.hpp"
 
-namespace faster {
+namespace dataflow {
 
 Subcommand keys_command() {
     return {"keys", "Print every configuration key with meaning, unit, range and default (Markdown)", [](CLI::App&) {
@@ -14,4 +14,4 @@ Subcommand keys_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// What several commands declare alike.
 
@@ -33,4 +33,4 @@ template <class Number> void add_jobs(CLI::App& command, Number& jobs, std::stri
     command.add_option("-j,--jobs", jobs, what + " (the host's cores)")->type_name("N")->check(CLI::Range(1, 1024));
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "tool/progress_line.hpp"
+#include "dataflow/commands/progress_line.hpp"
 
 #include <cstdio>
 #include <fmt/format.h>
 #include <string>
 #include <unistd.h>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::string ProgressLine::time_left(std::uint64_t done, std::uint64_t all) const
     return ", " + duration_text(static_cast<std::uint64_t>(left + 0.5)) + " left";
 }
 
-}  // namespace faster
+}  // namespace dataflow

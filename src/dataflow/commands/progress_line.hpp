@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// What is done so far and how long the rest may take, on the terminal's last line; silent when stdout is no terminal.
 class ProgressLine {
@@ -29,4 +29,4 @@ class ProgressLine {
     HostClock::time_point last_ = HostClock::now();
 };
 
-}  // namespace faster
+}  // namespace dataflow

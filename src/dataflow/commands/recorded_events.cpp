@@ -1,10 +1,10 @@
-#include "tool/recorded_events.hpp"
+#include "dataflow/commands/recorded_events.hpp"
 
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/report/summary.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/tools/report/summary.hpp"
 
-namespace faster {
+namespace dataflow {
 
 void write_events(io::OutputFile const& file, LoadedConfig const& loaded, replay::RecordedRun const& recorded,
                   RunStatistics run, std::string const& function) {
@@ -15,4 +15,4 @@ void write_events(io::OutputFile const& file, LoadedConfig const& loaded, replay
                              report::summary_json(resolved_keys(loaded.config), run, report::HostTime{}), function);
 }
 
-}  // namespace faster
+}  // namespace dataflow

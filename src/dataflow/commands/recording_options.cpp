@@ -1,4 +1,4 @@
-#include "tool/recording_options.hpp"
+#include "dataflow/commands/recording_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -7,17 +7,17 @@
 #include <set>
 #include <utility>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/recording/fst_file.hpp"
-#include "kernel/recording/gtkwave_save.hpp"
-#include "kernel/recording/thinned_timeline.hpp"
-#include "kernel/recording/timeline_json.hpp"
-#include "kernel/recording/vcd_file.hpp"
-#include "kernel/recording/write_waveform.hpp"
-#include "tool/progress_line.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/tools/recording/fst_file.hpp"
+#include "dataflow/tools/recording/gtkwave_save.hpp"
+#include "dataflow/tools/recording/thinned_timeline.hpp"
+#include "dataflow/tools/recording/timeline_json.hpp"
+#include "dataflow/tools/recording/vcd_file.hpp"
+#include "dataflow/tools/recording/write_waveform.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::vector<Recording> make_recordings(RecordingRequest const& request, Machine 
     return recordings;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "channels/simulate.hpp"
-#include "kernel/machine/machine.hpp"
-#include "tool/command_paths.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
 }
 
-namespace faster {
+namespace dataflow {
 
 /// What of a run is to be recorded: options of `faster-sim run`.
 struct RecordingRequest {
@@ -59,4 +59,4 @@ std::vector<Recording> make_recordings(
 /// All files that it writes, as "a, b, c"; empty if none.
 std::string written_files(RecordingRequest const& request);
 
-}  // namespace faster
+}  // namespace dataflow

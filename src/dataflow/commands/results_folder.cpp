@@ -1,13 +1,13 @@
-#include "tool/results_folder.hpp"
+#include "dataflow/commands/results_folder.hpp"
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/report/csv.hpp"
-#include "kernel/report/provenance.hpp"
-#include "kernel/report/sensitivity_report.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/tools/report/csv.hpp"
+#include "dataflow/tools/report/provenance.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
 
-namespace faster {
+namespace dataflow {
 
 io::FolderKind const& ResultsFolder::kind() {
     static io::FolderKind const results_folder = [] {
@@ -47,4 +47,4 @@ void ResultsFolder::write_deadlock(RunConfig const& config, RunStatistics const&
     folder_.commit();
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <functional>
 
-#include "kernel/base/files/atomic_folder.hpp"
-#include "kernel/config/run_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/summary.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/summary.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The output folder of `run --out` and `whatif --out` (SPEC section 4).
 class ResultsFolder {
@@ -31,4 +31,4 @@ class ResultsFolder {
     io::AtomicFolder folder_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

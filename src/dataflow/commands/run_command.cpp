@@ -1,4 +1,4 @@
-#include "tool/run_command.hpp"
+#include "dataflow/commands/run_command.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,34 +9,34 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/explore/replayed_timeline.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/sensitivities.hpp"
-#include "kernel/report/html/deadlock_html.hpp"
-#include "kernel/report/html/html_report.hpp"
-#include "kernel/report/latencies.hpp"
-#include "kernel/report/summary.hpp"
-#include "kernel/report/text_report.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/recorded_events.hpp"
-#include "tool/results_folder.hpp"
-#include "tool/say.hpp"
-#include "tool/simulated_run.hpp"
-#include "tool/waveform_size.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/recorded_events.hpp"
+#include "dataflow/commands/results_folder.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/simulated_run.hpp"
+#include "dataflow/commands/waveform_size.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/sensitivities.hpp"
+#include "dataflow/tools/explore/replayed_timeline.hpp"
+#include "dataflow/tools/report/html/deadlock_html.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
+#include "dataflow/tools/report/latencies.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/report/text_report.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -296,4 +296,4 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
         }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

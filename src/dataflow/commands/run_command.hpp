@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "tool/recording_options.hpp"
-#include "tool/run_extras.hpp"
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/recording_options.hpp"
+#include "dataflow/commands/run_extras.hpp"
+#include "dataflow/commands/subcommand.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// `run`.
 struct RunRequest {
@@ -28,4 +28,4 @@ int run(RunRequest const& request, RunExtras& extras);
 
 Subcommand run_command(MakeRunExtras const& extras = [] { return std::make_unique<RunExtras>(); });
 
-}  // namespace faster
+}  // namespace dataflow

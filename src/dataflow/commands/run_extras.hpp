@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "channels/simulated_design.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/html/html_report.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
 }
 
-namespace faster {
+namespace dataflow {
 
 /// What a design adds to `run`: options of its own, and what they write. The default adds nothing.
 class RunExtras {
@@ -39,4 +39,4 @@ class RunExtras {
 /// Made anew for every run.
 using MakeRunExtras = std::function<std::unique_ptr<RunExtras>()>;
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,14 +1,14 @@
-#include "tool/say.hpp"
+#include "dataflow/commands/say.hpp"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/program_name.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -40,4 +40,4 @@ void finish_saying() {
         fail();
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// Prints to stdout, with what came from outside escaped: see printable_lines(). Throws InputError if stdout is closed
 /// or full.
@@ -28,4 +28,4 @@ void say_warnings(std::vector<std::string> const& warnings);
 /// What was said has left the program. Throws InputError if it could not.
 void finish_saying();
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,23 +1,23 @@
 #include <algorithm>
 #include <string>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/collect.hpp"
-#include "kernel/replay/sensitivities.hpp"
-#include "kernel/replay/slack.hpp"
-#include "kernel/report/sensitivity_report.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/say.hpp"
-#include "tool/standard_commands.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/replay/sensitivities.hpp"
+#include "dataflow/run/replay/slack.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -91,4 +91,4 @@ Subcommand sensitivities_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
-#include "tool/simulated_run.hpp"
+#include "dataflow/commands/simulated_run.hpp"
 
-#include "kernel/config/design.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster {
+namespace dataflow {
 
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options) {
     auto const machine = std::make_shared<Machine const>(machine_of(config));
@@ -17,4 +17,4 @@ RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options) {
     return simulate(loaded.config, *workload, options);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
 #pragma once
 #include "channels/simulate.hpp"
 #include "channels/simulated_design.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Elaborates the program's design for a workload, runs it, and collects its figures. Once per process: the SystemC
 /// kernel elaborates once. Throws InputError if there is too little memory for it.
@@ -12,4 +12,4 @@ RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOp
 /// The same of a configuration whose workload is not wanted otherwise.
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options = {});
 
-}  // namespace faster
+}  // namespace dataflow

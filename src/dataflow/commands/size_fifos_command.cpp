@@ -5,28 +5,28 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/atomic_folder.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/configuration_hash.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/events/retimed_config.hpp"
-#include "kernel/machine/fifo_cost.hpp"
-#include "kernel/report/html/sizing_html.hpp"
-#include "kernel/sizing/sizing_files.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/say.hpp"
-#include "tool/standard_commands.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/events/retimed_config.hpp"
+#include "dataflow/tools/report/html/sizing_html.hpp"
+#include "dataflow/tools/resources/fifo_cost.hpp"
+#include "dataflow/tools/sizing/sizing_files.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -146,4 +146,4 @@ Subcommand size_fifos_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

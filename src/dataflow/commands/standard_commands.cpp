@@ -1,14 +1,14 @@
-#include "tool/standard_commands.hpp"
+#include "dataflow/commands/standard_commands.hpp"
 
-#include "tool/check_command.hpp"
-#include "tool/run_command.hpp"
-#include "tool/sweep_command.hpp"
+#include "dataflow/commands/check_command.hpp"
+#include "dataflow/commands/run_command.hpp"
+#include "dataflow/commands/sweep_command.hpp"
 
-namespace faster {
+namespace dataflow {
 
 std::vector<Subcommand> standard_commands() {
     return {run_command(),        check_command(),   explore_command(), whatif_command(), sensitivities_command(),
             size_fifos_command(), compare_command(), sweep_command(),   keys_command()};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The commands that any design has: run, check, explore, whatif, sensitivities, size-fifos, compare, sweep, keys.
 std::vector<Subcommand> standard_commands();
@@ -16,4 +16,4 @@ Subcommand sensitivities_command();
 Subcommand size_fifos_command();
 Subcommand whatif_command();
 
-}  // namespace faster
+}  // namespace dataflow

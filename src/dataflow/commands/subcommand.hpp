@@ -6,7 +6,7 @@ namespace CLI {  // NOLINT(readability-identifier-naming): as the library has it
 class App;
 }
 
-namespace faster {
+namespace dataflow {
 
 /// A subcommand of a tool. `declare` adds its options to the parser and returns what it does once they have been read:
 /// a function that returns the exit code, and throws InputError on bad input.
@@ -16,4 +16,4 @@ struct Subcommand {
     std::function<std::function<int()>(CLI::App& options)> declare;
 };
 
-}  // namespace faster
+}  // namespace dataflow

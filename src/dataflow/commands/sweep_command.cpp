@@ -1,4 +1,4 @@
-#include "tool/sweep_command.hpp"
+#include "dataflow/commands/sweep_command.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -6,27 +6,27 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "kernel/base/files/durable_file.hpp"
-#include "kernel/base/held_signals.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/process_pool.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/sweeps/journal.hpp"
-#include "kernel/sweeps/manifest.hpp"
-#include "kernel/sweeps/point_identity.hpp"
-#include "kernel/sweeps/results_table.hpp"
-#include "kernel/sweeps/shard.hpp"
-#include "kernel/sweeps/sweep_file.hpp"
-#include "kernel/sweeps/sweep_folder.hpp"
-#include "kernel/sweeps/sweep_page.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/say.hpp"
-#include "tool/sweeper.hpp"
+#include "dataflow/base/files/durable_file.hpp"
+#include "dataflow/base/held_signals.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/sweeper.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/point_identity.hpp"
+#include "dataflow/tools/sweeps/results_table.hpp"
+#include "dataflow/tools/sweeps/shard.hpp"
+#include "dataflow/tools/sweeps/sweep_file.hpp"
+#include "dataflow/tools/sweeps/sweep_folder.hpp"
+#include "dataflow/tools/sweeps/sweep_page.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -206,4 +206,4 @@ Subcommand sweep_command() {
         }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <string>
 
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// `faster-sim sweep`.
 struct SweepRequest {
@@ -24,4 +24,4 @@ int sweep(SweepRequest const& request);
 /// `sweep`, and `sweep merge`.
 Subcommand sweep_command();
 
-}  // namespace faster
+}  // namespace dataflow

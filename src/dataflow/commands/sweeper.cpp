@@ -1,24 +1,24 @@
-#include "tool/sweeper.hpp"
+#include "dataflow/commands/sweeper.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fmt/format.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/replay/retime.hpp"
-#include "tool/budget_run.hpp"
-#include "tool/recorded_events.hpp"
-#include "tool/simulated_run.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/commands/budget_run.hpp"
+#include "dataflow/commands/recorded_events.hpp"
+#include "dataflow/commands/simulated_run.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -267,4 +267,4 @@ void Sweeper::remove_all_events() const {
     folder_.remove_events_folder();
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -8,17 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/process_pool.hpp"
-#include "kernel/sweeps/journal.hpp"
-#include "kernel/sweeps/point_identity.hpp"
-#include "kernel/sweeps/point_result.hpp"
-#include "kernel/sweeps/schedule.hpp"
-#include "kernel/sweeps/sweep.hpp"
-#include "kernel/sweeps/sweep_folder.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/sweep_command.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/sweep_command.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/point_identity.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
+#include "dataflow/tools/sweeps/schedule.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
+#include "dataflow/tools/sweeps/sweep_folder.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a process that works on a sweep has to say.
 struct SweepReply {
@@ -76,4 +76,4 @@ class Sweeper {
     std::map<std::size_t, sweeps::Assignment> at_work_;  // by number of the task
 };
 
-}  // namespace faster
+}  // namespace dataflow

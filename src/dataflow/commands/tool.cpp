@@ -1,4 +1,4 @@
-#include "tool/tool.hpp"
+#include "dataflow/commands/tool.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,18 +10,18 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/held_signals.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/keep_memory.hpp"
-#include "kernel/base/made_by.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/program_name.hpp"
-#include "tool/command_text.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/say.hpp"
+#include "dataflow/base/held_signals.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/keep_memory.hpp"
+#include "dataflow/base/made_by.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/commands/command_text.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/say.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -124,4 +124,4 @@ int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int 
     return Tool(text, commands).run(argc, argv);
 }
 
-}  // namespace faster
+}  // namespace dataflow

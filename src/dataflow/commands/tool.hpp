@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a tool says of itself.
 struct ToolText {
@@ -18,4 +18,4 @@ struct ToolText {
 /// Reads a command line, does what it says, and returns the exit code. Errors are one line each. For sc_main().
 int run_tool(ToolText const& text, std::vector<Subcommand> const& commands, int argc, char** argv);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "tool/waveform_size.hpp"
+#include "dataflow/commands/waveform_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <optional>
 #include <sstream>
 
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/files/scratch.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/process_pool.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/recording/waveform_file.hpp"
-#include "tool/say.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/scratch.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -147,4 +147,4 @@ void announce_waveform(RecordingRequest const& request, Machine const& machine, 
     finish_saying();
 }
 
-}  // namespace faster
+}  // namespace dataflow

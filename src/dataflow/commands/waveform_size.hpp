@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "channels/simulate.hpp"
-#include "tool/recording_options.hpp"
+#include "dataflow/commands/recording_options.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How long the files of a waveform will be.
 struct WaveformSize {
@@ -26,4 +26,4 @@ std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Ma
 void announce_waveform(RecordingRequest const& request, Machine const& machine, std::size_t samples, bool force,
                        SimulateDesign const& simulate);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -6,32 +6,32 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/compare/compare.hpp"
-#include "kernel/compare/comparison_report.hpp"
-#include "kernel/compare/read_run.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/config/settings_list.hpp"
-#include "kernel/events/event_file.hpp"
-#include "kernel/events/retimed_config.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/retime_many.hpp"
-#include "kernel/report/summary.hpp"
-#include "kernel/report/text_report.hpp"
-#include "kernel/report/whatif_table.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/results_folder.hpp"
-#include "tool/say.hpp"
-#include "tool/standard_commands.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/results_folder.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/config/settings_list.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/events/retimed_config.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/retime_many.hpp"
+#include "dataflow/tools/compare/compare.hpp"
+#include "dataflow/tools/compare/comparison_report.hpp"
+#include "dataflow/tools/compare/read_run.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/report/text_report.hpp"
+#include "dataflow/tools/report/whatif_table.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -178,4 +178,4 @@ Subcommand whatif_command() {
             }};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,15 +1,15 @@
-#include "tool/work_size.hpp"
+#include "dataflow/commands/work_size.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
 
-#include "kernel/base/host_memory.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/replay/retime.hpp"
-#include "tool/say.hpp"
+#include "dataflow/base/host_memory.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/run/replay/retime.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -117,4 +117,4 @@ void announce_retimings(std::string const& command, replay::RecordedRun const& r
     announce(size, force);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,11 +3,11 @@
 #include <string>
 
 #include "channels/simulated_design.hpp"
-#include "kernel/config/run_config.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How large the work of a command is, before it is done: right within a factor of three or so, on the host on which
 /// the rates were measured.
@@ -38,4 +38,4 @@ void announce(WorkSize const& size, bool force);
 void announce_retimings(std::string const& command, replay::RecordedRun const& run, Machine const& machine,
                         double retimings, bool force);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/timing/lookup/automaton.hpp"
+#include "dataflow/lookup/automaton.hpp"
 
 #include <algorithm>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr Cycles longest_reach = 4096;     // of times in states with a number
@@ -277,4 +277,4 @@ void Automaton::keep_words(Session& session) const {
     session.words.assign(state.words, state.words + state.size);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

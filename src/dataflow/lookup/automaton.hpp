@@ -4,19 +4,19 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/base/uninitialized.hpp"
-#include "kernel/timing/lookup/cut_trial.hpp"
-#include "kernel/timing/lookup/numbered_transitions.hpp"
-#include "kernel/timing/lookup/phrase.hpp"
-#include "kernel/timing/lookup/phrase_book.hpp"
-#include "kernel/timing/lookup/relative_state.hpp"
-#include "kernel/timing/lookup/state_table.hpp"
-#include "kernel/timing/lookup/transition.hpp"
-#include "kernel/timing/lookup/transition_bench.hpp"
-#include "kernel/timing/lookup/transition_store.hpp"
-#include "kernel/timing/lookup/transition_table.hpp"
+#include "dataflow/base/uninitialized.hpp"
+#include "dataflow/lookup/cut_trial.hpp"
+#include "dataflow/lookup/numbered_transitions.hpp"
+#include "dataflow/lookup/phrase.hpp"
+#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/lookup/relative_state.hpp"
+#include "dataflow/lookup/state_table.hpp"
+#include "dataflow/lookup/transition.hpp"
+#include "dataflow/lookup/transition_bench.hpp"
+#include "dataflow/lookup/transition_store.hpp"
+#include "dataflow/lookup/transition_table.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class CoreTiming;
 
@@ -226,4 +226,4 @@ struct Automaton::Session {
 inline bool Automaton::is_worthwhile() const { return session_->state != none || !driver_is_regular_; }
 inline bool Automaton::is_frozen(unsigned member) const { return ((session_->frozen >> member) & 1U) != 0; }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

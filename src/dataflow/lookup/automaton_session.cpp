@@ -1,9 +1,9 @@
-#include "kernel/base/each_bit.hpp"
-#include "kernel/timing/lookup/automaton.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "dataflow/lookup/automaton.hpp"
 
 // Sessions of an automaton: where they begin, where they end, and what they leave in the counters of a core.
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr std::size_t longest_history = std::size_t{1} << 16;
@@ -297,4 +297,4 @@ void Automaton::restore_stands(RelativeState& real) {
     }
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

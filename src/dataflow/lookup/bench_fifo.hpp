@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/lookup/state_words.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/lookup/state_words.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// The cycles from which on the accesses of one side of a FIFO are legal, in order: the other side appends them. Of
 /// those that have no effect any more, there are as many before the first as there is room for.
@@ -173,4 +173,4 @@ struct BenchFifo : FifoRules<BenchLine> {
     }
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,8 +1,8 @@
-#include "kernel/timing/lookup/bench_process.hpp"
+#include "dataflow/lookup/bench_process.hpp"
 
 #include <algorithm>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 BenchProcess::BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail)
     : Rules(process.fed_shape(), process.index()), ports_(process.port_count()) {
@@ -52,4 +52,4 @@ void BenchProcess::count_end() {
     beyond_end.sums[1] += static_cast<std::uint32_t>(end.port_conflict_beyond_end);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

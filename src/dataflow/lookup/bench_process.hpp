@@ -2,15 +2,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/each_bit.hpp"
-#include "kernel/timing/lookup/bench_fifo.hpp"
-#include "kernel/timing/lookup/group.hpp"
-#include "kernel/timing/lookup/relative_state.hpp"
-#include "kernel/timing/lookup/state_words.hpp"
-#include "kernel/timing/process_rules.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "dataflow/core/time/process_rules.hpp"
+#include "dataflow/core/time/trail.hpp"
+#include "dataflow/lookup/bench_fifo.hpp"
+#include "dataflow/lookup/group.hpp"
+#include "dataflow/lookup/relative_state.hpp"
+#include "dataflow/lookup/state_words.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// A port of a process on the bench.
 struct BenchPort {
@@ -159,4 +159,4 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     unsigned parked_at_ = no_port;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

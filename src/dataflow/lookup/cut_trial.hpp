@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Decides whether new phrases are cut into pieces. That pays unless most of the pieces are new themselves, as where
 /// followers may be ahead by this or that much, which makes many states within phrases. Tried again from time to time.
@@ -41,4 +41,4 @@ class CutTrial {
     std::uint32_t patience_ = 1;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

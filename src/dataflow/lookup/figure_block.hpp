@@ -4,9 +4,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernel/base/uninitialized.hpp"
+#include "dataflow/base/uninitialized.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What a transition adds to the figures of a loop or a FIFO that only grow: three are summed up, of one only the
 /// largest counts. Which they are, and of whom: see RelativeState::enter().
@@ -28,4 +28,4 @@ struct FigureTotal {
 };
 using FigureTotals = std::vector<FigureTotal>;  ///< by number
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,10 +1,10 @@
-#include "kernel/timing/lookup/group.hpp"
+#include "dataflow/lookup/group.hpp"
 
 #include <algorithm>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr unsigned none = ~0U;
@@ -89,4 +89,4 @@ unsigned Group::other_end(unsigned member, unsigned port) const {
     return inner.writer == member ? inner.reader : inner.writer;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lead.hpp"
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/lead.hpp"
+#include "dataflow/core/time/process_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class CoreTiming;
 
@@ -64,4 +64,4 @@ class Group {
     std::vector<std::vector<unsigned>> fifo_at_;  // by member and port; ~0: not inner
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Finds the transition from a numbered state by a numbered phrase: an open-addressing hash table of 8 bytes a slot, at
 /// most half full, so that nearly every look-up ends at the first slot and what is asked for most is near. The hash of
@@ -113,4 +113,4 @@ class NumberedTransitions {
     std::vector<Slot> slots_ = std::vector<Slot>(slots_for(shift_at_first), empty);
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

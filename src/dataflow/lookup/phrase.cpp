@@ -1,9 +1,9 @@
-#include "kernel/timing/lookup/phrase.hpp"
+#include "dataflow/lookup/phrase.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 using Kind = Operation::Kind;
@@ -323,4 +323,4 @@ void Phrase::consume() {
         parts_[i].log->consume(parts_[i].whole, parts_[i].part);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lookup/group.hpp"
-#include "kernel/timing/lookup/print.hpp"
+#include "dataflow/lookup/group.hpp"
+#include "dataflow/lookup/print.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// The next few operations of a driver, with those by which its followers answer to them: a row of iterations,
 /// the steps between two loops. Written as a list of codes, so that equal phrases are equal lists.
@@ -157,4 +157,4 @@ inline Print Phrase::print(std::uint64_t number) const {
     return {first ^ (first >> 32), second};
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,8 +1,8 @@
-#include "kernel/timing/lookup/phrase_book.hpp"
+#include "dataflow/lookup/phrase_book.hpp"
 
 #include <algorithm>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr std::uint64_t print_number = 1;  // any but 0, with which a first code of 0 would hide the second
@@ -91,4 +91,4 @@ void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {
     pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

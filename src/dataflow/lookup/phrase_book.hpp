@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/timing/lookup/phrase.hpp"
-#include "kernel/timing/lookup/transition.hpp"
+#include "dataflow/lookup/phrase.hpp"
+#include "dataflow/lookup/transition.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Numbers the phrases of a group, for many uses of each. Of its supplier, which is ahead by as much as a FIFO holds,
 /// they only say how often the driver reads from it.
@@ -75,4 +75,4 @@ struct Script {
     bool done() const { return next == end; }
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,8 +1,8 @@
-#include "kernel/timing/lookup/phrase_cutter.hpp"
+#include "dataflow/lookup/phrase_cutter.hpp"
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 PhraseCutter::PhraseCutter(CoreTiming const& core, Lead const& lead)
     : core_(core.blank_copy()), group_(*core_, lead), log_ends_(group_.members().size()) {}
@@ -59,4 +59,4 @@ bool PhraseCutter::is_all_read() const {
     return true;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

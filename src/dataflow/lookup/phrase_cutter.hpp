@@ -2,10 +2,10 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/timing/lookup/group.hpp"
-#include "kernel/timing/lookup/phrase_book.hpp"
+#include "dataflow/lookup/group.hpp"
+#include "dataflow/lookup/phrase_book.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Cuts phrases of a book into pieces. Lines of pixels differ in length and in the silence behind them, so that there
 /// are many; of the single pixels and silences in them there are few.
@@ -35,4 +35,4 @@ class PhraseCutter {
     std::vector<Ports::Number> log_ends_;  ///< by member: ports of the step that it goes on with
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

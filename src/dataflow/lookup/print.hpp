@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What states and phrases are recognized by: 128 bits, so that two that differ are hardly ever taken for the same.
 struct Print {
@@ -9,4 +9,4 @@ struct Print {
     std::uint64_t second = 0;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

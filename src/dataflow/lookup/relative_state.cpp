@@ -1,9 +1,9 @@
-#include "kernel/timing/lookup/relative_state.hpp"
+#include "dataflow/lookup/relative_state.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 Ports::Number RelativeState::next_ports(unsigned member) const {
     ProcessTiming const& p = process(member);
@@ -154,4 +154,4 @@ FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, Figure
     return figures;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -2,12 +2,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lookup/figure_block.hpp"
-#include "kernel/timing/lookup/group.hpp"
-#include "kernel/timing/lookup/state_words.hpp"
-#include "kernel/timing/lookup/transition.hpp"
+#include "dataflow/lookup/figure_block.hpp"
+#include "dataflow/lookup/group.hpp"
+#include "dataflow/lookup/state_words.hpp"
+#include "dataflow/lookup/transition.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Moves what decides the future of a group between its processes and FIFOs and a list of words. Times in the words are
 /// relative to the driver's local time, so that equal lists have equal futures.
@@ -61,4 +61,4 @@ class RelativeState {
     std::vector<Outlook> outlooks_{std::vector<Outlook>(group_->members().size())};
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "kernel/timing/lookup/automaton.hpp"
+#include "dataflow/lookup/automaton.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr std::size_t most_left_over = 8;  // operations that a follower may be behind
@@ -289,4 +289,4 @@ bool Automaton::arrive(Walk& walk) {
     return script.next != walk.begin;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,8 +1,8 @@
-#include "kernel/timing/lookup/state_table.hpp"
+#include "dataflow/lookup/state_table.hpp"
 
 #include <cstring>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t bits) {
@@ -71,4 +71,4 @@ void StateTable::grow() {
     }
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lookup/state_words.hpp"
-#include "kernel/timing/lookup/word_arena.hpp"
+#include "dataflow/lookup/state_words.hpp"
+#include "dataflow/lookup/word_arena.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Numbers states, from 0 on: equal ones are one. Keeps their words, which stay where they are.
 class StateTable {
@@ -37,4 +37,4 @@ class StateTable {
     WordArena<StateWord> words_;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/fifo_rules.hpp"
-#include "kernel/timing/flushing_pipeline.hpp"
-#include "kernel/timing/operation.hpp"
+#include "dataflow/core/time/fifo_rules.hpp"
+#include "dataflow/core/time/flushing_pipeline.hpp"
+#include "dataflow/core/time/operation.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// A group's state as a list of words, so that equal lists have equal futures: of each process its time, its flags, its
 /// delay line and its log; of each FIFO its counts, and times. Times are relative to the driver's local time.
@@ -229,4 +229,4 @@ StateWord const* load_fifo(FifoRules<Line>& fifo, typename Line::Time base, type
     return words + tokens + writes;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

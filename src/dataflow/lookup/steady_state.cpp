@@ -1,11 +1,11 @@
-#include "kernel/timing/lookup/steady_state.hpp"
+#include "dataflow/lookup/steady_state.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/each_bit.hpp"
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "dataflow/base/integer_bits.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
@@ -278,4 +278,4 @@ void SteadyState::repeat(End const& end, std::uint64_t accesses, std::uint64_t p
     end.fifo->note(end.writes, accesses);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -4,9 +4,9 @@
 #include <deque>
 #include <vector>
 
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/process_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Jumps over the boring middle of long regular runs: when processes that only feed each other repeat the same pattern
 /// of waits, every further period takes the same cycles, so all of them are added at once. Exact: a period counts as
@@ -79,4 +79,4 @@ class SteadyState {
     Snapshot now_;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/timing/lead.hpp"
-#include "kernel/timing/lookup/figure_block.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/time/lead.hpp"
+#include "dataflow/core/time/trail.hpp"
+#include "dataflow/lookup/figure_block.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What a phrase of a group's driver does, from a relative state of the group on. Times are relative to the driver's
 /// local time at the end.
@@ -61,4 +61,4 @@ struct Transition {
     }
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,14 +1,14 @@
-#include "kernel/timing/lookup/transition_bench.hpp"
+#include "dataflow/lookup/transition_bench.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
 
-#include "kernel/base/each_bit.hpp"
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/lookup/relative_state.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/lookup/relative_state.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 TransitionBench::TransitionBench(CoreTiming const& core, Lead const& lead, bool leaves_trails)
     : shape_(core.blank_copy()), trail_(leaves_trails ? std::make_unique<Trail>(Trail::any_length) : nullptr) {
@@ -320,4 +320,4 @@ void TransitionBench::save() {
     }
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

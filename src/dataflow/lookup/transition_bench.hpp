@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/timing/lookup/bench_process.hpp"
-#include "kernel/timing/lookup/phrase.hpp"
-#include "kernel/timing/lookup/transition.hpp"
+#include "dataflow/lookup/bench_process.hpp"
+#include "dataflow/lookup/phrase.hpp"
+#include "dataflow/lookup/transition.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class CoreTiming;
 
@@ -105,4 +105,4 @@ class TransitionBench {
     StatePage page_;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,11 +1,11 @@
-#include "kernel/timing/lookup/transition_store.hpp"
+#include "dataflow/lookup/transition_store.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "kernel/timing/lookup/numbered_transitions.hpp"
+#include "dataflow/lookup/numbered_transitions.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 constexpr std::size_t most_transitions = NumberedTransitions::numbers;  // about 100 MB with the states between them
@@ -102,4 +102,4 @@ void TransitionStore::end() {
     ends_.push_back({size_of(pieces_), size_of(stands_)});
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lookup/transition.hpp"
-#include "kernel/timing/lookup/word_arena.hpp"
+#include "dataflow/lookup/transition.hpp"
+#include "dataflow/lookup/word_arena.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Transitions that are worth remembering, by number. What is looked at often lies side by side.
 class TransitionStore {
@@ -102,4 +102,4 @@ class TransitionStore {
     std::vector<std::vector<TrailEvent>> trails_;  ///< up to the last that left any
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,6 +1,6 @@
-#include "kernel/timing/lookup/transition_table.hpp"
+#include "dataflow/lookup/transition_table.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 TransitionTable::Slot const* TransitionTable::add(Slot const& slot) {
     if (++size_ * 3 > slots_.size() * 2)
@@ -25,4 +25,4 @@ void TransitionTable::grow() {
             put(slot);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/lookup/print.hpp"
+#include "dataflow/lookup/print.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Finds transitions by their print, a number of 128 bits, in an open-addressing hash table.
 class TransitionTable {
@@ -42,4 +42,4 @@ class TransitionTable {
     std::vector<Slot> slots_ = std::vector<Slot>(1U << 8);
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

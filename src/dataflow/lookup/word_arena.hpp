@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Keeps lists of words, which stay where they are.
 template <class Word> class WordArena {
@@ -30,4 +30,4 @@ template <class Word> class WordArena {
     std::size_t left_ = 0;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

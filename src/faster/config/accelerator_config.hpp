@@ -1,14 +1,15 @@
 #pragma once
 #include <string>
 
-#include "common/edge_extraction_config.hpp"
-#include "common/edge_map_config.hpp"
-#include "common/fixed_point.hpp"
-#include "common/flow.hpp"
-#include "common/inlier_unit_config.hpp"
-#include "common/memory_placement.hpp"
-#include "common/rasterizer_config.hpp"
-#include "kernel/machine/machine_settings.hpp"
+#include "dataflow/core/machine/machine_settings.hpp"
+#include "faster/config/edge_extraction_config.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/config/flow.hpp"
+#include "faster/config/inlier_unit_config.hpp"
+#include "faster/config/memory_placement.hpp"
+#include "faster/config/rasterizer_config.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

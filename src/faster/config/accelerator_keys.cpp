@@ -1,10 +1,11 @@
 #include <limits>
 
-#include "faster/enum_names.hpp"
-#include "faster/faster_config.hpp"
-#include "faster/faster_keys.hpp"
-#include "kernel/config/external_memory_keys.hpp"
-#include "kernel/config/machine_keys.hpp"
+#include "dataflow/run/config/external_memory_keys.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
+#include "faster/config/enum_names.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/config/faster_keys.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 namespace {

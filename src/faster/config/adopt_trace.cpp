@@ -1,11 +1,12 @@
-#include "faster/adopt_trace.hpp"
+#include "faster/config/adopt_trace.hpp"
 
 #include <fmt/format.h>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 namespace {

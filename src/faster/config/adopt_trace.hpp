@@ -1,6 +1,7 @@
 #pragma once
-#include "common/fixed_point.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,9 +1,10 @@
-#include "faster/clear_design.hpp"
+#include "faster/config/clear_design.hpp"
 
 #include <algorithm>
 
-#include "faster/edge_map_design.hpp"
-#include "kernel/machine/bank_partition.hpp"
+#include "dataflow/core/machine/bank_partition.hpp"
+#include "faster/config/edge_map_design.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <string>
 
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
 
 namespace faster {
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "common/inlier_unit_config.hpp"
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/config/inlier_unit_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "common/map_clearing.hpp"
+#include "faster/config/map_clearing.hpp"
 
 namespace faster {
 

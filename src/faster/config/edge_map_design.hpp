@@ -2,8 +2,9 @@
 #include <array>
 #include <cstdint>
 
-#include "common/edge_map_config.hpp"
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,76 +1,81 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
-#include "faster/estimator_config.hpp"
-#include "kernel/config/enum_names.hpp"
+#include "dataflow/run/config/enum_names.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/estimator_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How the choices of FASTER's keys are written.
 
-template <> struct EnumNames<EdgeMapAlgorithm> {
-    static constexpr std::array<std::pair<EdgeMapAlgorithm, char const*>, 6> all{
-        {{EdgeMapAlgorithm::threshold, "threshold"},
-         {EdgeMapAlgorithm::transition, "transition"},
-         {EdgeMapAlgorithm::bounded, "bounded"},
-         {EdgeMapAlgorithm::dual_map, "dual_map"},
-         {EdgeMapAlgorithm::dual_map_4_1_2, "dual_map_4_1_2"},
-         {EdgeMapAlgorithm::inner_border, "inner_border"}}};
+template <> struct EnumNames<faster::EdgeMapAlgorithm> {
+    static constexpr std::array<std::pair<faster::EdgeMapAlgorithm, char const*>, 6> all{
+        {{faster::EdgeMapAlgorithm::threshold, "threshold"},
+         {faster::EdgeMapAlgorithm::transition, "transition"},
+         {faster::EdgeMapAlgorithm::bounded, "bounded"},
+         {faster::EdgeMapAlgorithm::dual_map, "dual_map"},
+         {faster::EdgeMapAlgorithm::dual_map_4_1_2, "dual_map_4_1_2"},
+         {faster::EdgeMapAlgorithm::inner_border, "inner_border"}}};
 };
 
-template <> struct EnumNames<Flow> {
-    static constexpr std::array<std::pair<Flow, char const*>, 2> all{
-        {{Flow::faster, "faster"}, {Flow::fpga_grip, "fpga_grip"}}};
+template <> struct EnumNames<faster::Flow> {
+    static constexpr std::array<std::pair<faster::Flow, char const*>, 2> all{
+        {{faster::Flow::faster, "faster"}, {faster::Flow::fpga_grip, "fpga_grip"}}};
 };
 
-template <> struct EnumNames<MapClearing> {
-    static constexpr std::array<std::pair<MapClearing, char const*>, 3> all{
-        {{MapClearing::loop, "loop"}, {MapClearing::on_read_out, "on_read_out"}, {MapClearing::wide, "wide"}}};
+template <> struct EnumNames<faster::MapClearing> {
+    static constexpr std::array<std::pair<faster::MapClearing, char const*>, 3> all{
+        {{faster::MapClearing::loop, "loop"},
+         {faster::MapClearing::on_read_out, "on_read_out"},
+         {faster::MapClearing::wide, "wide"}}};
 };
 
-template <> struct EnumNames<NeighbourAccess> {
-    static constexpr std::array<std::pair<NeighbourAccess, char const*>, 2> all{
-        {{NeighbourAccess::direct, "direct"}, {NeighbourAccess::window, "window"}}};
+template <> struct EnumNames<faster::NeighbourAccess> {
+    static constexpr std::array<std::pair<faster::NeighbourAccess, char const*>, 2> all{
+        {{faster::NeighbourAccess::direct, "direct"}, {faster::NeighbourAccess::window, "window"}}};
 };
 
-template <> struct EnumNames<FragmentLoop> {
-    static constexpr std::array<std::pair<FragmentLoop, char const*>, 2> all{
-        {{FragmentLoop::per_triangle, "per_triangle"}, {FragmentLoop::flattened, "flattened"}}};
+template <> struct EnumNames<faster::FragmentLoop> {
+    static constexpr std::array<std::pair<faster::FragmentLoop, char const*>, 2> all{
+        {{faster::FragmentLoop::per_triangle, "per_triangle"}, {faster::FragmentLoop::flattened, "flattened"}}};
 };
 
-template <> struct EnumNames<SweepRegion> {
-    static constexpr std::array<std::pair<SweepRegion, char const*>, 2> all{
-        {{SweepRegion::window, "window"}, {SweepRegion::touched, "touched"}}};
+template <> struct EnumNames<faster::SweepRegion> {
+    static constexpr std::array<std::pair<faster::SweepRegion, char const*>, 2> all{
+        {{faster::SweepRegion::window, "window"}, {faster::SweepRegion::touched, "touched"}}};
 };
 
-template <> struct EnumNames<Placement> {
-    static constexpr std::array<std::pair<Placement, char const*>, 2> all{
-        {{Placement::external, "external"}, {Placement::on_chip, "on_chip"}}};
+template <> struct EnumNames<faster::Placement> {
+    static constexpr std::array<std::pair<faster::Placement, char const*>, 2> all{
+        {{faster::Placement::external, "external"}, {faster::Placement::on_chip, "on_chip"}}};
 };
 
-template <> struct EnumNames<EdgeTokens> {
-    static constexpr std::array<std::pair<EdgeTokens, char const*>, 2> all{
-        {{EdgeTokens::all, "all"}, {EdgeTokens::object, "object"}}};
+template <> struct EnumNames<faster::EdgeTokens> {
+    static constexpr std::array<std::pair<faster::EdgeTokens, char const*>, 2> all{
+        {{faster::EdgeTokens::all, "all"}, {faster::EdgeTokens::object, "object"}}};
 };
 
-template <> struct EnumNames<ScanPolicy> {
-    static constexpr std::array<std::pair<ScanPolicy, char const*>, 3> all{
-        {{ScanPolicy::zigzag, "zigzag"}, {ScanPolicy::early_exit, "early_exit"}, {ScanPolicy::spans, "spans"}}};
+template <> struct EnumNames<faster::ScanPolicy> {
+    static constexpr std::array<std::pair<faster::ScanPolicy, char const*>, 3> all{
+        {{faster::ScanPolicy::zigzag, "zigzag"},
+         {faster::ScanPolicy::early_exit, "early_exit"},
+         {faster::ScanPolicy::spans, "spans"}}};
 };
 
-template <> struct EnumNames<EstimatorBackend> {
-    static constexpr std::array<std::pair<EstimatorBackend, char const*>, 2> all{
-        {{EstimatorBackend::accelerator, "accelerator"}, {EstimatorBackend::grip, "grip"}}};
+template <> struct EnumNames<faster::EstimatorBackend> {
+    static constexpr std::array<std::pair<faster::EstimatorBackend, char const*>, 2> all{
+        {{faster::EstimatorBackend::accelerator, "accelerator"}, {faster::EstimatorBackend::grip, "grip"}}};
 };
 
-template <> struct EnumNames<Resampling> {
-    static constexpr std::array<std::pair<Resampling, char const*>, 3> all{{{Resampling::systematic, "systematic"},
-                                                                            {Resampling::stratified, "stratified"},
-                                                                            {Resampling::multinomial, "multinomial"}}};
+template <> struct EnumNames<faster::Resampling> {
+    static constexpr std::array<std::pair<faster::Resampling, char const*>, 3> all{
+        {{faster::Resampling::systematic, "systematic"},
+         {faster::Resampling::stratified, "stratified"},
+         {faster::Resampling::multinomial, "multinomial"}}};
 };
 
-template <> struct EnumNames<EstimateKind> {
-    static constexpr std::array<std::pair<EstimateKind, char const*>, 2> all{
-        {{EstimateKind::best, "best"}, {EstimateKind::mean, "mean"}}};
+template <> struct EnumNames<faster::EstimateKind> {
+    static constexpr std::array<std::pair<faster::EstimateKind, char const*>, 2> all{
+        {{faster::EstimateKind::best, "best"}, {faster::EstimateKind::mean, "mean"}}};
 };
 
-}  // namespace faster
+}  // namespace dataflow

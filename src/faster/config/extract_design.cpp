@@ -1,4 +1,4 @@
-#include "faster/extract_design.hpp"
+#include "faster/config/extract_design.hpp"
 
 namespace faster {
 namespace {

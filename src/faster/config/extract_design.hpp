@@ -2,8 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "faster/accelerator_config.hpp"
-#include "kernel/machine/access_pattern.hpp"
+#include "dataflow/core/machine/access_pattern.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

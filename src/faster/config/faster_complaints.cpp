@@ -1,11 +1,12 @@
-#include "faster/faster_complaints.hpp"
+#include "faster/config/faster_complaints.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/external_memory_keys.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/external_memory_keys.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 namespace {

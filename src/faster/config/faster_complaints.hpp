@@ -2,7 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

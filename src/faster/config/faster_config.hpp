@@ -1,10 +1,11 @@
 #pragma once
 #include <memory>
 
-#include "faster/accelerator_config.hpp"
-#include "faster/estimator_config.hpp"
-#include "faster/workload_config.hpp"
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/estimator_config.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

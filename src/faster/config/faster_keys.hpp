@@ -1,6 +1,7 @@
 #pragma once
-#include "kernel/config/keys.hpp"
-#include "kernel/machine/module_description.hpp"
+#include "dataflow/core/machine/module_description.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "kernel/config/presets.hpp"
+#include "dataflow/run/config/presets.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

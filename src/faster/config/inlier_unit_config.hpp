@@ -1,5 +1,5 @@
 #pragma once
-#include "common/map_clearing.hpp"
+#include "faster/config/map_clearing.hpp"
 
 namespace faster {
 

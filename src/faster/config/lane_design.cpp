@@ -1,4 +1,4 @@
-#include "faster/lane_design.hpp"
+#include "faster/config/lane_design.hpp"
 
 namespace faster {
 

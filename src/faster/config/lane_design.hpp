@@ -1,6 +1,7 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "common/pixel_box.hpp"
+#include "faster/data/pixel_box.hpp"
 
 namespace faster {
 

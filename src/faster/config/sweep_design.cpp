@@ -1,6 +1,6 @@
-#include "faster/sweep_design.hpp"
+#include "faster/config/sweep_design.hpp"
 
-#include "faster/edge_map_design.hpp"
+#include "faster/config/edge_map_design.hpp"
 
 namespace faster {
 namespace {

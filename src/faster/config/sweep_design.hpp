@@ -1,9 +1,10 @@
 #pragma once
 #include <cstddef>
 
-#include "faster/accelerator_config.hpp"
-#include "faster/edge_map_design.hpp"
-#include "kernel/machine/access_pattern.hpp"
+#include "dataflow/core/machine/access_pattern.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/edge_map_design.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,8 +1,9 @@
 #pragma once
 #include <string_view>
 
-#include "kernel/machine/path_table.hpp"
-#include "kernel/machine/resource_table.hpp"
+#include "dataflow/tools/resources/path_table.hpp"
+#include "dataflow/tools/resources/resource_table.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.hpp"
+#include "faster/data/camera.hpp"
 
 namespace faster {
 

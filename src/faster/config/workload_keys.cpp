@@ -1,9 +1,10 @@
 #include <array>
 #include <limits>
 
-#include "faster/faster_config.hpp"
-#include "faster/faster_keys.hpp"
-#include "kernel/config/key_builders.hpp"
+#include "dataflow/run/config/key_builders.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/config/faster_keys.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 namespace {

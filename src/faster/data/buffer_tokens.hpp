@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/pixel_box.hpp"
+#include "faster/data/pixel_box.hpp"
 
 namespace faster {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "common/tokens.hpp"
+#include "faster/data/tokens.hpp"
 
 namespace faster {
 

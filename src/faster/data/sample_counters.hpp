@@ -3,7 +3,8 @@
 #include <iterator>
 #include <vector>
 
-#include "kernel/base/column.hpp"
+#include "dataflow/base/column.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

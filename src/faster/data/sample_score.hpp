@@ -1,5 +1,5 @@
 #pragma once
-#include "common/stimulus.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/sample_counters.hpp"
+#include "faster/data/sample_counters.hpp"
 
 namespace faster {
 

@@ -1,9 +1,10 @@
-#include "reference/depth_buffer.hpp"
+#include "faster/reference/depth_buffer.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::reference {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "common/fixed_point.hpp"
-#include "common/image.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/data/image.hpp"
 
 namespace faster::reference {
 

@@ -1,4 +1,4 @@
-#include "reference/edge_extraction.hpp"
+#include "faster/reference/edge_extraction.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-#include "common/edge_extraction_config.hpp"
-#include "common/stimulus.hpp"
+#include "faster/config/edge_extraction_config.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::reference {
 

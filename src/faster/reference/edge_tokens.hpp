@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "reference/rasterize.hpp"
+#include "faster/reference/rasterize.hpp"
 
 namespace faster::reference {
 

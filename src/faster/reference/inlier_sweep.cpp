@@ -1,4 +1,4 @@
-#include "reference/inlier_sweep.hpp"
+#include "faster/reference/inlier_sweep.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
-#include "common/tokens.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/data/tokens.hpp"
 
 namespace faster::reference {
 

@@ -1,4 +1,4 @@
-#include "reference/rasterize.hpp"
+#include "faster/reference/rasterize.hpp"
 
 #include <algorithm>
 #include <iterator>

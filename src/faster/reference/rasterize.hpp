@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/tokens.hpp"
+#include "faster/data/tokens.hpp"
 
 namespace faster::reference {
 

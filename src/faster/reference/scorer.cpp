@@ -1,20 +1,21 @@
-#include "reference/scorer.hpp"
+#include "faster/reference/scorer.hpp"
 
 #include <cstdint>
 #include <string>
 
-#include "kernel/base/input_error.hpp"
-#include "reference/edge_extraction.hpp"
-#include "reference/edge_map/bounded.hpp"
-#include "reference/edge_map/dual_map.hpp"
-#include "reference/edge_map/dual_map_4_1_2.hpp"
-#include "reference/edge_map/inner_border.hpp"
-#include "reference/edge_map/no_edge_map.hpp"
-#include "reference/edge_map/threshold.hpp"
-#include "reference/edge_map/transition.hpp"
-#include "reference/edge_tokens.hpp"
-#include "reference/inlier_sweep.hpp"
-#include "reference/rasterize.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/edge_extraction.hpp"
+#include "faster/reference/edge_map/bounded.hpp"
+#include "faster/reference/edge_map/dual_map.hpp"
+#include "faster/reference/edge_map/dual_map_4_1_2.hpp"
+#include "faster/reference/edge_map/inner_border.hpp"
+#include "faster/reference/edge_map/no_edge_map.hpp"
+#include "faster/reference/edge_map/threshold.hpp"
+#include "faster/reference/edge_map/transition.hpp"
+#include "faster/reference/edge_tokens.hpp"
+#include "faster/reference/inlier_sweep.hpp"
+#include "faster/reference/rasterize.hpp"
 
 namespace faster::reference {
 namespace {

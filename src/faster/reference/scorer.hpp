@@ -2,13 +2,13 @@
 #include <cstddef>
 #include <optional>
 
-#include "common/edge_extraction_config.hpp"
-#include "common/edge_map_config.hpp"
-#include "common/sample_score.hpp"
-#include "common/stimulus.hpp"
-#include "reference/depth_buffer.hpp"
-#include "reference/inlier_sweep.hpp"
-#include "reference/vertex_transform.hpp"
+#include "faster/config/edge_extraction_config.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/data/sample_score.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/reference/depth_buffer.hpp"
+#include "faster/reference/inlier_sweep.hpp"
+#include "faster/reference/vertex_transform.hpp"
 
 namespace faster::reference {
 

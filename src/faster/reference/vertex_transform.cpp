@@ -1,4 +1,4 @@
-#include "reference/vertex_transform.hpp"
+#include "faster/reference/vertex_transform.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "common/camera.hpp"
-#include "common/fixed_point.hpp"
-#include "common/mesh.hpp"
-#include "common/tokens.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/data/tokens.hpp"
 
 namespace faster::reference {
 

@@ -1,18 +1,19 @@
-#include "workload/build_stimulus.hpp"
+#include "faster/workload/build_stimulus.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
-#include "kernel/base/input_error.hpp"
-#include "workload/object_mesh.hpp"
-#include "workload/object_pose.hpp"
-#include "workload/observed_edges.hpp"
-#include "workload/pose_list.hpp"
-#include "workload/sample_poses.hpp"
-#include "workload/scene_renderer.hpp"
-#include "workload/sensor_noise.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/object_mesh.hpp"
+#include "faster/workload/object_pose.hpp"
+#include "faster/workload/observed_edges.hpp"
+#include "faster/workload/pose_list.hpp"
+#include "faster/workload/sample_poses.hpp"
+#include "faster/workload/scene_renderer.hpp"
+#include "faster/workload/sensor_noise.hpp"
 
 namespace faster::workload {
 namespace {

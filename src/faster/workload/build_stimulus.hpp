@@ -1,7 +1,7 @@
 #pragma once
-#include "common/stimulus.hpp"
-#include "faster/workload_config.hpp"
-#include "workload/depth_image.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/workload/depth_image.hpp"
 
 namespace faster::workload {
 

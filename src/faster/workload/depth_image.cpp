@@ -1,10 +1,10 @@
-#include "workload/depth_image.hpp"
+#include "faster/workload/depth_image.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "common/fixed_point.hpp"
-#include "workload/files/png_image.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/workload/files/png_image.hpp"
 
 namespace faster::workload {
 

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "common/camera.hpp"
-#include "common/image.hpp"
-#include "common/mesh.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::workload {
 

@@ -1,4 +1,4 @@
-#include "workload/object_mesh.hpp"
+#include "faster/workload/object_mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -6,10 +6,11 @@
 #include <meshoptimizer.h>
 #include <vector>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "workload/files/mesh_file.hpp"
-#include "workload/models/builtin_models.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/models/builtin_models.hpp"
 
 namespace faster::workload {
 

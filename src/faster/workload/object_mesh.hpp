@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <string>
 
-#include "common/mesh.hpp"
-#include "faster/workload_config.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::workload {
 

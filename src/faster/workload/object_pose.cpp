@@ -1,4 +1,4 @@
-#include "workload/object_pose.hpp"
+#include "faster/workload/object_pose.hpp"
 
 #include <Eigen/Geometry>
 

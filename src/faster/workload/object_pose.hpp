@@ -1,6 +1,6 @@
 #pragma once
-#include "common/mesh.hpp"
-#include "faster/workload_config.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::workload {
 

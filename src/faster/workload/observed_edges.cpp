@@ -1,4 +1,4 @@
-#include "workload/observed_edges.hpp"
+#include "faster/workload/observed_edges.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "common/camera.hpp"
-#include "faster/workload_config.hpp"
-#include "workload/depth_image.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/workload/depth_image.hpp"
 
 namespace faster::workload {
 

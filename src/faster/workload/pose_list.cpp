@@ -1,12 +1,13 @@
-#include "workload/pose_list.hpp"
+#include "faster/workload/pose_list.hpp"
 
 #include <fmt/format.h>
 #include <string_view>
 
-#include "kernel/base/files/csv_cells.hpp"
-#include "kernel/base/input_error.hpp"
-#include "workload/files/pose_numbers.hpp"
-#include "workload/files/table_row.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
+#include "faster/workload/files/table_row.hpp"
 
 namespace faster::workload {
 

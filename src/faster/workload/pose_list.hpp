@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::workload {
 

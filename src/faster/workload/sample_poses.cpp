@@ -1,10 +1,11 @@
-#include "workload/sample_poses.hpp"
+#include "faster/workload/sample_poses.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "kernel/base/random.hpp"
-#include "workload/object_pose.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/object_pose.hpp"
 
 namespace faster::workload {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "common/mesh.hpp"
-#include "faster/workload_config.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::workload {
 

@@ -1,4 +1,4 @@
-#include "workload/scene_renderer.hpp"
+#include "faster/workload/scene_renderer.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "common/camera.hpp"
-#include "common/mesh.hpp"
-#include "workload/depth_image.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/workload/depth_image.hpp"
 
 namespace faster::workload {
 

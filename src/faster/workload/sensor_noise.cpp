@@ -1,10 +1,11 @@
-#include "workload/sensor_noise.hpp"
+#include "faster/workload/sensor_noise.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "kernel/base/random.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::workload {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "faster/workload_config.hpp"
-#include "workload/depth_image.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/workload/depth_image.hpp"
 
 namespace faster::workload {
 

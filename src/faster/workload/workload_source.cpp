@@ -1,11 +1,10 @@
-#include "tb/workload_source.hpp"
+#include "faster/workload/workload_source.hpp"
 
-#include "datapath/vertex_transform.hpp"
-#include "faster/adopt_trace.hpp"
-#include "faster/faster_config.hpp"
-#include "workload/build_stimulus.hpp"
-#include "workload/files/trace.hpp"
-#include "workload/object_mesh.hpp"
+#include "faster/config/adopt_trace.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "faster/workload/files/trace.hpp"
+#include "faster/workload/object_mesh.hpp"
 
 namespace faster {
 
@@ -28,21 +27,6 @@ std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadCon
         return {};
     std::string const warning = workload::size_warning(stimulus.posed.mesh, config.target.object);
     return warning.empty() ? std::vector<std::string>{} : std::vector<std::string>{warning};
-}
-
-Stimulus with_explicit_triangles(Stimulus stimulus) {
-    if (!stimulus.is_posed())
-        return stimulus;
-    datapath::VertexTransformer transformer(stimulus.posed, stimulus.fraction);
-    std::vector<TriangleCode> triangles;
-    for (std::size_t i = 0; i < stimulus.samples.size(); ++i) {
-        transformer.transform(i, triangles);
-        stimulus.samples[i].first_triangle = static_cast<std::uint32_t>(stimulus.triangles.size());
-        stimulus.samples[i].triangle_count = static_cast<std::uint32_t>(triangles.size());
-        stimulus.triangles.insert(stimulus.triangles.end(), triangles.begin(), triangles.end());
-    }
-    stimulus.posed = PosedMesh{};
-    return stimulus;
 }
 
 }  // namespace faster

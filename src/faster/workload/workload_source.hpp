@@ -1,7 +1,8 @@
 #pragma once
-#include "common/stimulus.hpp"
-#include "faster/workload_config.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/config/workload_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 
@@ -11,8 +12,5 @@ Stimulus load_stimulus(LoadedConfig& loaded);
 
 /// What in it looks like a mistake of the workload, a line each.
 std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadConfig const& config);
-
-/// The same stimulus with its triangles as codes after the vertex transform, as a trace holds them.
-Stimulus with_explicit_triangles(Stimulus stimulus);
 
 }  // namespace faster

@@ -1,7 +1,8 @@
-#include "modules/area_reciprocal.hpp"
+#include "modules/area_reciprocal/area_reciprocal.hpp"
 
 #include "channels/port_binding.hpp"
-#include "datapath/depth.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/depth.hpp"
 
 namespace faster {
 

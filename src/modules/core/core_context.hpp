@@ -5,10 +5,11 @@
 
 #include "channels/dataflow_core.hpp"
 #include "channels/process_clock.hpp"
-#include "common/stimulus.hpp"
-#include "common/token_fields.hpp"
-#include "faster/accelerator_config.hpp"
-#include "faster/lane_rows.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/lane_rows.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/data/token_fields.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

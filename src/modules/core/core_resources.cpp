@@ -1,15 +1,16 @@
-#include "modules/core_resources.hpp"
+#include "modules/core/core_resources.hpp"
 
 #include <algorithm>
 
-#include "faster/lane_design.hpp"
-#include "faster/sweep_design.hpp"
-#include "faster/synthesized_units.hpp"
-#include "kernel/machine/machine_resources.hpp"
-#include "modules/counted_resources.hpp"
-#include "modules/lane_resources.hpp"
-#include "modules/raster_core_description.hpp"
-#include "modules/unit_logic.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
+#include "faster/config/lane_design.hpp"
+#include "faster/config/sweep_design.hpp"
+#include "faster/config/synthesized_units.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/counted_resources.hpp"
+#include "modules/core/lane_resources.hpp"
+#include "modules/core/raster_core_description.hpp"
+#include "modules/core/unit_logic.hpp"
 
 namespace faster {
 

@@ -1,7 +1,8 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/machine/resources.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,11 +1,12 @@
-#include "modules/counted_resources.hpp"
+#include "modules/core/counted_resources.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "faster/sweep_design.hpp"
-#include "faster/synthesized_units.hpp"
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/integer_bits.hpp"
+#include "faster/config/sweep_design.hpp"
+#include "faster/config/synthesized_units.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

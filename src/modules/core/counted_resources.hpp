@@ -2,9 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/machine/resources.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "common/fixed_point.hpp"
+#include "faster/data/fixed_point.hpp"
 
 namespace faster::datapath {
 

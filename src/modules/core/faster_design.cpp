@@ -1,15 +1,15 @@
-#include "modules/faster_design.hpp"
+#include "modules/core/faster_design.hpp"
 
 #include <string_view>
 
-#include "common/sample_counters.hpp"
-#include "faster/clear_design.hpp"
-#include "faster/faster_complaints.hpp"
-#include "faster/faster_config.hpp"
-#include "faster/faster_keys.hpp"
-#include "faster/faster_presets.hpp"
-#include "modules/raster_core_description.hpp"
-#include "workload/files/trace_manifest.hpp"
+#include "faster/config/clear_design.hpp"
+#include "faster/config/faster_complaints.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/config/faster_keys.hpp"
+#include "faster/config/faster_presets.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "faster/workload/files/trace_manifest.hpp"
+#include "modules/core/raster_core_description.hpp"
 
 namespace faster {
 namespace {

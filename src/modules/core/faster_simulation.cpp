@@ -1,8 +1,8 @@
-#include "modules/faster_simulation.hpp"
+#include "modules/core/faster_simulation.hpp"
 
 #include <utility>
 
-#include "modules/memory_entries.hpp"
+#include "modules/core/memory_entries.hpp"
 
 namespace faster {
 

@@ -3,8 +3,9 @@
 
 #include "channels/dataflow_accelerator.hpp"
 #include "channels/simulate.hpp"
-#include "common/stimulus.hpp"
-#include "modules/raster_core.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/raster_core.hpp"
 
 namespace faster {
 

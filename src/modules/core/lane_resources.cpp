@@ -1,8 +1,8 @@
-#include "modules/lane_resources.hpp"
+#include "modules/core/lane_resources.hpp"
 
 #include <algorithm>
 
-#include "faster/lane_design.hpp"
+#include "faster/config/lane_design.hpp"
 
 namespace faster {
 

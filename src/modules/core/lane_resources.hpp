@@ -1,7 +1,8 @@
 #pragma once
-#include "faster/accelerator_config.hpp"
-#include "kernel/machine/machine.hpp"
-#include "modules/unit_logic.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/unit_logic.hpp"
 
 namespace faster {
 

@@ -1,10 +1,11 @@
-#include "modules/memory_entries.hpp"
+#include "modules/core/memory_entries.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -2,12 +2,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/memory_placement.hpp"
-#include "common/stimulus.hpp"
-#include "faster/lane_rows.hpp"
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/memory_block.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/memory_block.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
+#include "faster/config/lane_rows.hpp"
+#include "faster/config/memory_placement.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

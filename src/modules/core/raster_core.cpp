@@ -1,8 +1,8 @@
-#include "modules/raster_core.hpp"
+#include "modules/core/raster_core.hpp"
 
-#include "common/sample_counters.hpp"
-#include "modules/core_resources.hpp"
-#include "modules/raster_core_activity.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "modules/core/core_resources.hpp"
+#include "modules/core/raster_core_activity.hpp"
 
 namespace faster {
 

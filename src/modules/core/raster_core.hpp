@@ -4,17 +4,17 @@
 #include <systemc>
 #include <utility>
 
-#include "modules/area_reciprocal.hpp"
-#include "modules/edge_map_builder.hpp"
-#include "modules/edge_map_output.hpp"
-#include "modules/inlier_sweep.hpp"
-#include "modules/inlier_unit.hpp"
-#include "modules/observation_reader.hpp"
-#include "modules/raster_core_description.hpp"
-#include "modules/rasterizer.hpp"
-#include "modules/result_collector.hpp"
-#include "modules/sample_dispatcher.hpp"
-#include "modules/vertex_transform.hpp"
+#include "modules/area_reciprocal/area_reciprocal.hpp"
+#include "modules/core/raster_core_description.hpp"
+#include "modules/edge_map_builder/edge_map_builder.hpp"
+#include "modules/edge_map_builder/edge_map_output.hpp"
+#include "modules/inlier_unit/inlier_sweep.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
+#include "modules/observation_reader/observation_reader.hpp"
+#include "modules/rasterizer/rasterizer.hpp"
+#include "modules/result_collector/result_collector.hpp"
+#include "modules/sample_dispatcher/sample_dispatcher.hpp"
+#include "modules/vertex_transform/vertex_transform.hpp"
 
 namespace faster {
 

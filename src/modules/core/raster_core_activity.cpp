@@ -1,10 +1,10 @@
-#include "modules/raster_core_activity.hpp"
+#include "modules/core/raster_core_activity.hpp"
 
 #include <numeric>
 #include <utility>
 
-#include "common/token_fields.hpp"
-#include "faster/edge_map_design.hpp"
+#include "faster/config/edge_map_design.hpp"
+#include "faster/data/token_fields.hpp"
 
 namespace faster {
 

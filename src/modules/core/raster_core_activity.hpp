@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "faster/accelerator_config.hpp"
-#include "faster/extract_design.hpp"
-#include "faster/lane_rows.hpp"
-#include "faster/sweep_design.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/recording/memory_activity.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/tools/recording/memory_activity.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/extract_design.hpp"
+#include "faster/config/lane_rows.hpp"
+#include "faster/config/sweep_design.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,8 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "faster/accelerator_config.hpp"
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/integer_bits.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::wires {
 

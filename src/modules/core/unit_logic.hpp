@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "faster/synthesized_units.hpp"
-#include "modules/counted_resources.hpp"
+#include "faster/config/synthesized_units.hpp"
+#include "modules/core/counted_resources.hpp"
 
 namespace faster {
 

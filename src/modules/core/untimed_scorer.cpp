@@ -1,10 +1,10 @@
-#include "datapath/untimed_scorer.hpp"
+#include "modules/core/untimed_scorer.hpp"
 
 #include <algorithm>
 
-#include "common/fixed_point.hpp"
-#include "datapath/edge_map/dual_map.hpp"
-#include "datapath/edge_map/inner_border.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "modules/edge_map_builder/algorithms/dual_map.hpp"
+#include "modules/edge_map_builder/algorithms/inner_border.hpp"
 
 namespace faster::datapath {
 

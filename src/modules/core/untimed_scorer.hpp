@@ -3,14 +3,14 @@
 #include <memory>
 #include <vector>
 
-#include "common/edge_map_config.hpp"
-#include "common/stimulus.hpp"
-#include "datapath/depth.hpp"
-#include "datapath/edge_map/edge_map_policy.hpp"
-#include "datapath/valid_depth_table.hpp"
-#include "datapath/vertex_transform.hpp"
-#include "datapath/window_sweep.hpp"
-#include "datapath/zigzag_scan.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "modules/core/depth.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
+#include "modules/inlier_unit/valid_depth_table.hpp"
+#include "modules/inlier_unit/window_sweep.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
+#include "modules/vertex_transform/project_vertices.hpp"
 
 namespace faster::datapath {
 

@@ -1,4 +1,4 @@
-#include "datapath/edge_extraction.hpp"
+#include "modules/edge_extractor/edge_extraction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/edge_extraction_config.hpp"
+#include "faster/config/edge_extraction_config.hpp"
 
 namespace faster::datapath {
 

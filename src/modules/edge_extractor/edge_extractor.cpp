@@ -1,8 +1,8 @@
-#include "modules/edge_extractor.hpp"
+#include "modules/edge_extractor/edge_extractor.hpp"
 
 #include <algorithm>
 
-#include "faster/extract_design.hpp"
+#include "faster/config/extract_design.hpp"
 
 namespace faster {
 

@@ -2,8 +2,9 @@
 #include <vector>
 
 #include "channels/process_clock.hpp"
-#include "datapath/edge_extraction.hpp"
-#include "modules/core_context.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_extractor/edge_extraction.hpp"
 
 namespace faster {
 

@@ -2,9 +2,9 @@
 #include <memory>
 #include <vector>
 
-#include "datapath/edge_map/edge_map_policy.hpp"
-#include "faster/accelerator_config.hpp"
-#include "modules/ping_pong.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "modules/core/ping_pong.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
 namespace faster {
 

@@ -4,11 +4,12 @@
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
 #include "channels/port_binding.hpp"
-#include "common/buffer_tokens.hpp"
-#include "common/tokens.hpp"
-#include "modules/core_context.hpp"
-#include "modules/edge_map_buffers.hpp"
-#include "modules/edge_map_read_out.hpp"
+#include "faster/data/buffer_tokens.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_map_builder/edge_map_buffers.hpp"
+#include "modules/edge_map_builder/edge_map_read_out.hpp"
 
 namespace faster {
 

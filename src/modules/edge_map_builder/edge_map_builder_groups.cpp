@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/base/each_bit.hpp"
-#include "modules/edge_map_builder.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/edge_map_builder/edge_map_builder.hpp"
 
 namespace faster {
 

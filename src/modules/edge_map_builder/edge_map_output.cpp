@@ -1,8 +1,9 @@
-#include "modules/edge_map_output.hpp"
+#include "modules/edge_map_builder/edge_map_output.hpp"
 
 #include "channels/port_binding.hpp"
-#include "modules/conditions.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/token_widths.hpp"
 
 namespace faster {
 

@@ -1,10 +1,10 @@
 #pragma once
 #include <systemc>
 
-#include "common/buffer_tokens.hpp"
-#include "modules/core_context.hpp"
-#include "modules/edge_map_buffers.hpp"
-#include "modules/edge_map_read_out.hpp"
+#include "faster/data/buffer_tokens.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_map_builder/edge_map_buffers.hpp"
+#include "modules/edge_map_builder/edge_map_read_out.hpp"
 
 namespace faster {
 

@@ -1,4 +1,4 @@
-#include "modules/edge_map_read_out.hpp"
+#include "modules/edge_map_builder/edge_map_read_out.hpp"
 
 #include <algorithm>
 

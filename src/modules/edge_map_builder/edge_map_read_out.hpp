@@ -1,8 +1,9 @@
 #pragma once
 #include "channels/clocked_fifo.hpp"
-#include "datapath/edge_map/edge_map_policy.hpp"
-#include "faster/edge_map_design.hpp"
-#include "modules/core_context.hpp"
+#include "faster/config/edge_map_design.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
 namespace faster {
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "datapath/depth.hpp"
-#include "modules/ping_pong.hpp"
+#include "modules/core/depth.hpp"
+#include "modules/core/ping_pong.hpp"
 
 namespace faster {
 

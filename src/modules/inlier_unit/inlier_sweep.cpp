@@ -1,7 +1,7 @@
-#include "modules/inlier_sweep.hpp"
+#include "modules/inlier_unit/inlier_sweep.hpp"
 
-#include "modules/conditions.hpp"
-#include "modules/token_widths.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/token_widths.hpp"
 
 namespace faster {
 

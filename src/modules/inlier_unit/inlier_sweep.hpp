@@ -2,11 +2,12 @@
 #include <systemc>
 
 #include "channels/port_binding.hpp"
-#include "common/buffer_tokens.hpp"
-#include "common/tokens.hpp"
-#include "modules/core_context.hpp"
-#include "modules/depth_buffers.hpp"
-#include "modules/scoring.hpp"
+#include "faster/data/buffer_tokens.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/inlier_unit/depth_buffers.hpp"
+#include "modules/inlier_unit/scoring.hpp"
 
 namespace faster {
 

@@ -1,11 +1,11 @@
-#include "modules/inlier_unit.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 
 #include <algorithm>
 
-#include "faster/clear_design.hpp"
-#include "modules/conditions.hpp"
-#include "modules/read_corners.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/config/clear_design.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/token_widths.hpp"
+#include "modules/rasterizer/read_corners.hpp"
 
 namespace faster {
 

@@ -1,7 +1,8 @@
 #include <algorithm>
 
-#include "kernel/base/each_bit.hpp"
-#include "modules/inlier_unit.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 
 namespace faster {
 

@@ -1,11 +1,11 @@
-#include "modules/scoring.hpp"
+#include "modules/inlier_unit/scoring.hpp"
 
 #include <algorithm>
 
-#include "faster/extract_design.hpp"
-#include "faster/sweep_design.hpp"
-#include "modules/conditions.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/config/extract_design.hpp"
+#include "faster/config/sweep_design.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/token_widths.hpp"
 
 namespace faster {
 

@@ -3,10 +3,11 @@
 #include <vector>
 
 #include "channels/clocked_fifo.hpp"
-#include "common/tokens.hpp"
-#include "datapath/window_sweep.hpp"
-#include "modules/core_context.hpp"
-#include "modules/edge_extractor.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_extractor/edge_extractor.hpp"
+#include "modules/inlier_unit/window_sweep.hpp"
 
 namespace faster {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "common/pixel_box.hpp"
+#include "faster/data/pixel_box.hpp"
 
 namespace faster::datapath {
 

@@ -1,4 +1,4 @@
-#include "datapath/valid_depth_table.hpp"
+#include "modules/inlier_unit/valid_depth_table.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/image.hpp"
+#include "faster/data/image.hpp"
 
 namespace faster::datapath {
 

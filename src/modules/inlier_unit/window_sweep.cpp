@@ -1,9 +1,9 @@
-#include "datapath/window_sweep.hpp"
+#include "modules/inlier_unit/window_sweep.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "common/fixed_point.hpp"
+#include "faster/data/fixed_point.hpp"
 
 namespace faster::datapath {
 

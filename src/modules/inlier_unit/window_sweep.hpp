@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/tokens.hpp"
+#include "faster/data/tokens.hpp"
 
 namespace faster::datapath {
 

@@ -1,12 +1,13 @@
-#include "modules/observation_reader.hpp"
+#include "modules/observation_reader/observation_reader.hpp"
 
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
-#include "modules/conditions.hpp"
-#include "modules/memory_entries.hpp"
-#include "modules/read_corners.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/memory_entries.hpp"
+#include "modules/core/token_widths.hpp"
+#include "modules/rasterizer/read_corners.hpp"
 
 namespace faster {
 

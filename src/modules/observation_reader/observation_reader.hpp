@@ -4,9 +4,10 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/port_binding.hpp"
-#include "common/tokens.hpp"
-#include "datapath/valid_depth_table.hpp"
-#include "modules/core_context.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/inlier_unit/valid_depth_table.hpp"
 
 namespace faster {
 

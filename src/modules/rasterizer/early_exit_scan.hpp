@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdlib>
 
-#include "datapath/zigzag_scan.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster::datapath {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "common/tokens.hpp"
-#include "datapath/zigzag_scan.hpp"
+#include "faster/data/tokens.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster::datapath {
 

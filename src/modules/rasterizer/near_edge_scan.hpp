@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "datapath/zigzag_scan.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster::datapath {
 

@@ -1,11 +1,11 @@
-#include "modules/rasterizer.hpp"
+#include "modules/rasterizer/rasterizer.hpp"
 
 #include <algorithm>
 
-#include "faster/sweep_design.hpp"
-#include "modules/conditions.hpp"
-#include "modules/rasterizer_scan.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/config/sweep_design.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/token_widths.hpp"
+#include "modules/rasterizer/rasterizer_scan.hpp"
 
 namespace faster {
 

@@ -5,12 +5,13 @@
 
 #include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
-#include "common/tokens.hpp"
-#include "datapath/grouped_line.hpp"
-#include "datapath/near_edge_scan.hpp"
-#include "datapath/touched_box.hpp"
-#include "datapath/zigzag_scan.hpp"
-#include "modules/core_context.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/inlier_unit/touched_box.hpp"
+#include "modules/rasterizer/grouped_line.hpp"
+#include "modules/rasterizer/near_edge_scan.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster {
 

@@ -1,5 +1,6 @@
-#include "kernel/base/each_bit.hpp"
-#include "modules/rasterizer_scan.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/rasterizer/rasterizer_scan.hpp"
 
 namespace faster {
 

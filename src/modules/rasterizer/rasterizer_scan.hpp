@@ -1,7 +1,7 @@
 #pragma once
-#include "datapath/early_exit_scan.hpp"
-#include "datapath/span_scan.hpp"
-#include "modules/rasterizer.hpp"
+#include "modules/rasterizer/early_exit_scan.hpp"
+#include "modules/rasterizer/rasterizer.hpp"
+#include "modules/rasterizer/span_scan.hpp"
 
 // How a scan tells what it does. For the files that instantiate it: rasterizer.cpp for the thesis's design alone, so
 // that the compiler spends on it what it allows itself per file; rasterizer_variants.cpp for all others.

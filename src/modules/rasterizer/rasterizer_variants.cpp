@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "modules/rasterizer_scan.hpp"
+#include "modules/rasterizer/rasterizer_scan.hpp"
 
 namespace faster {
 

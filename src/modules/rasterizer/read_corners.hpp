@@ -1,6 +1,7 @@
 #pragma once
 #include "channels/process_clock.hpp"
-#include "common/pixel_box.hpp"
+#include "faster/data/pixel_box.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

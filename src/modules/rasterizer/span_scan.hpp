@@ -1,5 +1,5 @@
 #pragma once
-#include "datapath/zigzag_scan.hpp"
+#include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster::datapath {
 

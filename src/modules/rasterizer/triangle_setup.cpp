@@ -1,4 +1,4 @@
-#include "datapath/triangle_setup.hpp"
+#include "modules/rasterizer/triangle_setup.hpp"
 
 #include <algorithm>
 

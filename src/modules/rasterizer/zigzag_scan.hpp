@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "datapath/triangle_setup.hpp"
+#include "modules/rasterizer/triangle_setup.hpp"
 
 namespace faster::datapath {
 

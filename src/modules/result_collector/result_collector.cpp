@@ -1,8 +1,9 @@
-#include "modules/result_collector.hpp"
+#include "modules/result_collector/result_collector.hpp"
 
 #include "channels/port_binding.hpp"
-#include "modules/conditions.hpp"
-#include "modules/memory_entries.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/memory_entries.hpp"
 
 namespace faster {
 

@@ -3,8 +3,9 @@
 #include <vector>
 
 #include "channels/port_binding.hpp"
-#include "common/tokens.hpp"
-#include "modules/core_context.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
 
 namespace faster {
 

@@ -1,8 +1,9 @@
-#include "modules/sample_dispatcher.hpp"
+#include "modules/sample_dispatcher/sample_dispatcher.hpp"
 
 #include "channels/port_binding.hpp"
-#include "modules/memory_entries.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/memory_entries.hpp"
+#include "modules/core/token_widths.hpp"
 
 namespace faster {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <systemc>
 
-#include "common/tokens.hpp"
-#include "modules/core_context.hpp"
+#include "faster/data/tokens.hpp"
+#include "modules/core/core_context.hpp"
 
 namespace faster {
 

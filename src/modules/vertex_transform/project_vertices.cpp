@@ -1,4 +1,4 @@
-#include "datapath/vertex_transform.hpp"
+#include "modules/vertex_transform/project_vertices.hpp"
 
 #include <cmath>
 #include <limits>

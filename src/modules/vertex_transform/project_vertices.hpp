@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "common/camera.hpp"
-#include "common/stimulus.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::datapath {
 

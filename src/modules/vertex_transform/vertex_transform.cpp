@@ -1,11 +1,12 @@
-#include "modules/vertex_transform.hpp"
+#include "modules/vertex_transform/vertex_transform.hpp"
 
 #include <algorithm>
 
 #include "channels/port_binding.hpp"
-#include "modules/conditions.hpp"
-#include "modules/memory_entries.hpp"
-#include "modules/token_widths.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/conditions.hpp"
+#include "modules/core/memory_entries.hpp"
+#include "modules/core/token_widths.hpp"
 
 namespace faster {
 

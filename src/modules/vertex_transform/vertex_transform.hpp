@@ -2,9 +2,10 @@
 #include <systemc>
 
 #include "channels/clocked_fifo.hpp"
-#include "common/tokens.hpp"
-#include "datapath/vertex_transform.hpp"
-#include "modules/core_context.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/vertex_transform/project_vertices.hpp"
 
 namespace faster {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/camera.hpp"
-#include "common/mesh.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::bop {
 

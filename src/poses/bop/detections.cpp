@@ -1,6 +1,7 @@
-#include "workload/bop/detections.hpp"
+#include "poses/bop/detections.hpp"
 
-#include "kernel/base/files/json_file.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::bop {
 

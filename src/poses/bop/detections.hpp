@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "workload/bop/dataset.hpp"
-#include "workload/bop/json_node.hpp"
+#include "poses/bop/dataset.hpp"
+#include "poses/bop/json_node.hpp"
 
 namespace faster::bop {
 

@@ -1,12 +1,13 @@
-#include "workload/bop/json_node.hpp"
+#include "poses/bop/json_node.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
 #include <limits>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::bop {
 namespace {

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::bop {
 

@@ -1,11 +1,12 @@
-#include "workload/bop/pose_results.hpp"
+#include "poses/bop/pose_results.hpp"
 
 #include <fmt/format.h>
 #include <string_view>
 
-#include "kernel/base/files/csv_cells.hpp"
-#include "workload/files/pose_numbers.hpp"
-#include "workload/files/table_row.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
+#include "faster/workload/files/table_row.hpp"
 
 namespace faster::bop {
 namespace {

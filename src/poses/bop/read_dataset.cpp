@@ -1,4 +1,4 @@
-#include "workload/bop/read_dataset.hpp"
+#include "poses/bop/read_dataset.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,14 +9,15 @@
 #include <map>
 #include <set>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "workload/bop/json_node.hpp"
-#include "workload/bop/scene_folder.hpp"
-#include "workload/files/mesh_file.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/files/pose_numbers.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
+#include "poses/bop/json_node.hpp"
+#include "poses/bop/scene_folder.hpp"
 
 namespace faster::bop {
 

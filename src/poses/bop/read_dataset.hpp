@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "workload/bop/dataset.hpp"
-#include "workload/depth_image.hpp"
+#include "faster/workload/depth_image.hpp"
+#include "poses/bop/dataset.hpp"
 
 namespace faster::bop {
 

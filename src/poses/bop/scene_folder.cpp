@@ -1,12 +1,13 @@
-#include "workload/bop/scene_folder.hpp"
+#include "poses/bop/scene_folder.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "workload/bop/detections.hpp"
-#include "workload/bop/json_node.hpp"
-#include "workload/files/pose_numbers.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/bop/json_node.hpp"
 
 namespace faster::bop {
 namespace {

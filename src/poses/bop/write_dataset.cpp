@@ -1,12 +1,13 @@
-#include "workload/bop/write_dataset.hpp"
+#include "poses/bop/write_dataset.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/json.hpp"
-#include "workload/files/pose_numbers.hpp"
+#include "dataflow/base/json.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
 
 namespace faster::bop {
 namespace {

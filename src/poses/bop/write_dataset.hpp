@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/image.hpp"
-#include "workload/bop/dataset.hpp"
+#include "faster/data/image.hpp"
+#include "poses/bop/dataset.hpp"
 
 namespace faster::bop {
 

@@ -1,16 +1,16 @@
-#include "tb/estimate_pictures.hpp"
+#include "poses/commands/estimate_pictures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
-#include "reference/scorer.hpp"
-#include "workload/build_stimulus.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/pictures/convergence_sheet.hpp"
-#include "workload/pictures/drawing.hpp"
-#include "workload/pictures/line_plot.hpp"
-#include "workload/pictures/overlay.hpp"
+#include "faster/reference/scorer.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/pictures/convergence_sheet.hpp"
+#include "faster/workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/line_plot.hpp"
+#include "faster/workload/pictures/overlay.hpp"
 
 namespace faster {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
-#include "tb/estimate_report.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "poses/commands/estimate_report.hpp"
 
 namespace faster {
 

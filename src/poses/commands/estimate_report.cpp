@@ -1,10 +1,11 @@
-#include "tb/estimate_report.hpp"
+#include "poses/commands/estimate_report.hpp"
 
 #include <fmt/format.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "kernel/config/key_value.hpp"
+#include "dataflow/run/config/key_value.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

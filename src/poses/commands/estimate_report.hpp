@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
-#include "faster/estimator_config.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/machine/path_table.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/tools/resources/path_table.hpp"
+#include "faster/config/estimator_config.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,14 +1,15 @@
-#include "tb/estimate_scene.hpp"
+#include "poses/commands/estimate_scene.hpp"
 
 #include <fmt/format.h>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "workload/bop/detections.hpp"
-#include "workload/bop/read_dataset.hpp"
-#include "workload/build_stimulus.hpp"
-#include "workload/object_pose.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "faster/workload/object_pose.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/bop/read_dataset.hpp"
 
 namespace faster {
 

@@ -1,9 +1,10 @@
 #pragma once
 #include <string>
 
-#include "estimation/scene.hpp"
-#include "kernel/config/load_config.hpp"
-#include "workload/bop/detections.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/estimation/scene.hpp"
 
 namespace faster {
 

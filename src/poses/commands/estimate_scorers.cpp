@@ -1,16 +1,17 @@
-#include "tb/estimate_scorers.hpp"
+#include "poses/commands/estimate_scorers.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
-#include "estimation/counter_scorer.hpp"
-#include "faster/enum_names.hpp"
-#include "faster/faster_config.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "poses/pose_error.hpp"
-#include "reference/grip/score_poses.hpp"
-#include "workload/build_stimulus.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "faster/config/enum_names.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "poses/estimation/counter_scorer.hpp"
+#include "poses/grip/score_poses.hpp"
+#include "poses/judging/pose_error.hpp"
 
 namespace faster {
 

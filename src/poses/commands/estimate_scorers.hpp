@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "estimation/scene.hpp"
-#include "estimation/weight_terms.hpp"
-#include "kernel/config/run_config.hpp"
-#include "tb/estimate_report.hpp"
-#include "tb/timed_iterations.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/commands/estimate_report.hpp"
+#include "poses/commands/timed_iterations.hpp"
+#include "poses/estimation/scene.hpp"
+#include "poses/estimation/weight_terms.hpp"
 
 namespace faster {
 

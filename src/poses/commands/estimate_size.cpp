@@ -1,9 +1,10 @@
-#include "tb/estimate_size.hpp"
+#include "poses/commands/estimate_size.hpp"
 
-#include "faster/faster_config.hpp"
-#include "kernel/config/design.hpp"
-#include "tb/workload_iterations.hpp"
-#include "tool/work_size.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/commands/workload_iterations.hpp"
 
 namespace faster {
 

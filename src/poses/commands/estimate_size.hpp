@@ -2,8 +2,9 @@
 #include <cstddef>
 
 #include "channels/simulated_design.hpp"
-#include "common/stimulus.hpp"
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,4 +1,4 @@
-#include "tb/evaluate_command.hpp"
+#include "poses/commands/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -7,25 +7,26 @@
 #include <memory>
 #include <set>
 
-#include "kernel/base/files/atomic_folder.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "poses/accuracy_plot.hpp"
-#include "poses/evaluation.hpp"
-#include "poses/evaluation_json.hpp"
-#include "poses/evaluation_text.hpp"
-#include "poses/judge.hpp"
-#include "poses/scores.hpp"
-#include "tool/command_paths.hpp"
-#include "tool/exit_codes.hpp"
-#include "tool/options.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/say.hpp"
-#include "tool/work_size.hpp"
-#include "workload/bop/read_dataset.hpp"
-#include "workload/files/png_image.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/commands/command_paths.hpp"
+#include "dataflow/commands/exit_codes.hpp"
+#include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
+#include "dataflow/commands/work_size.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "poses/bop/read_dataset.hpp"
+#include "poses/judging/accuracy_plot.hpp"
+#include "poses/judging/evaluation.hpp"
+#include "poses/judging/evaluation_json.hpp"
+#include "poses/judging/evaluation_text.hpp"
+#include "poses/judging/judge.hpp"
+#include "poses/judging/scores.hpp"
 
 namespace faster {
 namespace {

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tool/subcommand.hpp"
+#include "dataflow/commands/subcommand.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,18 +1,19 @@
-#include "tb/experiment_estimates.hpp"
+#include "poses/commands/experiment_estimates.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <tuple>
 
-#include "estimation/estimator.hpp"
-#include "faster/faster_config.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/fnv1a.hpp"
-#include "kernel/config/key_value.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "tb/estimate_scene.hpp"
-#include "tb/estimate_scorers.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/fnv1a.hpp"
+#include "dataflow/run/config/key_value.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/commands/estimate_scene.hpp"
+#include "poses/commands/estimate_scorers.hpp"
+#include "poses/estimation/estimator.hpp"
 
 namespace faster {
 

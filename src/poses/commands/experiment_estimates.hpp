@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "estimation/scene.hpp"
-#include "kernel/config/load_config.hpp"
-#include "workload/bop/dataset.hpp"
-#include "workload/bop/detections.hpp"
-#include "workload/experiments/estimate_journal.hpp"
-#include "workload/experiments/experiment_file.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/dataset.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/estimation/scene.hpp"
+#include "poses/experiments/estimate_journal.hpp"
+#include "poses/experiments/experiment_file.hpp"
 
 namespace faster {
 

@@ -1,4 +1,4 @@
-#include "tb/experiment_failures.hpp"
+#include "poses/commands/experiment_failures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,15 @@
 #include <map>
 #include <mutex>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "tb/estimate_scene.hpp"
-#include "tb/estimate_scorers.hpp"
-#include "tool/progress_line.hpp"
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/convergence_sheet.hpp"
-#include "workload/scene_renderer.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/convergence_sheet.hpp"
+#include "faster/workload/scene_renderer.hpp"
+#include "poses/commands/estimate_scene.hpp"
+#include "poses/commands/estimate_scorers.hpp"
 
 namespace faster {
 

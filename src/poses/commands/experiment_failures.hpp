@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "common/image.hpp"
-#include "tb/experiment_estimates.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "poses/commands/experiment_estimates.hpp"
 
 namespace faster {
 

@@ -1,22 +1,23 @@
-#include "tb/timed_iterations.hpp"
+#include "poses/commands/timed_iterations.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <sstream>
 
-#include "faster/faster_config.hpp"
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/process_pool.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/figures/power.hpp"
-#include "kernel/report/text_report.hpp"
-#include "modules/faster_simulation.hpp"
-#include "tool/progress_line.hpp"
-#include "tool/recorded_events.hpp"
-#include "tool/waveform_size.hpp"
-#include "workload/build_stimulus.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/recorded_events.hpp"
+#include "dataflow/commands/waveform_size.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/tools/report/text_report.hpp"
+#include "dataflow/tools/resources/power.hpp"
+#include "faster/config/faster_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/build_stimulus.hpp"
+#include "modules/core/faster_simulation.hpp"
 
 namespace faster {
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/machine/path_table.hpp"
-#include "tool/recording_options.hpp"
+#include "dataflow/commands/recording_options.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/tools/resources/path_table.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

@@ -1,4 +1,4 @@
-#include "tb/workload_iterations.hpp"
+#include "poses/commands/workload_iterations.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #pragma once
 #include "channels/simulated_design.hpp"
-#include "common/stimulus.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster {
 

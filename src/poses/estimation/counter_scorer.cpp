@@ -1,11 +1,12 @@
-#include "estimation/counter_scorer.hpp"
+#include "poses/estimation/counter_scorer.hpp"
 
 #include <algorithm>
 #include <functional>
 
-#include "datapath/untimed_scorer.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "reference/scorer.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/scorer.hpp"
+#include "modules/core/untimed_scorer.hpp"
 
 namespace faster::estimation {
 

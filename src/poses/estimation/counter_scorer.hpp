@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "faster/accelerator_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::estimation {
 

@@ -1,12 +1,13 @@
-#include "estimation/estimator.hpp"
+#include "poses/estimation/estimator.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/first_samples.hpp"
-#include "estimation/resampling.hpp"
-#include "estimation/streams.hpp"
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/estimation/first_samples.hpp"
+#include "poses/estimation/resampling.hpp"
+#include "poses/estimation/streams.hpp"
 
 namespace faster::estimation {
 

@@ -3,10 +3,10 @@
 #include <functional>
 #include <vector>
 
-#include "estimation/particle.hpp"
-#include "estimation/resampling.hpp"
-#include "estimation/scene.hpp"
-#include "estimation/weight_terms.hpp"
+#include "poses/estimation/particle.hpp"
+#include "poses/estimation/resampling.hpp"
+#include "poses/estimation/scene.hpp"
+#include "poses/estimation/weight_terms.hpp"
 
 namespace faster::estimation {
 

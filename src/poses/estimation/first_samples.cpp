@@ -1,9 +1,9 @@
-#include "estimation/first_samples.hpp"
+#include "poses/estimation/first_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/streams.hpp"
+#include "poses/estimation/streams.hpp"
 
 namespace faster::estimation {
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "estimation/scene.hpp"
+#include "poses/estimation/scene.hpp"
 
 namespace faster::estimation {
 

@@ -1,10 +1,11 @@
-#include "estimation/particle.hpp"
+#include "poses/estimation/particle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::estimation {
 

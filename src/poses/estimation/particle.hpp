@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/mesh.hpp"
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::estimation {
 

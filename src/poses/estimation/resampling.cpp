@@ -1,8 +1,9 @@
-#include "estimation/resampling.hpp"
+#include "poses/estimation/resampling.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/portable_math.hpp"
+#include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::estimation {
 

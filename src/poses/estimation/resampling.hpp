@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "estimation/particle.hpp"
-#include "faster/estimator_config.hpp"
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
+#include "faster/config/estimator_config.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/estimation/particle.hpp"
 
 namespace faster::estimation {
 

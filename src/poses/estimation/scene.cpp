@@ -1,4 +1,4 @@
-#include "estimation/scene.hpp"
+#include "poses/estimation/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

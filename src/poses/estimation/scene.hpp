@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "estimation/particle.hpp"
-#include "faster/estimator_config.hpp"
+#include "faster/config/estimator_config.hpp"
+#include "faster/data/stimulus.hpp"
+#include "poses/estimation/particle.hpp"
 
 namespace faster::estimation {
 

@@ -2,7 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::estimation {
 

@@ -1,4 +1,4 @@
-#include "estimation/weight_terms.hpp"
+#include "poses/estimation/weight_terms.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "common/sample_counters.hpp"
-#include "faster/estimator_config.hpp"
-#include "reference/grip/inlier_ratio.hpp"
+#include "faster/config/estimator_config.hpp"
+#include "faster/data/sample_counters.hpp"
+#include "poses/grip/inlier_ratio.hpp"
 
 namespace faster::estimation {
 

@@ -1,9 +1,10 @@
-#include "workload/experiments/boxes_of_detector.hpp"
+#include "poses/experiments/boxes_of_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/base/counter_random.hpp"
+#include "dataflow/base/counter_random.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::experiments {
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "workload/bop/detections.hpp"
-#include "workload/experiments/experiment_file.hpp"
+#include "poses/bop/detections.hpp"
+#include "poses/experiments/experiment_file.hpp"
 
 namespace faster::experiments {
 

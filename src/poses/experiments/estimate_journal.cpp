@@ -1,8 +1,9 @@
-#include "workload/experiments/estimate_journal.hpp"
+#include "poses/experiments/estimate_journal.hpp"
 
-#include "kernel/base/files/durable_file.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/sweeps/journal_rows.hpp"
+#include "dataflow/base/files/durable_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/tools/sweeps/journal_rows.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::experiments {
 

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
-#include "kernel/base/files/append_file.hpp"
-#include "kernel/base/json.hpp"
+#include "dataflow/base/files/append_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::experiments {
 

@@ -1,17 +1,18 @@
-#include "workload/experiments/experiment_file.hpp"
+#include "poses/experiments/experiment_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/config/value_reader.hpp"
-#include "kernel/sweeps/key_cells.hpp"
-#include "workload/experiments/ycb_classes.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/run/config/value_reader.hpp"
+#include "dataflow/tools/sweeps/key_cells.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/experiments/ycb_classes.hpp"
 
 namespace faster::experiments {
 

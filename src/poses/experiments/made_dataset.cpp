@@ -1,4 +1,4 @@
-#include "workload/experiments/made_dataset.hpp"
+#include "poses/experiments/made_dataset.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,17 +7,18 @@
 #include <limits>
 #include <mutex>
 
-#include "kernel/base/counter_random.hpp"
-#include "kernel/base/files/atomic_folder.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "workload/bop/write_dataset.hpp"
-#include "workload/experiments/ycb_classes.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/models/builtin_models.hpp"
-#include "workload/scene_renderer.hpp"
-#include "workload/sensor_noise.hpp"
+#include "dataflow/base/counter_random.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "faster/workload/scene_renderer.hpp"
+#include "faster/workload/sensor_noise.hpp"
+#include "poses/bop/write_dataset.hpp"
+#include "poses/experiments/ycb_classes.hpp"
 
 namespace faster::experiments {
 

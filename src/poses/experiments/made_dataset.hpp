@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.hpp"
-#include "workload/bop/dataset.hpp"
-#include "workload/depth_image.hpp"
-#include "workload/experiments/experiment_file.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/workload/depth_image.hpp"
+#include "poses/bop/dataset.hpp"
+#include "poses/experiments/experiment_file.hpp"
 
 namespace faster::experiments {
 

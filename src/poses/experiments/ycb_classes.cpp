@@ -1,4 +1,4 @@
-#include "workload/experiments/ycb_classes.hpp"
+#include "poses/experiments/ycb_classes.hpp"
 
 #include <algorithm>
 #include <set>

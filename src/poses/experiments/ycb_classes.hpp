@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "workload/bop/dataset.hpp"
+#include "poses/bop/dataset.hpp"
 
 namespace faster::experiments {
 

@@ -1,4 +1,4 @@
-#include "reference/grip/edge_features.hpp"
+#include "poses/grip/edge_features.hpp"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "common/camera.hpp"
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::grip {
 

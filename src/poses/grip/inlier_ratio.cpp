@@ -1,4 +1,4 @@
-#include "reference/grip/inlier_ratio.hpp"
+#include "poses/grip/inlier_ratio.hpp"
 
 namespace faster::grip {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "reference/grip/edge_features.hpp"
+#include "poses/grip/edge_features.hpp"
 
 namespace faster::grip {
 

@@ -1,4 +1,4 @@
-#include "reference/grip/rank_correlation.hpp"
+#include "poses/grip/rank_correlation.hpp"
 
 #include <algorithm>
 #include <cmath>

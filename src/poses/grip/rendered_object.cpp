@@ -1,4 +1,4 @@
-#include "reference/grip/rendered_object.hpp"
+#include "poses/grip/rendered_object.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
-#include "common/camera.hpp"
-#include "common/image.hpp"
-#include "common/mesh.hpp"
-#include "reference/grip/edge_features.hpp"
+#include "faster/data/camera.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/mesh.hpp"
+#include "poses/grip/edge_features.hpp"
 
 namespace faster::grip {
 

@@ -1,7 +1,8 @@
-#include "reference/grip/score_poses.hpp"
+#include "poses/grip/score_poses.hpp"
 
-#include "kernel/base/on_threads.hpp"
-#include "reference/grip/rendered_object.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/grip/rendered_object.hpp"
 
 namespace faster::grip {
 

@@ -1,9 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "common/stimulus.hpp"
-#include "kernel/base/counted_progress.hpp"
-#include "reference/grip/inlier_ratio.hpp"
+#include "dataflow/base/counted_progress.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/grip/inlier_ratio.hpp"
 
 namespace faster::grip {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "common/image.hpp"
-#include "poses/evaluation.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "poses/judging/evaluation.hpp"
 
 namespace faster::poses {
 

@@ -1,9 +1,10 @@
-#include "poses/bootstrap.hpp"
+#include "poses/judging/bootstrap.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/base/random.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::poses {
 namespace {

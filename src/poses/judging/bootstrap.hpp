@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "poses/scores.hpp"
+#include "poses/judging/scores.hpp"
 
 namespace faster::poses {
 

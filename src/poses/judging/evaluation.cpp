@@ -1,11 +1,12 @@
-#include "poses/evaluation.hpp"
+#include "poses/judging/evaluation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::poses {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "poses/bootstrap.hpp"
-#include "poses/judge.hpp"
-#include "workload/bop/dataset.hpp"
+#include "poses/bop/dataset.hpp"
+#include "poses/judging/bootstrap.hpp"
+#include "poses/judging/judge.hpp"
 
 namespace faster::poses {
 

@@ -1,11 +1,12 @@
-#include "poses/evaluation_json.hpp"
+#include "poses/judging/evaluation_json.hpp"
 
 #include <cmath>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/provenance.hpp"
-#include "poses/page.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/provenance.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/judging/page.hpp"
 
 namespace faster::poses {
 namespace {

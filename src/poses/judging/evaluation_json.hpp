@@ -1,8 +1,9 @@
 #pragma once
 #include <string>
 
-#include "kernel/base/json.hpp"
-#include "poses/evaluation.hpp"
+#include "dataflow/base/json.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/judging/evaluation.hpp"
 
 namespace faster::poses {
 

@@ -1,9 +1,10 @@
-#include "poses/evaluation_text.hpp"
+#include "poses/judging/evaluation_text.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
-#include "kernel/base/csv_cell.hpp"
+#include "dataflow/base/csv_cell.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::poses {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "poses/evaluation.hpp"
+#include "poses/judging/evaluation.hpp"
 
 namespace faster::poses {
 

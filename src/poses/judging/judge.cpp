@@ -1,4 +1,4 @@
-#include "poses/judge.hpp"
+#include "poses/judging/judge.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,12 +9,13 @@
 #include <numeric>
 #include <set>
 
-#include "kernel/base/counted_progress.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/base/random.hpp"
-#include "poses/pose_error.hpp"
-#include "workload/bop/read_dataset.hpp"
+#include "dataflow/base/counted_progress.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/read_dataset.hpp"
+#include "poses/judging/pose_error.hpp"
 
 namespace faster::poses {
 

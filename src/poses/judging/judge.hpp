@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "workload/bop/dataset.hpp"
-#include "workload/bop/pose_results.hpp"
+#include "poses/bop/dataset.hpp"
+#include "poses/bop/pose_results.hpp"
 
 namespace faster::poses {
 

@@ -1,4 +1,4 @@
-#include "poses/pose_error.hpp"
+#include "poses/judging/pose_error.hpp"
 
 #include <algorithm>
 #include <cmath>

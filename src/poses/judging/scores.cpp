@@ -1,4 +1,4 @@
-#include "poses/scores.hpp"
+#include "poses/judging/scores.hpp"
 
 #include <algorithm>
 #include <limits>

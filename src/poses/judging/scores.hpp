@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "poses/judge.hpp"
+#include "poses/judging/judge.hpp"
 
 namespace faster::poses {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
-#include "common/image.hpp"
+#include "faster/data/image.hpp"
 
 namespace faster::quality {
 

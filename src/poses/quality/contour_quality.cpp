@@ -1,11 +1,11 @@
-#include "reference/quality/contour_quality.hpp"
+#include "poses/quality/contour_quality.hpp"
 
 #include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "reference/quality/as_mat.hpp"
+#include "poses/quality/as_mat.hpp"
 
 namespace faster::quality {
 

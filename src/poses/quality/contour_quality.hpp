@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "common/image.hpp"
-#include "reference/quality/silhouette.hpp"
+#include "faster/data/image.hpp"
+#include "poses/quality/silhouette.hpp"
 
 namespace faster::quality {
 

@@ -1,14 +1,15 @@
-#include "reference/quality/pose_survey.hpp"
+#include "poses/quality/pose_survey.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "common/stimulus.hpp"
-#include "faster/enum_names.hpp"
-#include "kernel/base/random.hpp"
-#include "reference/scorer.hpp"
+#include "dataflow/base/random.hpp"
+#include "faster/config/enum_names.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/reference/scorer.hpp"
 
 namespace faster::quality {
 

@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "common/edge_map_config.hpp"
-#include "common/image.hpp"
-#include "common/mesh.hpp"
-#include "kernel/base/counted_progress.hpp"
-#include "reference/quality/contour_quality.hpp"
-#include "reference/quality/sample_judge.hpp"
+#include "dataflow/base/counted_progress.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/quality/contour_quality.hpp"
+#include "poses/quality/sample_judge.hpp"
 
 namespace faster::quality {
 

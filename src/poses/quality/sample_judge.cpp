@@ -1,8 +1,8 @@
-#include "reference/quality/sample_judge.hpp"
+#include "poses/quality/sample_judge.hpp"
 
 #include <vector>
 
-#include "reference/quality/silhouette.hpp"
+#include "poses/quality/silhouette.hpp"
 
 namespace faster::quality {
 

@@ -2,11 +2,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "common/edge_map_config.hpp"
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
-#include "reference/quality/contour_quality.hpp"
-#include "reference/vertex_transform.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/reference/vertex_transform.hpp"
+#include "poses/quality/contour_quality.hpp"
 
 namespace faster::quality {
 

@@ -1,10 +1,10 @@
-#include "reference/quality/silhouette.hpp"
+#include "poses/quality/silhouette.hpp"
 
 #include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "reference/quality/as_mat.hpp"
+#include "poses/quality/as_mat.hpp"
 
 namespace faster::quality {
 

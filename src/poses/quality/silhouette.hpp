@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
 
 namespace faster::quality {
 

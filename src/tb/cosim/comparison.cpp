@@ -6,9 +6,10 @@
 #include <memory>
 #include <utility>
 
-#include "kernel/recording/event_merge.hpp"
-#include "kernel/recording/vcd_file.hpp"
-#include "kernel/recording/write_waveform.hpp"
+#include "dataflow/tools/recording/event_merge.hpp"
+#include "dataflow/tools/recording/vcd_file.hpp"
+#include "dataflow/tools/recording/write_waveform.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::rtl {
 

@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/machine/core_share.hpp"
-#include "kernel/recording/recorded_core.hpp"
-#include "modules/core_context.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
 #include "tb/cosim/twin_core.hpp"
 
 namespace faster::rtl {

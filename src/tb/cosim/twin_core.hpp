@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/stimulus.hpp"
+#include "faster/data/stimulus.hpp"
 #include "tb/cosim/twin_settings.hpp"
 
 namespace faster::rtl {

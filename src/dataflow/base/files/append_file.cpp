@@ -1,14 +1,14 @@
-#include "kernel/base/files/append_file.hpp"
+#include "dataflow/base/files/append_file.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "kernel/base/files/durable_file.hpp"
-#include "kernel/base/files/file_error.hpp"
+#include "dataflow/base/files/durable_file.hpp"
+#include "dataflow/base/files/file_error.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 AppendFile::AppendFile(std::filesystem::path const& path)
     : path_(path), file_(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666)) {
@@ -39,4 +39,4 @@ void AppendFile::append(std::string_view bytes) {
 
 void AppendFile::fail(int error) const { fail_to_write(path_, std::strerror(error)); }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// A file that only grows, and keeps what it was given even if the power goes.
 class AppendFile {
@@ -24,4 +24,4 @@ class AppendFile {
     int file_;
 };
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,4 +1,4 @@
-#include "kernel/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/files/hold.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/hold.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 namespace {
 
@@ -194,4 +194,4 @@ void AtomicFolder::fail(std::string const& what) const { io::fail(target_, what)
 
 void AtomicFolder::fail(fs::filesystem_error const& error) const { fail_to_write(target_, error.code().message()); }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "kernel/base/files/folder_kind.hpp"
-#include "kernel/base/files/scratch.hpp"
+#include "dataflow/base/files/folder_kind.hpp"
+#include "dataflow/base/files/scratch.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// An output folder that appears complete or not at all. Files are written below `path()`, a hidden folder beside the
 /// target that is made when it is first asked for; `commit()` gives it its name. Without commit the destructor removes
@@ -49,4 +49,4 @@ class AtomicFolder {
     std::optional<Scratch> scratch_;
 };
 
-}  // namespace faster::io
+}  // namespace dataflow::io

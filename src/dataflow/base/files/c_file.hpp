@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace faster::io {
+namespace dataflow::io {
 
 struct CFileCloser {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -10,4 +10,4 @@ struct CFileCloser {
 /// A file of the C library, closed by who has it last.
 using CFile = std::unique_ptr<std::FILE, CFileCloser>;
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,12 +1,12 @@
-#include "kernel/base/files/csv_cells.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -121,4 +121,4 @@ bool has_csv_column(std::filesystem::path const& path, std::string const& column
     return std::find(names.begin(), names.end(), column) != names.end();
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Called per row with the line number in the file (the header is line 1) and one cell per requested column, in the
 /// order of the request and without the blanks around it. The cells are valid until the call returns.
@@ -22,4 +22,4 @@ void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> 
 /// Whether the first line of a table names that column.
 bool has_csv_column(std::filesystem::path const& path, std::string const& column);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

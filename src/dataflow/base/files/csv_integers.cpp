@@ -1,14 +1,14 @@
-#include "kernel/base/files/csv_integers.hpp"
+#include "dataflow/base/files/csv_integers.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
 #include <string_view>
 
-#include "kernel/base/files/csv_cells.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 std::vector<std::string> names_of(std::vector<CsvColumn> const& columns) {
@@ -42,4 +42,4 @@ void read_csv_integers(std::filesystem::path const& path, std::vector<CsvColumn>
     });
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// One column a table must have, and the integers its cells may hold.
 struct CsvColumn {
@@ -24,4 +24,4 @@ using CsvRowReader = std::function<void(std::size_t line, std::int64_t const* va
 void read_csv_integers(std::filesystem::path const& path, std::vector<CsvColumn> const& columns,
                        CsvRowReader const& read_row);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

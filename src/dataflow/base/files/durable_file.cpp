@@ -1,4 +1,4 @@
-#include "kernel/base/files/durable_file.hpp"
+#include "dataflow/base/files/durable_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -6,11 +6,11 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/scratch.hpp"
-#include "kernel/base/files/text_file.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/scratch.hpp"
+#include "dataflow/base/files/text_file.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 namespace {
 
@@ -44,4 +44,4 @@ void sync_folder_of(std::filesystem::path const& file) {
     sync(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// An OutputFile that is on the disk when the call returns: after a power cut there is the old file or the new
 /// one. Throws InputError if it cannot be written.
@@ -11,4 +11,4 @@ void write_file_durably(std::filesystem::path const& path, std::string_view cont
 /// That a file was made or renamed is on the disk too.
 void sync_folder_of(std::filesystem::path const& file);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <string>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Throws InputError "<path>: <what>", which is how every complaint about a file reads.
 [[noreturn]] inline void fail(std::filesystem::path const& path, std::string const& what) {
@@ -16,4 +16,4 @@ namespace faster::io {
     throw HostError(path.string() + ": cannot be written (" + why + ")");
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// What a folder of one kind (trace, results of a run) is made of: how an older one is recognised and replaced.
 struct FolderKind {
@@ -16,4 +16,4 @@ struct FolderKind {
     }
 };
 
-}  // namespace faster::io
+}  // namespace dataflow::io

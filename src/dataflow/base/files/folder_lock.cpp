@@ -1,13 +1,13 @@
-#include "kernel/base/files/folder_lock.hpp"
+#include "dataflow/base/files/folder_lock.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "kernel/base/files/file_error.hpp"
+#include "dataflow/base/files/file_error.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Not flock(): that would be shared with child processes, which may outlive this one by a moment.
 FolderLock::FolderLock(std::filesystem::path const& folder)
@@ -25,4 +25,4 @@ FolderLock::FolderLock(std::filesystem::path const& folder)
 
 FolderLock::~FolderLock() { close(file_); }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

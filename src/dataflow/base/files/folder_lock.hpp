@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// A folder that one process has to itself while this lives, by a lock on the file .lock in it.
 class FolderLock {
@@ -16,4 +16,4 @@ class FolderLock {
     int file_;
 };
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,10 +1,10 @@
-#include "kernel/base/files/hidden_name.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <random>
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 bool is_number(std::string const& text) {
@@ -58,4 +58,4 @@ std::filesystem::path without_hidden_names(std::filesystem::path const& path) {
     return known;
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// A hidden name beside `file`, which two programs at once will not share: ".NAME.PURPOSE-NUMBER". What is written
 /// under it gets its own name once it is whole. Purposes: partial, older.
@@ -18,4 +18,4 @@ std::vector<std::filesystem::path> all_hidden_in(std::filesystem::path const& fo
 /// The path as people know it: the names that hidden_name() made of its parts, undone.
 std::filesystem::path without_hidden_names(std::filesystem::path const& path);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

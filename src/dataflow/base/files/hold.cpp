@@ -1,4 +1,4 @@
-#include "kernel/base/files/hold.hpp"
+#include "dataflow/base/files/hold.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -7,7 +7,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace faster::io {
+namespace dataflow::io {
 
 Hold::Hold(std::filesystem::path const& path)
     : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC)) {
@@ -35,4 +35,4 @@ std::unique_ptr<Hold> hold_if_free(std::filesystem::path const& path) try {
     return nullptr;
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Shows other processes that a file or folder is in use, for as long as this lives and its process does (flock). Where
 /// the file system has no such locks, nobody gets one.
@@ -27,4 +27,4 @@ class Hold {
 /// For what may be left of another process: null if it is in use, may not be opened, or is gone.
 std::unique_ptr<Hold> hold_if_free(std::filesystem::path const& path);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

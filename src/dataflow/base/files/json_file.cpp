@@ -1,14 +1,14 @@
-#include "kernel/base/files/json_file.hpp"
+#include "dataflow/base/files/json_file.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::string text_of(Json const& value, int indent) {
     return value.dump(indent, ' ', true, Json::error_handler_t::replace);
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Json::parse() of text from outside: throws Json::parse_error also where arrays and objects are more than 64 deep.
 Json parse_json(std::string_view text);
@@ -21,4 +21,4 @@ std::string shown(Json const& value);
 /// is no UTF-8 (a file's name may be anything) becomes U+FFFD.
 std::string text_of(Json const& value, int indent = -1);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,4 +1,4 @@
-#include "kernel/base/files/output_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -6,12 +6,12 @@
 #include <string>
 #include <system_error>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/files/scratch.hpp"
-#include "kernel/base/files/text_file.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/scratch.hpp"
+#include "dataflow/base/files/text_file.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ void OutputFile::commit(std::string_view content) const {
     commit([content](std::ostream& stream) { stream.write(content.data(), std::streamsize(content.size())); });
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

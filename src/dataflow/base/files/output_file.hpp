@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// Something like a pipe, which is written to at once.
 bool is_device(std::filesystem::path const& file);
@@ -38,4 +38,4 @@ inline void write_file_atomically(std::filesystem::path const& path, std::string
     OutputFile(path).commit(content);
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

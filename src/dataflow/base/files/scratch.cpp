@@ -1,4 +1,4 @@
-#include "kernel/base/files/scratch.hpp"
+#include "dataflow/base/files/scratch.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -7,9 +7,9 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "kernel/base/files/hidden_name.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ void Scratch::remove() {
         rmdir(made_parents_.back().c_str());  // only if it is empty
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/files/hold.hpp"
-#include "kernel/base/held_signals.hpp"
+#include "dataflow/base/files/hold.hpp"
+#include "dataflow/base/held_signals.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// A hidden file or folder beside `target`, in which something is written until it is whole. Folders that `target`
 /// lacks are made. The destructor removes what then has the hidden name, and the folders that were made if they are
@@ -39,4 +39,4 @@ class Scratch {
     std::optional<Hold> hold_;
 };
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,4 +1,4 @@
-#include "kernel/base/files/text_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/held_signals.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/held_signals.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 namespace {
 
 [[noreturn]] void fail_length(std::filesystem::path const& path, std::string const& expected, std::uint64_t most) {
@@ -80,4 +80,4 @@ void write_file(std::filesystem::path const& path, std::string_view content) {
         fail_to_write(without_hidden_names(path), errno != 0 ? std::strerror(errno) : "no room for it, or not allowed");
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

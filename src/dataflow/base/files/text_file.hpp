@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace faster::io {
+namespace dataflow::io {
 
 /// What read_file() reads unless it is told otherwise: more than any table or image of ours has.
 constexpr std::uint64_t most_file_bytes = std::uint64_t{4} << 30U;
@@ -22,4 +22,4 @@ std::string read_file(std::filesystem::path const& path, std::string const& expe
 /// held back (HeldSignals): of many files the next is not begun.
 void write_file(std::filesystem::path const& path, std::string_view content);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

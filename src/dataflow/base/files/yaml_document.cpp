@@ -1,4 +1,4 @@
-#include "kernel/base/files/yaml_document.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -7,12 +7,12 @@
 #include <vector>
 #include <yaml-cpp/eventhandler.h>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/utf8.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/utf8.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 constexpr std::size_t most_yaml_bytes = std::size_t{4}
@@ -122,4 +122,4 @@ YAML::Node load_document(std::filesystem::path const& path, std::string const& e
     }
 }
 
-}  // namespace faster
+}  // namespace dataflow

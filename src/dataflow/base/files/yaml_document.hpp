@@ -3,7 +3,7 @@
 #include <string>
 #include <yaml-cpp/yaml.h>
 
-namespace faster {
+namespace dataflow {
 
 /// The only YAML document of `text`; a null node if there is none. Throws YAML::Exception, also for a second document,
 /// and for one that is nested or repeated by aliases beyond any use.
@@ -14,4 +14,4 @@ YAML::Node parse_document(std::string const& text);
 /// it should have been.
 YAML::Node load_document(std::filesystem::path const& path, std::string const& expected = "a configuration file");
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/base/files/zstd_frame.hpp"
+#include "dataflow/base/files/zstd_frame.hpp"
 
 #include <stdexcept>
 #include <zstd.h>
 
-#include "kernel/base/little_endian.hpp"
+#include "dataflow/base/little_endian.hpp"
 
-namespace faster::io {
+namespace dataflow::io {
 
 namespace {
 constexpr int level = 1;  // higher ones hardly make smaller frames, and take longer
@@ -55,4 +55,4 @@ std::uint32_t checksum_of_zstd_frame(std::string_view frame) {
     return static_cast<std::uint32_t>(little_endian_at<width>(frame.data() + frame.size() - width));
 }
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/uninitialized.hpp"
+#include "dataflow/base/uninitialized.hpp"
 
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
 
-namespace faster::io {
+namespace dataflow::io {
 
 struct FreeZstdContext {
     void operator()(ZSTD_CCtx_s* context) const;
@@ -50,4 +50,4 @@ std::optional<std::string> content_of_zstd_frame(std::string_view frame, std::si
 /// The checksum that ends a frame: of its content, 32 bits of XXH64. 0 of what is too short for a frame.
 std::uint32_t checksum_of_zstd_frame(std::string_view frame);
 
-}  // namespace faster::io
+}  // namespace dataflow::io

@@ -1,8 +1,8 @@
-#include "kernel/machine/access_pattern.hpp"
+#include "dataflow/core/machine/access_pattern.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 std::vector<PixelOffset> widened(std::vector<PixelOffset> const& one_pixel, int lanes) {
@@ -23,4 +23,4 @@ AccessPattern widened(AccessPattern const& one_pixel, int lanes) {
     return {widened(one_pixel.reads, lanes), widened(one_pixel.writes, lanes)};
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// A word of a memory that holds the window, seen from the pixel that a loop iteration works on.
 struct PixelOffset {
@@ -24,4 +24,4 @@ struct AccessPattern {
 /// What an iteration touches that works on `lanes` pixels of a row, each as `one_pixel` says; `lanes` >= 1.
 AccessPattern widened(AccessPattern const& one_pixel, int lanes);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/machine/bank_partition.hpp"
+#include "dataflow/core/machine/bank_partition.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 std::uint64_t banks_along(std::uint64_t dimension, PartitionConfig const& config) {
@@ -111,4 +111,4 @@ Accesses BankPartition::fullest_block(Accesses const& all) const {
     return fullest;
 }
 
-}  // namespace faster
+}  // namespace dataflow

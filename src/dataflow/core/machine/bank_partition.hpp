@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/machine/access_pattern.hpp"
-#include "kernel/machine/partition_config.hpp"
+#include "dataflow/core/machine/access_pattern.hpp"
+#include "dataflow/core/machine/partition_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The banks of a memory of `rows` x `cols` words. A bank has the ports of a memory to itself.
 ///
@@ -51,4 +51,4 @@ class BankPartition {
     std::int64_t block_cols_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/machine/block_ram.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "kernel/machine/primitive_shapes.hpp"
+#include "dataflow/core/machine/primitive_shapes.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 constexpr std::uint64_t ports_per_primitive = 2;
@@ -30,4 +30,4 @@ double ramb36_count(MemoryShape const& memory) {
     return memory.share * static_cast<double>(memory.buffers) * banks * ramb36_of_bank(words, memory.bits);
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// One memory of a core, as its users see it.
 struct MemoryShape {
@@ -23,4 +23,4 @@ double ramb36_count(MemoryShape const& memory);
 /// That the ZCU102's XCZU9EG has.
 constexpr double ramb36_of_device = 912;
 
-}  // namespace faster
+}  // namespace dataflow

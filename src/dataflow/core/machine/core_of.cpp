@@ -1,9 +1,9 @@
-#include "kernel/machine/core_of.hpp"
+#include "dataflow/core/machine/core_of.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace faster {
+namespace dataflow {
 
 CoreDescription core_of(std::vector<ModuleDescription> modules) {
     CoreDescription core;
@@ -18,4 +18,4 @@ CoreDescription core_of(std::vector<ModuleDescription> modules) {
     return core;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace faster {
+namespace dataflow {
 
 /// The samples that a core does: [first, first + count).
 struct CoreShare {
@@ -17,4 +17,4 @@ inline CoreShare share_of(std::size_t core, std::size_t cores, std::size_t sampl
     return {first, std::min(each, samples - first)};
 }
 
-}  // namespace faster
+}  // namespace dataflow

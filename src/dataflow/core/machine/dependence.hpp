@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What is done about hazards.
 enum class HazardHandling {
@@ -35,4 +35,4 @@ struct MachineDependence {
     std::uint64_t reach(Cycles ii) const { return (span() - 1) / ii; }
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Whether data from outside the cores cost time: `ideal`, they are there when they are asked for; `axi`, they come in
 /// bursts through ports and one controller, which all cores share.
@@ -23,4 +23,4 @@ struct ExternalMemorySettings {
     double read_latency_ns = 120.0;   ///< from a burst's begin to its first beat at the port
 };
 
-}  // namespace faster
+}  // namespace dataflow

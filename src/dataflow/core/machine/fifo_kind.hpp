@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How a FIFO is built (SPEC section 3): decides its capacity and read latency.
 enum class FifoKind { automatic, shift_register, memory };
@@ -41,4 +41,4 @@ constexpr std::uint64_t tokens_beyond_depth(FifoKind resolved, FifoGeneration ge
 /// A token written in cycle s can be read from s + this on.
 constexpr Cycles read_latency_of(FifoKind resolved) { return resolved == FifoKind::memory ? 2 : 1; }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/machine/lead_of.hpp"
+#include "dataflow/core/machine/lead_of.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -41,4 +41,4 @@ timing::Lead lead_of(CoreDescription::Pace const& pace, Machine const& machine) 
     return lead;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
 #pragma once
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Who sets the pace of a machine that has everything but its lead.
 timing::Lead lead_of(CoreDescription::Pace const& pace, Machine const& machine);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,13 +1,13 @@
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
-#include "kernel/machine/lead_of.hpp"
+#include "dataflow/core/machine/lead_of.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -402,4 +402,4 @@ double ramb36_of_core(Machine const& machine) {
     return sum;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -8,19 +8,19 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/machine/bank_partition.hpp"
-#include "kernel/machine/block_ram.hpp"
-#include "kernel/machine/machine_settings.hpp"
-#include "kernel/machine/module_description.hpp"
-#include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/initiation_interval.hpp"
-#include "kernel/timing/lead.hpp"
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/memory_stream.hpp"
-#include "kernel/timing/memory/memory_system.hpp"
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/machine/bank_partition.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/core/machine/machine_settings.hpp"
+#include "dataflow/core/machine/module_description.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/memory_stream.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/core/time/initiation_interval.hpp"
+#include "dataflow/core/time/lead.hpp"
+#include "dataflow/core/time/process_timing.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Parts of a machine have numbers, which are the same whatever parts a configuration has: a part that is not there
 /// keeps its number.
@@ -175,4 +175,4 @@ bool has_interlocks(Machine const& machine);
 /// Block RAMs of 36 Kbit of one core, line buffers included; without FIFOs.
 double ramb36_of_core(Machine const& machine);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/dependence.hpp"
-#include "kernel/machine/external_memory_settings.hpp"
-#include "kernel/machine/fifo_kind.hpp"
-#include "kernel/machine/partition_config.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/dependence.hpp"
+#include "dataflow/core/machine/external_memory_settings.hpp"
+#include "dataflow/core/machine/fifo_kind.hpp"
+#include "dataflow/core/machine/partition_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a configuration asks of one FIFO; keys `accelerator.fifos.NAME.*`. What is not set has the default of the
 /// design's description.
@@ -79,4 +79,4 @@ struct MachineSettings {
     }
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/access_pattern.hpp"
-#include "kernel/machine/resources.hpp"
-#include "kernel/timing/memory/external_memory.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/access_pattern.hpp"
+#include "dataflow/core/machine/resources.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Whether a part is there, and which configuration key decides that.
 struct Condition {
@@ -252,4 +252,4 @@ struct CoreDescription {
     TellResources resources;          ///< none: FIFOs and memories are counted, modules are not
 };
 
-}  // namespace faster
+}  // namespace dataflow

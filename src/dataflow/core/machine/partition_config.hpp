@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace faster {
+namespace dataflow {
 
 /// How a memory is split into banks, which work side by side: `array_partition` of HLS.
 enum class PartitionType {
@@ -17,4 +17,4 @@ struct PartitionConfig {
     std::uint64_t dimension = 0;  ///< what is split: 1 rows, 2 columns, 0 both
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/resources.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 std::string_view name_of(ResourceBasis basis) {
     switch (basis) {
@@ -24,4 +24,4 @@ ResourcePart sum_of(std::string name, std::vector<ResourcePart> const& parts) {
     return sum;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/machine/block_ram.hpp"
-#include "kernel/machine/path_table.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/core/machine/unit_path.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What something takes of a device.
 struct Resources {
@@ -57,4 +57,4 @@ struct ToldResources {
     std::string beside_is;                           ///< what that is, and who says so; empty: not known
 };
 
-}  // namespace faster
+}  // namespace dataflow

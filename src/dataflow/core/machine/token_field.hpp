@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-namespace faster {
+namespace dataflow {
 
 /// One number of a token, as recordings show it.
 struct TokenField {
@@ -34,4 +34,4 @@ template <class Token> struct TokenFields {
     static std::array<std::int64_t, 1> values(Token token) { return {static_cast<std::int64_t>(token)}; }
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
-#include "kernel/timing/memory/burst_cutter.hpp"
+#include "dataflow/core/memory/burst_cutter.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 /// To multiples of a power of two.
@@ -91,4 +91,4 @@ void BurstCutter::cut() {
     at_ = end;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

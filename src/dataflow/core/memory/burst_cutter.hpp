@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <deque>
 
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/memory_block.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/memory_block.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Cuts a master's entries into bursts, in order.
 class BurstCutter {
@@ -47,4 +47,4 @@ class BurstCutter {
     std::uint64_t token_ = 0;        // of the row, that ends next
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

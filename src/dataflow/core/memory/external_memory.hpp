@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// An external memory: masters, which are processes' ends of it, ask for bursts; ports bring them to the cores; one
 /// controller serves them all. What times mean is in docs/memory-model.md.
@@ -30,4 +30,4 @@ enum class Prefetch {
     handed,  ///< what belongs to a sample, from the cycle on after its header was handed out
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

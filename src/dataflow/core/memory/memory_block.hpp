@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Rows of tokens that a process takes from memory, or one range, which is a row. A row is a grid of tokens; of its
 /// bytes only those from `address` on are fetched, `bytes` of them, as if the others were known. Tokens without fetched
@@ -44,4 +44,4 @@ struct MemoryBurst {
     }
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// How many bursts took how long. Nearly all are among the short ones, which are counted without a search.
 class LatencyCounts {
@@ -84,4 +84,4 @@ struct ControllerFigures {
     ControllerHistory history;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

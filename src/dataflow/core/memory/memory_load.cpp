@@ -1,12 +1,12 @@
-#include "kernel/timing/memory/memory_load.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
 
 #include <algorithm>
 #include <deque>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/memory/memory_system.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 
@@ -95,4 +95,4 @@ MemoryBlock beats_of(ExternalMemory const& shape, std::uint64_t address, std::ui
     return block;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

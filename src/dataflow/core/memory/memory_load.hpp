@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/memory_block.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/memory_block.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What memories on the chip hold from before an iteration on.
 struct LoadedRange {
@@ -26,4 +26,4 @@ Cycles cycles_of_load(ExternalMemory const& shape, std::vector<MemoryEntry> cons
 /// A range of bytes, a token for every beat.
 MemoryBlock beats_of(ExternalMemory const& shape, std::uint64_t address, std::uint64_t bytes);
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

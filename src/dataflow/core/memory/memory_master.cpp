@@ -1,11 +1,11 @@
-#include "kernel/timing/memory/memory_master.hpp"
+#include "dataflow/core/memory/memory_master.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/integer_bits.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 MemoryMaster::MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch,
                            HandedOut const& handed_out)
@@ -128,4 +128,4 @@ Cycles MemoryMaster::served(Cycles cycle) {
     return first;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

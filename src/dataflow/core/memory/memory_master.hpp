@@ -3,11 +3,11 @@
 #include <deque>
 #include <optional>
 
-#include "kernel/timing/memory/burst_cutter.hpp"
-#include "kernel/timing/memory/memory_figures.hpp"
-#include "kernel/timing/memory/memory_stream.hpp"
+#include "dataflow/core/memory/burst_cutter.hpp"
+#include "dataflow/core/memory/memory_figures.hpp"
+#include "dataflow/core/memory/memory_stream.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// One master: decides when it asks for which burst (docs/memory-model.md). It follows its process's stream, and a
 /// header stream's takes if it prefetches what headers tell of.
@@ -65,4 +65,4 @@ class MemoryMaster {
     MasterFigures figures_;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

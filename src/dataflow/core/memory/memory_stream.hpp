@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/fifo_timing.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What a stream was delivered, from some moment on.
 struct DeliveryTape {
@@ -111,4 +111,4 @@ inline Cycles MemoryStream::take_entry() {
     return cycle;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,11 +1,11 @@
-#include "kernel/timing/memory/memory_system.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 MemorySystem::MemorySystem(ExternalMemory const& shape, std::vector<MasterShape> masters)
     : shape_(shape),
@@ -160,4 +160,4 @@ void MemorySystem::go_on(bool at_the_end) {
     }
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

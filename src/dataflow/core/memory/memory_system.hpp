@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/memory_master.hpp"
-#include "kernel/timing/memory/served_burst.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/memory_master.hpp"
+#include "dataflow/core/memory/served_burst.hpp"
+#include "dataflow/core/time/trail.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class CoreTiming;
 
@@ -124,4 +124,4 @@ class MemorySystem {
     std::deque<std::uint64_t> begins_ps_;  // of bursts that begin later than they arrive
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// When what happened to a burst (docs/memory-model.md).
 struct ServedBurst {
@@ -21,4 +21,4 @@ struct ServedBurst {
     Cycles end() const { return first_beat + (is_write ? 1 : beats); }
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

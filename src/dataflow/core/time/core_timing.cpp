@@ -1,11 +1,11 @@
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernel/timing/path_sweep.hpp"
+#include "dataflow/core/time/path_sweep.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 template <class Number> ProcessMask bit(Number process) { return ProcessMask{1} << process; }
@@ -321,4 +321,4 @@ std::vector<Wait> CoreTiming::waits() {
     return waits;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/timing/lookup/automaton.hpp"
-#include "kernel/timing/lookup/steady_state.hpp"
-#include "kernel/timing/memory/memory_stream.hpp"
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/memory/memory_stream.hpp"
+#include "dataflow/core/time/process_timing.hpp"
+#include "dataflow/lookup/automaton.hpp"
+#include "dataflow/lookup/steady_state.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// One process that cannot go on, and why.
 struct Wait {
@@ -146,4 +146,4 @@ class CoreTiming {
     bool holds_ = false;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

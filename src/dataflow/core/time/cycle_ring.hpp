@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/base/zeros.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/base/zeros.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Cycles in order, of which the last ones are kept: those that are known and not consumed, and those consumed just
 /// before. A ring.
@@ -143,4 +143,4 @@ class CycleRing {
     std::uint64_t appended_ = 0;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What a FIFO is, as far as time is concerned.
 struct FifoShape {
@@ -91,4 +91,4 @@ template <class Line> struct FifoRules {
     Line free;      ///< from when on there is room for a write
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,9 +1,9 @@
-#include "kernel/timing/fifo_timing.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
 
 #include <stdexcept>
 #include <utility>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 std::uint64_t room_kept(FifoShape const& shape) {
@@ -63,4 +63,4 @@ void FifoTiming::look_at_reads(std::uint64_t first) {
                                   [this, read](std::uint64_t i) { return rules_.readable[read + i]; });
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/timing/cycle_ring.hpp"
-#include "kernel/timing/fifo_rules.hpp"
+#include "dataflow/core/time/cycle_ring.hpp"
+#include "dataflow/core/time/fifo_rules.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// The cycle of every access to one clocked FIFO of a core, and what is counted of them. Knows no data and no SystemC.
 /// Accesses are entered in order, each side on its own; a side may run ahead of the other only as far as FifoRules let
@@ -102,4 +102,4 @@ class FifoTiming {
     std::uint64_t room_ = 0;  // of memory: tokens whose cycles can be kept
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

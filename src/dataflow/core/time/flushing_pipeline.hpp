@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// The tokens in a flushing pipeline that freezes as a whole (SPEC section 3, AreaReciprocal), seen from the next step
 /// of its process: one step a cycle, each of which takes a token in or a bubble. A token leaves some steps after the
@@ -145,4 +145,4 @@ template <class Time> class FlushingPipeline {
     std::size_t left_ = 0;  ///< of them, at first, have left
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

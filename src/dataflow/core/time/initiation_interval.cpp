@@ -1,8 +1,8 @@
-#include "kernel/timing/initiation_interval.hpp"
+#include "dataflow/core/time/initiation_interval.hpp"
 
 #include <algorithm>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 InitiationInterval schedule(Cycles target, Cycles recurrence, std::vector<BramDemand> const& demands) {
     InitiationInterval interval;
@@ -37,4 +37,4 @@ IterationShares shares_of(InitiationInterval const& interval, Cycles steps) {
     return {own, recurrence, steps - own - recurrence};
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

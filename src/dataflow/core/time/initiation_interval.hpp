@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What one loop iteration asks of one block RAM.
 struct BramDemand {
@@ -38,4 +38,4 @@ struct IterationShares {
 /// The first `steps` steps of an iteration, at most all.
 IterationShares shares_of(InitiationInterval const& interval, Cycles steps);
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

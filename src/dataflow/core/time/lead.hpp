@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Who sets the pace of a core: a driver, and processes that only answer to what it does. The anchor of a follower is
 /// the FIFO between it and the driver by whose accesses its work is counted: for every access the driver makes, the
@@ -17,4 +17,4 @@ struct Lead {
     std::vector<Follower> followers;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

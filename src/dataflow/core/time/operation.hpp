@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/timing/ports.hpp"
+#include "dataflow/core/time/ports.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. Which ports
 /// it accesses is the number of a set, see Ports. One word: a run logs millions of them, and compares them as words.
@@ -362,4 +362,4 @@ class OperationLog {
     std::size_t next_ = 1;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,6 +1,6 @@
-#include "kernel/timing/path_sums.hpp"
+#include "dataflow/core/time/path_sums.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 void PathSums::add(PathSums const& other, PathSums const& base, std::uint64_t times) {
     for (std::size_t i = 0; i < own_.size(); ++i)
@@ -16,4 +16,4 @@ void PathSums::add(PathSums const& other) {
         turns_[i] += other.turns_[i];
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

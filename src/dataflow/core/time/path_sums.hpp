@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// A stretch of a process's program, as far as a critical path tells them apart.
 class Region {
@@ -76,4 +76,4 @@ class PathSums {
     std::vector<std::uint64_t> turns_;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,10 +1,10 @@
-#include "kernel/timing/path_sweep.hpp"
+#include "dataflow/core/time/path_sweep.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/integer_bits.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 using Kind = TrailEvent::Kind;
@@ -264,4 +264,4 @@ void forget_trunk(CoreTiming const& core, Trail& trail) {
     trail.forget(live.events_left(), live.transitions_left(), {junction.process, junction.time, trunk.sums()});
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/path_sums.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/core/time/path_sums.hpp"
+#include "dataflow/core/time/trail.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Walks from where processes stand back along what decided their times. A process goes its own way from the end of its
 /// last wait; that ended because of what the process at the FIFO's other end had done before. Where several accesses of
@@ -76,4 +76,4 @@ PathSums critical_path(CoreTiming const& core, unsigned process, Cycles access);
 /// Replaces the part of a core's trail that all paths have in common, now and later, by what they spent in it.
 void forget_trunk(CoreTiming const& core, Trail& trail);
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

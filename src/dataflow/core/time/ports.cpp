@@ -1,4 +1,4 @@
-#include "kernel/timing/ports.hpp"
+#include "dataflow/core/time/ports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <stdexcept>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 
@@ -89,4 +89,4 @@ Ports Ports::joined(Ports one, Ports other) {
 
 std::vector<unsigned> const& Ports::list(Number number) { return KeptSets::of_program()[number]; }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

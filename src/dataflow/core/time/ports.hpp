@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Ports of one process that are accessed together. A number stands for them: below 256 it is a mask of the first eight
 /// ports, a bit each; from there on it is that of a set with other ports in it, of which the program keeps a list. So a
@@ -63,4 +63,4 @@ class Ports {
 
 constexpr Ports no_ports;
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

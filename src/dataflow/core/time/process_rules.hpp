@@ -5,14 +5,14 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernel/timing/fifo_rules.hpp"
-#include "kernel/timing/flushing_pipeline.hpp"
-#include "kernel/timing/operation.hpp"
-#include "kernel/timing/ports.hpp"
-#include "kernel/timing/process_shape.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/core/time/fifo_rules.hpp"
+#include "dataflow/core/time/flushing_pipeline.hpp"
+#include "dataflow/core/time/operation.hpp"
+#include "dataflow/core/time/ports.hpp"
+#include "dataflow/core/time/process_shape.hpp"
+#include "dataflow/core/time/trail.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// Where a process stands in a loop whose tokens leave in different stages.
 struct PipelinePosition {
@@ -840,4 +840,4 @@ template <class Process, class Port> class ProcessRules {
     mutable std::vector<std::unique_ptr<PortSet>> sets_;  ///< by number; made when first needed
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

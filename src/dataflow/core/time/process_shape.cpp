@@ -1,9 +1,9 @@
-#include "kernel/timing/process_shape.hpp"
+#include "dataflow/core/time/process_shape.hpp"
 
 #include <algorithm>
 #include <map>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 namespace {
 struct Access {
@@ -85,4 +85,4 @@ LoopEnd loop_end(LoopShape const& loop, std::uint64_t iterations) {
     return end;
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

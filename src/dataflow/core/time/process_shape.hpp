@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/timing/initiation_interval.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/time/initiation_interval.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 /// A FIFO written by a loop: the token of iteration i leaves in step i * II + write_latency.
 struct LoopWrite {
@@ -81,4 +81,4 @@ struct ProcessShape {
     ProcessShape fed(unsigned stream_port) const;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

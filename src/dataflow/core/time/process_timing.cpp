@@ -1,11 +1,11 @@
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/process_timing.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "kernel/timing/memory/memory_stream.hpp"
+#include "dataflow/core/memory/memory_stream.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<ProcessShape> shape)
     : Rules(std::move(shape), index), name_(std::move(name)) {
@@ -258,4 +258,4 @@ std::string ProcessTiming::position() const {
     return "loop " + loops()[state_.loop].name + ", iteration " + std::to_string(state_.iterations);
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

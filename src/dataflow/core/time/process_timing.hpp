@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/base/source_site.hpp"
-#include "kernel/timing/fifo_timing.hpp"
-#include "kernel/timing/operation.hpp"
-#include "kernel/timing/process_rules.hpp"
-#include "kernel/timing/process_shape.hpp"
-#include "kernel/timing/step_observer.hpp"
-#include "kernel/timing/trail.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/base/source_site.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/core/time/operation.hpp"
+#include "dataflow/core/time/process_rules.hpp"
+#include "dataflow/core/time/process_shape.hpp"
+#include "dataflow/core/time/step_observer.hpp"
+#include "dataflow/core/time/trail.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class MemoryStream;
 
@@ -287,4 +287,4 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     int starving_port_ = -1;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

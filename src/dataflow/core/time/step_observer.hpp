@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/timing/ports.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/time/ports.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 class ProcessTiming;
 
@@ -28,4 +28,4 @@ class StepObserver {
     virtual void stamped(ProcessTiming const& process, Cycles cycle) = 0;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

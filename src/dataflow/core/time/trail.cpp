@@ -1,8 +1,8 @@
-#include "kernel/timing/trail.hpp"
+#include "dataflow/core/time/trail.hpp"
 
 #include <algorithm>
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 using Kind = TrailEvent::Kind;
 
@@ -92,4 +92,4 @@ void Trail::forget(std::size_t events, std::size_t transitions, Junction junctio
     accept_length();
 }
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/timing/path_sums.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/time/path_sums.hpp"
 
-namespace faster::timing {
+namespace dataflow::timing {
 
 using ProcessMask = std::uint64_t;  ///< processes of a core, a bit each
 
@@ -82,4 +82,4 @@ class Trail {
     std::uint64_t forgotten_ = 0;
 };
 
-}  // namespace faster::timing
+}  // namespace dataflow::timing

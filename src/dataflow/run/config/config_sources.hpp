@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The steps of load_config. Each returns its complaints, ready to print, and applies what is sound.
 
@@ -30,4 +30,4 @@ std::string with_value(LoadedConfig const& loaded, std::string const& key);
 /// "PLACE: KEY = VALUE, expected ..." for the value a key has now.
 std::string complaint(LoadedConfig const& loaded, std::string const& key, std::string const& expected);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/config/configuration_hash.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/fnv1a.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/base/fnv1a.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 
 std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
     std::string lines;
@@ -21,4 +21,4 @@ std::string hash_of(std::string_view text) {
     return fmt::format("fnv1a64:{:016x}", hash.value());
 }
 
-}  // namespace faster
+}  // namespace dataflow

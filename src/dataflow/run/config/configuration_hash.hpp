@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// "fnv1a64:" and 16 hexadecimal digits: the FNV-1a hash (64 bits, offset 14695981039346656037, prime 1099511628211) of
 /// the lines "KEY=VALUE\n" of all keys in the order of configs/README.md, values as JSON. What decides no figure is
@@ -15,4 +15,4 @@ std::string configuration_hash(std::vector<ResolvedKey> const& keys);
 /// The same hash of any text.
 std::string hash_of(std::string_view text);
 
-}  // namespace faster
+}  // namespace dataflow

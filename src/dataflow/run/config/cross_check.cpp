@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 /// A key of a part that is not there would change nothing. Its default is no complaint: a resolved configuration says
@@ -52,4 +52,4 @@ std::vector<std::string> cross_check(LoadedConfig const& loaded) {
     return complaints;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
 
@@ -39,4 +39,4 @@ std::string const& cores_are() {
 
 Machine machine_of(RunConfig const& config) { return make_machine(design().core(config), config.machine()); }
 
-}  // namespace faster
+}  // namespace dataflow

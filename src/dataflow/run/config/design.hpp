@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/column.hpp"
-#include "kernel/config/idle_keys.hpp"
-#include "kernel/config/key.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/config/presets.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/column.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/key.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/config/presets.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What all tools of the kernel ask a design. A program has one design: whoever builds the program defines design().
 class Design {
@@ -55,4 +55,4 @@ std::string const& cores_are();
 /// The machine of a configuration.
 Machine machine_of(RunConfig const& config);
 
-}  // namespace faster
+}  // namespace dataflow

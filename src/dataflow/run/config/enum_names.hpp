@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/config/run_config.hpp"
-#include "kernel/machine/external_memory_settings.hpp"
-#include "kernel/machine/fifo_kind.hpp"
-#include "kernel/machine/partition_config.hpp"
+#include "dataflow/core/machine/external_memory_settings.hpp"
+#include "dataflow/core/machine/fifo_kind.hpp"
+#include "dataflow/core/machine/partition_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// How the enumerators of a choice are written in configuration files and reports.
 template <class Enum> struct EnumNames;
@@ -83,4 +83,4 @@ template <class Enum> Enum choice_from_name(std::string_view name) {
     return Enum{};
 }
 
-}  // namespace faster
+}  // namespace dataflow

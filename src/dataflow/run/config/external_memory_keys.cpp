@@ -1,12 +1,12 @@
-#include "kernel/config/external_memory_keys.hpp"
+#include "dataflow/run/config/external_memory_keys.hpp"
 
 #include <fmt/format.h>
 #include <limits>
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/key_builders.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/key_builders.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 using Make = KeyMaker<MachineSettings>;
@@ -87,4 +87,4 @@ std::vector<std::string> external_memory_complaints(LoadedConfig const& loaded) 
     return complaints;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/keys.hpp"
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Keys `accelerator.memory.*` of a design whose modules have memory streams: how the external memory works.
 Keys external_memory_keys();
@@ -13,4 +13,4 @@ Keys external_memory_keys();
 /// What none of them can say on its own, ready to print. For Design::complaints().
 std::vector<std::string> external_memory_complaints(LoadedConfig const& loaded);
 
-}  // namespace faster
+}  // namespace dataflow

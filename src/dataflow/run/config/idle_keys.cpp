@@ -1,11 +1,11 @@
-#include "kernel/config/idle_keys.hpp"
+#include "dataflow/run/config/idle_keys.hpp"
 
 #include <algorithm>
 
-#include "kernel/config/design.hpp"
-#include "kernel/config/key_names.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_names.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 template <class Parts, class NameOfKey> void add_absent(Parts const& parts, NameOfKey name_of_key, IdleKeys& idle) {
@@ -42,4 +42,4 @@ IdleKeys idle_keys(RunConfig const& config) {
     return idle;
 }
 
-}  // namespace faster
+}  // namespace dataflow

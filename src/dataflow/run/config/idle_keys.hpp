@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Keys that mean nothing in a configuration, because what they speak about is not there.
 class IdleKeys {
@@ -33,4 +33,4 @@ class IdleKeys {
 /// All of a configuration: of the parts of the machine that are not there, and Design::idle_keys().
 IdleKeys idle_keys(RunConfig const& config);
 
-}  // namespace faster
+}  // namespace dataflow

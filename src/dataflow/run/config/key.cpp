@@ -1,9 +1,9 @@
-#include "kernel/config/key.hpp"
+#include "dataflow/run/config/key.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 bool is_open(IntegerRange const& range) { return range.max == std::numeric_limits<std::int64_t>::max(); }
@@ -100,4 +100,4 @@ bool accepts(NumberRange const& range, double value) {
     return (range.excludes_min ? value > range.min : value >= range.min) && value <= range.max;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/key_value.hpp"
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/key_value.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What may be written as the value of a key.
 enum class KeyKind {
@@ -95,4 +95,4 @@ std::string range_text(Key const& key);
 bool accepts(IntegerRange const& range, std::int64_t value);
 bool accepts(NumberRange const& range, double value);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "kernel/config/enum_names.hpp"
-#include "kernel/config/key.hpp"
+#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/key.hpp"
 
-namespace faster {
+namespace dataflow {
 
 template <class Member> KeyValue value_of(Member const& member) {
     if constexpr (std::is_enum_v<Member>) {
@@ -100,4 +100,4 @@ inline Key step_of_time(Key key) {
     return of_time(std::move(key));
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/config/key_faults.hpp"
+#include "dataflow/run/config/key_faults.hpp"
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster {
+namespace dataflow {
 
 void throw_first(std::vector<std::string> const& messages) {
     if (messages.empty()) {
@@ -12,4 +12,4 @@ void throw_first(std::vector<std::string> const& messages) {
     throw InputError(messages.front() + (others == 0 ? "" : " (and " + std::to_string(others) + " more)"));
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// One thing wrong with a configuration file or a --set.
 struct KeyFault {
@@ -20,4 +20,4 @@ using KeyFaults = std::vector<KeyFault>;
 /// Throws the InputError for a list of messages, if there are any: the first, and how many more.
 void throw_first(std::vector<std::string> const& messages);
 
-}  // namespace faster
+}  // namespace dataflow

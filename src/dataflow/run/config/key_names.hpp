@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// Names of the keys of a machine's parts; `field` is the last part, e.g. "depth". A loop's name is MODULE.LOOP.
 inline std::string fifo_key_name(std::string const& fifo, std::string const& field) {
@@ -26,4 +26,4 @@ inline std::string module_key_name(std::string const& module, std::string const&
 
 constexpr char const* architecture_key_name = "accelerator.architecture";
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/config/key_value.hpp"
+#include "dataflow/run/config/key_value.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 std::string text_of(bool value) { return value ? "true" : "false"; }
@@ -43,4 +43,4 @@ std::string json_text(KeyValue const& value) {
     return std::visit([](auto const& held) { return text_of(held); }, value);
 }
 
-}  // namespace faster
+}  // namespace dataflow

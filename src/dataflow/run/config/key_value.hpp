@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// What a field of an item holds.
 using ItemPart = std::variant<std::string, std::array<double, 3>>;
@@ -24,4 +24,4 @@ using KeyValue = std::variant<bool, std::int64_t, double, std::string, std::arra
 /// so two values are equal exactly if their texts are.
 std::string json_text(KeyValue const& value);
 
-}  // namespace faster
+}  // namespace dataflow

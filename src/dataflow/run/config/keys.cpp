@@ -1,15 +1,15 @@
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/key_builders.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_builders.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 Keys simulation_keys() {
@@ -188,4 +188,4 @@ std::string const& example_key() {
     return (found == all_keys().end() ? all_keys().front() : *found).name();
 }
 
-}  // namespace faster
+}  // namespace dataflow

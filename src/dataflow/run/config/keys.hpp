@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/config/idle_keys.hpp"
-#include "kernel/config/key.hpp"
+#include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/key.hpp"
 
-namespace faster {
+namespace dataflow {
 
 using Keys = std::vector<Key>;
 
@@ -53,4 +53,4 @@ std::string unknown_key_problem(std::string_view name);
 /// The first key of the design that is a whole number, for messages that show how a key is written.
 std::string const& example_key();
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/config/keys_as_markdown.hpp"
+#include "dataflow/run/config/keys_as_markdown.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 /// "accelerator.fifos" for accelerator.fifos.area.depth, "accelerator" for accelerator.window.
@@ -60,4 +60,4 @@ std::string keys_as_markdown() {
     return text;
 }
 
-}  // namespace faster
+}  // namespace dataflow

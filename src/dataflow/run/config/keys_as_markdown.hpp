@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace faster {
+namespace dataflow {
 
 /// Tables of all configuration keys, one per section. configs/README.md holds this text between its marker comments.
 std::string keys_as_markdown();
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/config/layered_config.hpp"
+#include "dataflow/run/config/layered_config.hpp"
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -41,4 +41,4 @@ LoadedConfig layered_config(Files const& files, std::vector<std::string> const& 
     return loaded;
 }
 
-}  // namespace faster
+}  // namespace dataflow

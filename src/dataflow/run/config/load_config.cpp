@@ -1,22 +1,22 @@
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/utf8.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/layered_config.hpp"
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/utf8.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/value_reader.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -153,4 +153,4 @@ LoadedConfig load_preset(std::string const& name) {
     return loaded;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What gave a key its value, the strongest last.
 enum class KeySource { default_value, preset, file, command_line, trace };
@@ -51,4 +51,4 @@ LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::str
 /// What a preset alone sets; everything else has its default. `name`: one of preset_names().
 LoadedConfig load_preset(std::string const& name);
 
-}  // namespace faster
+}  // namespace dataflow

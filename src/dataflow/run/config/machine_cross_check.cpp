@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/machine_keys.hpp"
-#include "kernel/timing/operation.hpp"
+#include "dataflow/core/time/operation.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 constexpr Cycles longest_interlock = timing::Operation::longest_count;  ///< of the distances that are recorded
@@ -153,4 +153,4 @@ std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     return complaints;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "kernel/config/machine_keys.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 constexpr IntegerRange cycles_range{1, 1'000'000};
@@ -282,4 +282,4 @@ Key fifo_rules_key() {
     return key;
 }
 
-}  // namespace faster
+}  // namespace dataflow

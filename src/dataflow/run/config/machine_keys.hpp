@@ -1,13 +1,13 @@
 #pragma once
 #include <string>
 
-#include "kernel/config/key_builders.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/presets.hpp"
-#include "kernel/machine/module_description.hpp"
+#include "dataflow/core/machine/module_description.hpp"
+#include "dataflow/run/config/key_builders.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/presets.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The keys of a core's FIFOs, loops, setups and block RAMs, in the order of the description; parts that a
 /// configuration does not have are among them. Their defaults and their texts are the description's.
@@ -33,4 +33,4 @@ template <class Config, class Field> Key architecture_key(std::string source, Fi
     return key;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/config/named_files.hpp"
+#include "dataflow/run/config/named_files.hpp"
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::vector<fs::path> named_files(RunConfig const& config) {
     return files;
 }
 
-}  // namespace faster
+}  // namespace dataflow

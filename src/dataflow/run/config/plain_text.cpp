@@ -1,11 +1,11 @@
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/run/config/plain_text.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -64,4 +64,4 @@ bool is_plain_text(std::string_view text) {
     return !is_null_word(text) && !is_boolean_word(text) && !is_integer_text(text) && !parse_number(text);
 }
 
-}  // namespace faster
+}  // namespace dataflow

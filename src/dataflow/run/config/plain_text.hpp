@@ -6,9 +6,9 @@
 #include <string_view>
 #include <variant>
 
-#include "kernel/config/key_value.hpp"
+#include "dataflow/run/config/key_value.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The value as people write it on the command line: text without the quotes of JSON.
 inline std::string plain_text(KeyValue const& value) {
@@ -34,4 +34,4 @@ std::optional<bool> parse_boolean(std::string_view text);
 /// True if YAML 1.2 reads the word as text, not as a boolean, a number or nothing.
 bool is_plain_text(std::string_view text);
 
-}  // namespace faster
+}  // namespace dataflow

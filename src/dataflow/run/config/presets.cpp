@@ -1,10 +1,10 @@
-#include "kernel/config/presets.hpp"
+#include "dataflow/run/config/presets.hpp"
 
 #include <algorithm>
 
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster {
+namespace dataflow {
 
 std::vector<std::string> preset_names() {
     std::vector<std::string> names;
@@ -15,4 +15,4 @@ std::vector<std::string> preset_names() {
     return names;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// A design that `accelerator.architecture` names: what a file of configs/architectures says.
 struct Preset {
@@ -16,4 +16,4 @@ std::vector<std::string> preset_names();
 /// Where messages say that a preset's keys stand.
 inline std::string place_of_preset(std::string const& name) { return "configs/architectures/" + name + ".yaml"; }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,10 +1,10 @@
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/config/keys.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 std::vector<std::string> split_at_points(std::string const& name) {
@@ -66,4 +66,4 @@ std::string to_yaml(std::vector<ResolvedKey> const& keys) {
     return text;
 }
 
-}  // namespace faster
+}  // namespace dataflow

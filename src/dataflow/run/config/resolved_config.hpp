@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/key_value.hpp"
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/key_value.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// One key of a resolved configuration, for the report of a run.
 struct ResolvedKey {
@@ -27,4 +27,4 @@ std::string to_yaml(std::vector<ResolvedKey> const& keys);
 /// a comment. Relative paths stay relative to the current folder, so it belongs there.
 std::string to_yaml(RunConfig const& config);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,9 +1,9 @@
-#include "kernel/config/run_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
 
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster {
+namespace dataflow {
 
 RunConfig::RunConfig() : design_(design().default_config()) {}
 
-}  // namespace faster
+}  // namespace dataflow

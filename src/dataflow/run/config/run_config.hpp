@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "kernel/machine/machine_settings.hpp"
+#include "dataflow/core/machine/machine_settings.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// `lockstep` brings the SystemC kernel to local time before every operation; `decoupled` lets processes run ahead.
 enum class Engine { lockstep, decoupled };
@@ -48,4 +48,4 @@ class RunConfig {
     std::unique_ptr<DesignConfig> design_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,13 +1,13 @@
-#include "kernel/config/settings_list.hpp"
+#include "dataflow/run/config/settings_list.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/value_reader.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 [[noreturn]] void fail(std::filesystem::path const& path, int line, std::string const& what) {
@@ -43,4 +43,4 @@ std::vector<Settings> read_settings_list(std::filesystem::path const& path) {
     return list;
 }
 
-}  // namespace faster
+}  // namespace dataflow

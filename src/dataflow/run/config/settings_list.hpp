@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace faster {
+namespace dataflow {
 
 /// One item of a list of configurations: what it changes.
 struct Settings {
@@ -15,4 +15,4 @@ struct Settings {
 /// anything else.
 std::vector<Settings> read_settings_list(std::filesystem::path const& path);
 
-}  // namespace faster
+}  // namespace dataflow

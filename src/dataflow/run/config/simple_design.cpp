@@ -1,10 +1,10 @@
-#include "kernel/config/simple_design.hpp"
+#include "dataflow/run/config/simple_design.hpp"
 
 #include <utility>
 
-#include "kernel/config/machine_keys.hpp"
+#include "dataflow/run/config/machine_keys.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 Key number_key(std::string const& design, DesignNumber const& number) {
@@ -49,4 +49,4 @@ std::vector<Key> SimpleDesign::keys() const {
     return keys;
 }
 
-}  // namespace faster
+}  // namespace dataflow

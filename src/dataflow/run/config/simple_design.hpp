@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A whole number of a design's own: one configuration key.
 struct DesignNumber {
@@ -69,4 +69,4 @@ class SimpleDesign : public Design {
     SimpleFacts facts_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

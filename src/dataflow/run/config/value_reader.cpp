@@ -1,14 +1,14 @@
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/run/config/value_reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
-#include "kernel/base/printable.hpp"
-#include "kernel/base/utf8.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/utf8.hpp"
+#include "dataflow/run/config/plain_text.hpp"
 
-namespace faster {
+namespace dataflow {
 namespace {
 
 /// yaml-cpp's tag of a quoted scalar. A plain one has "?", one made by us none.
@@ -269,4 +269,4 @@ std::string shown(YAML::Node const& node) {
     return shortened(is_plain_scalar(node) ? node.Scalar() : node.Tag() + ' ' + node.Scalar());
 }
 
-}  // namespace faster
+}  // namespace dataflow

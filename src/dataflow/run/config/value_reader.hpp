@@ -5,10 +5,10 @@
 #include <vector>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/config/key.hpp"
-#include "kernel/config/key_faults.hpp"
+#include "dataflow/run/config/key.hpp"
+#include "dataflow/run/config/key_faults.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// The value of `key` as `node` has it. Whatever is wrong with it is added to `faults`, with `line` for where no better
 /// one is known, and there is no value then. Relative paths are taken to be relative to `folder`.
@@ -27,4 +27,4 @@ std::vector<MapEntry> read_entries(YAML::Node const& map, std::string const& pre
 /// How a message shows a value.
 std::string shown(YAML::Node const& node);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,22 +1,22 @@
-#include "kernel/events/event_file.hpp"
+#include "dataflow/run/events/event_file.hpp"
 
 #include <fmt/format.h>
 #include <fstream>
 #include <ostream>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/files/zstd_frame.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/events/event_file_format.hpp"
-#include "kernel/events/machine_json.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/files/zstd_frame.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/events/event_file_format.hpp"
+#include "dataflow/run/events/machine_json.hpp"
 
-namespace faster::events {
+namespace dataflow::events {
 
 namespace {
 
@@ -228,4 +228,4 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, repla
     });
 }
 
-}  // namespace faster::events
+}  // namespace dataflow::events

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
 
-namespace faster::events {
+namespace dataflow::events {
 
 /// An event file (docs/formats.md, "Event files"): all that a run did, without the time it took, and what came of it.
 struct EventFile {
@@ -28,4 +28,4 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, repla
 /// file, of another version, cut off or damaged.
 EventFile read_event_file(std::filesystem::path const& path);
 
-}  // namespace faster::events
+}  // namespace dataflow::events

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/little_endian.hpp"
+#include "dataflow/base/little_endian.hpp"
 
-namespace faster::events {
+namespace dataflow::events {
 
 /// Where what lies in an event file: opening, header frame, a frame per sample, index frame, closing. Numbers are
 /// little-endian.
@@ -26,4 +26,4 @@ template <class Number> Number from_little_endian(std::string_view bytes) {
     return static_cast<Number>(little_endian_at<sizeof(Number)>(bytes.data()));
 }
 
-}  // namespace faster::events
+}  // namespace dataflow::events

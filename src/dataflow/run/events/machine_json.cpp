@@ -1,11 +1,11 @@
-#include "kernel/events/machine_json.hpp"
+#include "dataflow/run/events/machine_json.hpp"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <stdexcept>
 
-namespace faster::events {
+namespace dataflow::events {
 
 namespace {
 
@@ -260,4 +260,4 @@ void read_machine(Json const& json, Machine const& machine, replay::RecordedRun&
         throw std::invalid_argument("missing ends of the memory");
 }
 
-}  // namespace faster::events
+}  // namespace dataflow::events

@@ -1,9 +1,9 @@
 #pragma once
-#include "kernel/base/json.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
 
-namespace faster::events {
+namespace dataflow::events {
 
 /// What a run had to do with its external memory: numbers in the order of the structures' fields.
 Json memory_json(replay::RecordedMemory const& memory);
@@ -19,4 +19,4 @@ Json machine_json(timing::CoreTiming const& blueprint);
 /// says anything else than that machine has.
 void read_machine(Json const& json, Machine const& machine, replay::RecordedRun& run);
 
-}  // namespace faster::events
+}  // namespace dataflow::events

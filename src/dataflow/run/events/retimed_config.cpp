@@ -1,15 +1,15 @@
-#include "kernel/events/retimed_config.hpp"
+#include "dataflow/run/events/retimed_config.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster::events {
+namespace dataflow::events {
 
 namespace {
 
@@ -50,4 +50,4 @@ LoadedConfig retimed_config(LoadedConfig const& recorded, std::vector<std::strin
     return changed;
 }
 
-}  // namespace faster::events
+}  // namespace dataflow::events

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/column.hpp"
+#include "dataflow/base/column.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A table, as in table_columns.hpp.
 template <class Row, std::size_t N> using Columns = Column<Row> const (&)[N];
@@ -86,4 +86,4 @@ template <class Row, std::size_t N> std::vector<Row> over_cores(Columns<Row, N> 
     return sums;
 }
 
-}  // namespace faster
+}  // namespace dataflow

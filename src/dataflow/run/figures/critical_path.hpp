@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What the critical path spends a cycle with.
 enum class PathCause : std::size_t {
@@ -43,4 +43,4 @@ struct CriticalPath {
     std::vector<PathRow> rows;  ///< the largest first
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,9 +2,9 @@
 #include <array>
 #include <iterator>
 
-#include "kernel/base/column.hpp"
+#include "dataflow/base/column.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a process does in a cycle: always exactly one of these.
 enum class CycleClass : std::size_t {
@@ -50,4 +50,4 @@ constexpr bool is_class_of(std::size_t which, bool has_external_memory) {
 }
 inline char const* name_of(CycleClass which) { return cycle_class_names[index_of(which)]; }
 
-}  // namespace faster
+}  // namespace dataflow

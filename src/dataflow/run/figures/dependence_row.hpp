@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/dependence.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/dependence.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What has been seen of a dependence of a loop of a core. See WriteDistances.
 struct DependenceStatistics {
@@ -39,4 +39,4 @@ struct DependenceRow {
     std::uint64_t register_bits() const;
 };
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/figures/diagnosis.hpp"
+#include "dataflow/run/figures/diagnosis.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -67,4 +67,4 @@ Diagnosis diagnose(RunStatistics const& run) {
     return diagnosis;
 }
 
-}  // namespace faster
+}  // namespace dataflow

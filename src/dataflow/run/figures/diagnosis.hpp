@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// One thing that the cycles of a process go into. A loop counts with all cycles of its iterations, those that a port
 /// conflict or a recurrence costs included.
@@ -27,4 +27,4 @@ struct Diagnosis {
 
 Diagnosis diagnose(RunStatistics const& run);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,8 +1,8 @@
-#include "kernel/figures/memory_traffic.hpp"
+#include "dataflow/run/figures/memory_traffic.hpp"
 
 #include <algorithm>
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 double quotient(double part, double whole) { return whole > 0 ? part / whole : 0; }
@@ -31,4 +31,4 @@ Cycles MemoryTraffic::memory_alone() const {
     return alone;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/column.hpp"
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/column.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a master of a core moved, and how long that took: from asking for a burst to its last beat, or a write's
 /// acknowledgement.
@@ -62,4 +62,4 @@ struct MemoryTraffic {
     Cycles memory_alone() const;
 };
 
-}  // namespace faster
+}  // namespace dataflow

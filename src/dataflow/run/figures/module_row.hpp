@@ -1,7 +1,7 @@
 #pragma once
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Cycles by the name of what they went into.
 struct NamedCycles {
@@ -24,4 +24,4 @@ struct ModuleRow {
 /// The column of a class: "busy_cycles".
 inline std::string cycles_column(char const* cycle_class) { return std::string(cycle_class) + "_cycles"; }
 
-}  // namespace faster
+}  // namespace dataflow

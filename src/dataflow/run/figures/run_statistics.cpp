@@ -1,9 +1,9 @@
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
 #include <algorithm>
 #include <functional>
 
-namespace faster {
+namespace dataflow {
 
 Cycles RunStatistics::deadlock_cycle() const {
     Cycles latest = 0;
@@ -75,4 +75,4 @@ std::string leftover_tokens(RunStatistics const& run) {
     return text;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/figures/critical_path.hpp"
-#include "kernel/figures/cycle_class.hpp"
-#include "kernel/figures/dependence_row.hpp"
-#include "kernel/figures/memory_traffic.hpp"
-#include "kernel/figures/sensitivity.hpp"
-#include "kernel/figures/table_columns.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/figures/critical_path.hpp"
+#include "dataflow/run/figures/cycle_class.hpp"
+#include "dataflow/run/figures/dependence_row.hpp"
+#include "dataflow/run/figures/memory_traffic.hpp"
+#include "dataflow/run/figures/sensitivity.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Where the cycles of one process went. Every cycle of the run is in exactly one class: they add up to total_cycles.
 struct ProcessStatistics {
@@ -84,4 +84,4 @@ std::string leftover_tokens(RunStatistics const& run);
 /// One module of all cores together.
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What one module did from one cycle to another.
 struct TimelineSpan {
@@ -33,4 +33,4 @@ struct SampleTimeline {
     std::vector<std::vector<OccupancyPoint>> occupancy;  ///< by FIFO
 };
 
-}  // namespace faster
+}  // namespace dataflow

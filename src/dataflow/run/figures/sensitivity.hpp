@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Why a key has no more slack than it has.
 enum class SlackEnd {
@@ -44,4 +44,4 @@ struct Alternative {
     SensitivityStep step;  ///< always without slack
 };
 
-}  // namespace faster
+}  // namespace dataflow

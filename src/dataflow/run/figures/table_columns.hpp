@@ -2,12 +2,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/column.hpp"
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/block_ram.hpp"
-#include "kernel/machine/fifo_kind.hpp"
+#include "dataflow/base/column.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/core/machine/fifo_kind.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a FIFO of a core has to tell.
 struct FifoStatistics {
@@ -144,4 +144,4 @@ inline constexpr Column<SampleStatistics> sample_columns[]{
      "end + 1 - start, queueing included. Samples of a core overlap: latencies do not add up to `total_cycles`"},
 };
 
-}  // namespace faster
+}  // namespace dataflow

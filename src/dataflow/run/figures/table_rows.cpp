@@ -1,10 +1,10 @@
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/integer_bits.hpp"
+#include "dataflow/base/integer_bits.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::vector<MemoryRow> memory_rows(RunStatistics const& run) {
     return rows;
 }
 
-}  // namespace faster
+}  // namespace dataflow

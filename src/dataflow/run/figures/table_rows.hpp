@@ -1,9 +1,9 @@
 #pragma once
-#include "kernel/figures/module_row.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/figures/table_columns.hpp"
+#include "dataflow/run/figures/module_row.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Rows of the tables of a run, core by core, in the order of the output files.
 std::vector<ModuleRow> module_rows(RunStatistics const& run);
@@ -17,4 +17,4 @@ std::vector<DependenceRow> dependence_sums(RunStatistics const& run);
 /// Modules of all cores together.
 std::vector<ModuleRow> module_sums(RunStatistics const& run);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Appends a number, 7 bits a byte (LEB128).
 inline void put_number(std::string& bytes, std::uint64_t value) {
@@ -61,4 +61,4 @@ class ByteReader {
     bool good_ = true;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

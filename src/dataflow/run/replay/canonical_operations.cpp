@@ -1,8 +1,8 @@
-#include "kernel/replay/canonical_operations.hpp"
+#include "dataflow/run/replay/canonical_operations.hpp"
 
 #include <algorithm>
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -151,4 +151,4 @@ void return_tails(std::vector<Operation>& operations) {
     }
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/operation.hpp"
+#include "dataflow/core/time/operation.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The same operations, however the process told them: iterations that access the same ports, with one silent iteration
 /// behind them or none, are cut into operations by a rule of their own. How many of them a process tells at once
@@ -14,4 +14,4 @@ std::vector<timing::Operation> canonical(timing::Operation const* first, std::si
 /// tail of the operation before them. It becomes part of theirs, as if they had been told together.
 void return_tails(std::vector<timing::Operation>& operations);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,10 +1,10 @@
-#include "kernel/replay/collect.hpp"
+#include "dataflow/run/replay/collect.hpp"
 
 #include <algorithm>
 
-#include "kernel/replay/collect_traffic.hpp"
+#include "dataflow/run/replay/collect_traffic.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -231,4 +231,4 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
     return run;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

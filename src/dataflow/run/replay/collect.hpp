@@ -1,13 +1,13 @@
 #pragma once
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A core that has done all it can.
 struct FinishedCore {
@@ -26,4 +26,4 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
                       timing::MemorySystem const* memory = nullptr,
                       std::vector<timing::LoadedRange> const& loaded = {});
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,8 +1,8 @@
-#include "kernel/replay/collect_traffic.hpp"
+#include "dataflow/run/replay/collect_traffic.hpp"
 
 #include <cmath>
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -50,4 +50,4 @@ MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const&
     return traffic;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

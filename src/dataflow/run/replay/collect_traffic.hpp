@@ -1,10 +1,10 @@
 #pragma once
-#include "kernel/figures/memory_traffic.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/figures/memory_traffic.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The figures of the external memory of so many cores.
 MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const& machine, std::size_t cores);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,6 +1,6 @@
-#include "kernel/replay/core_variant.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& bluep
     return core;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,13 +1,13 @@
 #pragma once
 #include <memory>
 
-#include "kernel/machine/machine.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A core with the processes and FIFOs of another, and the depths, latencies and intervals of a machine. Nothing has
 /// happened in it yet.
 std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& blueprint, Machine const& machine);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstddef>
 
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Goes along with the cores of a retiming.
 class CoreWatch {
@@ -18,4 +18,4 @@ class CoreWatch {
     virtual void end() = 0;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,10 +1,10 @@
-#include "kernel/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/critical_path_of.hpp"
 
 #include <algorithm>
 
-#include "kernel/timing/path_sweep.hpp"
+#include "dataflow/core/time/path_sweep.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -145,4 +145,4 @@ CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& core
     return path;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,8 +1,8 @@
-#include "kernel/replay/known_phrases.hpp"
+#include "dataflow/run/replay/known_phrases.hpp"
 
 #include <algorithm>
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -94,4 +94,4 @@ void PhraseCheck::move_on(std::vector<OperationCheck>& checks) const {
     }
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/replay/lead_core.hpp"
-#include "kernel/replay/operation_check.hpp"
-#include "kernel/timing/lookup/phrase_book.hpp"
+#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/run/replay/lead_core.hpp"
+#include "dataflow/run/replay/operation_check.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The phrases that a file was found to hold, each looked at once: what is read may say anything.
 class KnownPhrases {
@@ -66,4 +66,4 @@ class PhraseCheck {
     std::int64_t setups_ = 0;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

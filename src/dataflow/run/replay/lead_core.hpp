@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/lookup/group.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/lookup/group.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A core that has done nothing yet, to write operations on and to check them with, and its lead group.
 struct LeadCore {
@@ -18,4 +18,4 @@ struct LeadCore {
     timing::Group group;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,14 +1,14 @@
-#include "kernel/replay/live_retiming.hpp"
+#include "dataflow/run/replay/live_retiming.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "kernel/replay/collect.hpp"
-#include "kernel/replay/core_variant.hpp"
-#include "kernel/replay/sample_cutter.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/sample_cutter.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 class LiveRetiming::Window : public ScriptSource {
   public:
@@ -113,4 +113,4 @@ std::optional<RunStatistics> LiveRetiming::finish(std::vector<Counters> const& c
     return run;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

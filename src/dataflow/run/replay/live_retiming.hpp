@@ -4,15 +4,15 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/lead_core.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/replay.hpp"
-#include "kernel/replay/script_source.hpp"
-#include "kernel/timing/lookup/phrase_cutter.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/lookup/phrase_cutter.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/lead_core.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/replay.hpp"
+#include "dataflow/run/replay/script_source.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Works out the time of a run while it is recorded, from the phrases that are recorded, sample by sample. What has
 /// been timed is forgotten, but for the phrases; when there are too many of those, as in runs that never say the same,
@@ -49,4 +49,4 @@ class LiveRetiming {
     bool is_stuck_ = false;  ///< some core: what the others do does not matter any more
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

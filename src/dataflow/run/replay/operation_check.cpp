@@ -1,9 +1,9 @@
-#include "kernel/replay/operation_check.hpp"
+#include "dataflow/run/replay/operation_check.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 using timing::Operation;
 using Kind = Operation::Kind;
@@ -97,4 +97,4 @@ bool OperationCheck::is_in_loop_at(Operation const& operation) {
     }
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

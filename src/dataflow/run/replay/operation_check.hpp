@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/process_timing.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Whether a process can do operations one after the other: what is read from a file may say anything.
 class OperationCheck {
@@ -44,4 +44,4 @@ class OperationCheck {
     State state_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,11 +1,11 @@
-#include "kernel/replay/operation_columns.hpp"
+#include "dataflow/run/replay/operation_columns.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "kernel/base/little_endian.hpp"
+#include "dataflow/base/little_endian.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -244,4 +244,4 @@ bool decode_operations(ByteReader& bytes, OperationCheck& check, std::vector<Ope
     return ProcessDecoder(bytes, check).decode(operations);
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

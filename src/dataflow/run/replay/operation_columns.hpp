@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/replay/bytes.hpp"
-#include "kernel/replay/operation_check.hpp"
+#include "dataflow/run/replay/bytes.hpp"
+#include "dataflow/run/replay/operation_check.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Writes the operations of one process after the other as a table of the shapes that occur, and columns: which shape;
 /// then what operations of that shape have, in their order.
@@ -14,4 +14,4 @@ void encode_operations(std::vector<timing::Operation> const& operations, std::st
 /// Reads them. False if the check does not accept them all.
 bool decode_operations(ByteReader& bytes, OperationCheck& check, std::vector<timing::Operation>& operations);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,14 +1,14 @@
-#include "kernel/replay/operation_tape.hpp"
+#include "dataflow/run/replay/operation_tape.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <unistd.h>
 
-#include "kernel/base/files/zstd_frame.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/replay/sample_codec.hpp"
+#include "dataflow/base/files/zstd_frame.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/replay/sample_codec.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 OperationTape::OperationTape(std::filesystem::path const& file, std::vector<Block> blocks)
     : file_(std::fopen(file.c_str(), "rb")), name_(file.string()), blocks_(std::move(blocks)) {
@@ -55,4 +55,4 @@ void OperationTape::read_block(std::size_t sample, Bytes& bytes) const {
     }
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

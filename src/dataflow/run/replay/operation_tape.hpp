@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/c_file.hpp"
-#include "kernel/base/files/zstd_frame.hpp"
-#include "kernel/base/uninitialized.hpp"
-#include "kernel/replay/scripted_sample.hpp"
+#include "dataflow/base/files/c_file.hpp"
+#include "dataflow/base/files/zstd_frame.hpp"
+#include "dataflow/base/uninitialized.hpp"
+#include "dataflow/run/replay/scripted_sample.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// What the processes do, a compressed block per sample. Says nothing about time, so that any timing can be put to it,
 /// and any core can score any sample. Kept in a temporary file, or in an event file; may be read by several threads at
@@ -51,4 +51,4 @@ class OperationTape {
     std::vector<Block> blocks_;             // by sample
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,8 +1,8 @@
-#include "kernel/replay/plain_reader.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
 
-#include "kernel/replay/sample_cutter.hpp"
+#include "dataflow/run/replay/sample_cutter.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 PlainReader::PlainReader(RecordedRun const& run, timing::Lead const& lead)
     : run_(run), tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
@@ -28,4 +28,4 @@ void tell_sample(std::vector<timing::Operation> const& operations, timing::Proce
         append_sample(operations, *tape);
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

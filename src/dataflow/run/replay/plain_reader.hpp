@@ -1,11 +1,11 @@
 #pragma once
 #include <cstddef>
 
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/sample_operations.hpp"
-#include "kernel/replay/tape_reader.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/sample_operations.hpp"
+#include "dataflow/run/replay/tape_reader.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Reads samples of a run, which must outlive it, as operations, no phrases.
 class PlainReader {
@@ -25,4 +25,4 @@ void append_sample(std::vector<timing::Operation> const& operations, timing::Ope
 /// Tells a process, and whoever tapes it.
 void tell_sample(std::vector<timing::Operation> const& operations, timing::ProcessTiming& process);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/lead.hpp"
-#include "kernel/timing/memory/memory_block.hpp"
-#include "kernel/timing/memory/memory_load.hpp"
+#include "dataflow/core/memory/memory_block.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
+#include "dataflow/core/time/lead.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// What a run had to do with an external memory: what the masters of its cores were told to fetch or to store. Says
 /// nothing about bursts or time.
@@ -17,4 +17,4 @@ struct RecordedMemory {
     timing::Lead lead;                          ///< of the machine that ran, which its phrases belong to
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

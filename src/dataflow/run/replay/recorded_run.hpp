@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/operation_tape.hpp"
-#include "kernel/replay/recorded_memory.hpp"
-#include "kernel/replay/sample_operations.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/operation_tape.hpp"
+#include "dataflow/run/replay/recorded_memory.hpp"
+#include "dataflow/run/replay/sample_operations.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, as it
 /// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
@@ -34,4 +34,4 @@ struct RecordedRun {
     timing::Lead const& lead(Machine const& machine) const { return memory ? memory->lead : machine.lead; }
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

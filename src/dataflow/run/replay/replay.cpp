@@ -1,11 +1,11 @@
-#include "kernel/replay/replay.hpp"
+#include "dataflow/run/replay/replay.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "kernel/replay/plain_reader.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -136,4 +136,4 @@ void Replay::find_stuck() {
     is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

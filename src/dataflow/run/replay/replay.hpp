@@ -3,13 +3,13 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/script_source.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/script_source.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Lets one core do the operations of its samples, one sample after the other.
 class Replay {
@@ -61,4 +61,4 @@ class Replay {
     timing::Script script_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

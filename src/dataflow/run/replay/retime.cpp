@@ -1,16 +1,16 @@
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/replay/retime.hpp"
 
 #include <memory>
 #include <numeric>
 
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/collect.hpp"
-#include "kernel/replay/core_variant.hpp"
-#include "kernel/replay/plain_reader.hpp"
-#include "kernel/replay/replay.hpp"
-#include "kernel/replay/retime_together.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
+#include "dataflow/run/replay/replay.hpp"
+#include "dataflow/run/replay/retime_together.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -101,4 +101,4 @@ RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine) 
     return retime(run, Following::logs, machine);
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -3,12 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/scripted_run.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The figures of a run on another machine, equal to running it there, without running it. A deadlock is a result, as
 /// it is of a run. `machine` must not differ from the recorded run's in more than retiming_keys() decide.
@@ -33,4 +33,4 @@ struct CoreOptions {
 Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                    CoreOptions const& options = {});
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,10 +1,10 @@
-#include "kernel/replay/retime_many.hpp"
+#include "dataflow/run/replay/retime_many.hpp"
 
 #include <mutex>
 
-#include "kernel/base/on_threads.hpp"
+#include "dataflow/base/on_threads.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
@@ -20,4 +20,4 @@ void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, D
     });
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/replay/retime.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Gets the number of a machine and its figures.
 using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
@@ -15,4 +15,4 @@ using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done);
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,4 +1,4 @@
-#include "kernel/replay/retime_together.hpp"
+#include "dataflow/run/replay/retime_together.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -6,16 +6,16 @@
 #include <numeric>
 #include <optional>
 
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/collect.hpp"
-#include "kernel/replay/core_variant.hpp"
-#include "kernel/replay/critical_path_of.hpp"
-#include "kernel/replay/plain_reader.hpp"
-#include "kernel/replay/sample_cutter.hpp"
-#include "kernel/replay/scripted_core.hpp"
-#include "kernel/timing/memory/memory_system.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/memory/memory_system.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
+#include "dataflow/run/replay/sample_cutter.hpp"
+#include "dataflow/run/replay/scripted_core.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -231,4 +231,4 @@ Cores retime_cores_together(ScriptedRun const& run, Machine const& machine, std:
     return {};
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,8 +1,8 @@
 #pragma once
-#include "kernel/replay/core_watch.hpp"
-#include "kernel/replay/retime.hpp"
+#include "dataflow/run/replay/core_watch.hpp"
+#include "dataflow/run/replay/retime.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// retime() of a run whose cores shared an external memory: all of them go on together, as they did. On a machine whose
 /// memory is ideal, everything is there from cycle 0 on. With trails, the critical path is among the figures. `watch`
@@ -15,4 +15,4 @@ RunStatistics retime_together(ScriptedRun const& run, Machine const& machine, bo
 Cores retime_cores_together(ScriptedRun const& run, Machine const& machine, std::vector<std::size_t> const& cores,
                             CoreOptions const& options);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

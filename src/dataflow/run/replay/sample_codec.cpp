@@ -1,14 +1,14 @@
-#include "kernel/replay/sample_codec.hpp"
+#include "dataflow/run/replay/sample_codec.hpp"
 
 #include <algorithm>
 #include <array>
 #include <type_traits>
 
-#include "kernel/base/little_endian.hpp"
-#include "kernel/replay/bytes.hpp"
-#include "kernel/replay/operation_columns.hpp"
+#include "dataflow/base/little_endian.hpp"
+#include "dataflow/run/replay/bytes.hpp"
+#include "dataflow/run/replay/operation_columns.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -164,4 +164,4 @@ bool decode(std::string_view bytes, KnownPhrases& known, ScriptedSample& sample)
            std::all_of(checks.begin(), checks.end(), [](OperationCheck const& check) { return check.is_done(); });
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -2,10 +2,10 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/replay/known_phrases.hpp"
-#include "kernel/replay/scripted_sample.hpp"
+#include "dataflow/run/replay/known_phrases.hpp"
+#include "dataflow/run/replay/scripted_sample.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A sample as bytes (docs/formats.md, "Event files"): operations by process as a table of the shapes that occur, then
 /// columns, which compress better than whole operations do; and the phrases, which must be those of `book`.
@@ -15,4 +15,4 @@ std::string encode(ScriptedSample const& sample, timing::PhraseBook const& book)
 /// do.
 bool decode(std::string_view bytes, KnownPhrases& known, ScriptedSample& sample);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

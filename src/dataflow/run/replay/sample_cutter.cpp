@@ -1,8 +1,8 @@
-#include "kernel/replay/sample_cutter.hpp"
+#include "dataflow/run/replay/sample_cutter.hpp"
 
-#include "kernel/replay/canonical_operations.hpp"
+#include "dataflow/run/replay/canonical_operations.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 using timing::Operation;
 using timing::OperationLog;
@@ -92,4 +92,4 @@ SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& boo
     return operations;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,8 +1,8 @@
 #pragma once
-#include "kernel/replay/lead_core.hpp"
-#include "kernel/replay/scripted_sample.hpp"
+#include "dataflow/run/replay/lead_core.hpp"
+#include "dataflow/run/replay/scripted_sample.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Cuts what the processes do for a sample into phrases.
 class SampleCutter {
@@ -32,4 +32,4 @@ class SampleCutter {
 /// are those of a book and a group.
 SampleOperations joined(ScriptedSample const& cut, timing::PhraseBook const& book, timing::Group const& group);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,12 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "kernel/timing/operation.hpp"
+#include "dataflow/core/time/operation.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// What each process of a core does for one sample, from where it begins the sample to where it begins the next, in
 /// program order. By process.
 using SampleOperations = std::vector<std::vector<timing::Operation>>;
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

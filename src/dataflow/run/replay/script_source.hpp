@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "kernel/replay/scripted_sample.hpp"
+#include "dataflow/run/replay/scripted_sample.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Samples, by number, as phrases of one book.
 class ScriptSource {
@@ -36,4 +36,4 @@ class NoScripts : public ScriptSource {
     timing::PhraseBook book_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

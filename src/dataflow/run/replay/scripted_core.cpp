@@ -1,11 +1,11 @@
-#include "kernel/replay/scripted_core.hpp"
+#include "dataflow/run/replay/scripted_core.hpp"
 
 #include <utility>
 
-#include "kernel/base/each_bit.hpp"
-#include "kernel/replay/plain_reader.hpp"
+#include "dataflow/base/each_bit.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 /// Members of a group that are told by scripts: the driver, and who answers it.
@@ -110,4 +110,4 @@ bool ScriptedCore::has_more(std::size_t process) const {
     return ends || (next < share_.count && !run_[share_.first + next].before[process].empty());
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,13 +1,13 @@
 #pragma once
 #include <cstddef>
 
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/scripted_run.hpp"
-#include "kernel/timing/core_timing.hpp"
-#include "kernel/timing/lookup/group.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/lookup/group.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A core behind an external memory that follows the scripts of its samples. All that is in no script has been logged
 /// from the start, so whenever it stops it has got as far as it can with what the memory has brought so far.
@@ -44,4 +44,4 @@ class ScriptedCore {
     bool has_more_to_say_ = false;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,13 +1,13 @@
-#include "kernel/replay/scripted_run.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "kernel/base/on_threads.hpp"
-#include "kernel/replay/tape_reader.hpp"
-#include "kernel/timing/lookup/phrase_cutter.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/lookup/phrase_cutter.hpp"
+#include "dataflow/run/replay/tape_reader.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -73,4 +73,4 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, std::
     timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

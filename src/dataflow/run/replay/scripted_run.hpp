@@ -2,10 +2,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/script_source.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/script_source.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation;
 /// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `lead` is that of its machine.
@@ -27,4 +27,4 @@ class ScriptedRun : public ScriptSource {
     std::vector<ScriptedSample> samples_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -2,11 +2,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/base/uninitialized.hpp"
-#include "kernel/replay/sample_operations.hpp"
-#include "kernel/timing/lookup/phrase_book.hpp"
+#include "dataflow/base/uninitialized.hpp"
+#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/run/replay/sample_operations.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// A sample's operations with the long middle, where the lead group is at work, as phrases of it. Of its supplier,
 /// which is ahead by as much as a FIFO holds, all operations are in `before`.
@@ -27,4 +27,4 @@ struct ScriptedSample {
     }
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

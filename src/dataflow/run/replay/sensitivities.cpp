@@ -1,13 +1,13 @@
-#include "kernel/replay/sensitivities.hpp"
+#include "dataflow/run/replay/sensitivities.hpp"
 
 #include <algorithm>
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/replay/retime_many.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/replay/retime_many.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const
     return rows;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

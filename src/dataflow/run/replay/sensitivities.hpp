@@ -2,11 +2,11 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/config/load_config.hpp"
-#include "kernel/figures/sensitivity.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/figures/sensitivity.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The exact change of total_cycles for one step of each of timing_keys(), by retiming a recorded run of `loaded`, one
 /// row per key in their order. On all host cores; `progress` is told how many of `steps` retimings are done, from any
@@ -18,4 +18,4 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
 /// same, nothing.
 std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const& loaded);
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

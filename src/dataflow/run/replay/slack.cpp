@@ -1,11 +1,11 @@
-#include "kernel/replay/slack.hpp"
+#include "dataflow/run/replay/slack.hpp"
 
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/replay/retime_many.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/replay/retime_many.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 
@@ -113,4 +113,4 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         search.finish();
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -2,11 +2,11 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/config/load_config.hpp"
-#include "kernel/figures/sensitivity.hpp"
-#include "kernel/replay/recorded_run.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/figures/sensitivity.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// The largest change of a key that is tried.
 constexpr std::int64_t most_slack = 1024;
@@ -18,4 +18,4 @@ constexpr std::int64_t most_slack = 1024;
 void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total_cycles, std::vector<Sensitivity>& rows,
                 std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

@@ -1,14 +1,14 @@
-#include "kernel/replay/tape_reader.hpp"
+#include "dataflow/run/replay/tape_reader.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/replay/sample_codec.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/replay/sample_codec.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 ScriptedSample TapeReader::read(std::size_t sample) {
     ScriptedSample scripted;
@@ -23,4 +23,4 @@ ScriptedSample TapeReader::read(std::size_t sample) {
     return scripted;
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

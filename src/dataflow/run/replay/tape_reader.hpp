@@ -2,12 +2,12 @@
 #include <cstddef>
 #include <utility>
 
-#include "kernel/base/files/zstd_frame.hpp"
-#include "kernel/replay/known_phrases.hpp"
-#include "kernel/replay/operation_tape.hpp"
-#include "kernel/replay/scripted_sample.hpp"
+#include "dataflow/base/files/zstd_frame.hpp"
+#include "dataflow/run/replay/known_phrases.hpp"
+#include "dataflow/run/replay/operation_tape.hpp"
+#include "dataflow/run/replay/scripted_sample.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Reads samples from a tape, which must outlive it, in any order. Several threads have one each.
 class TapeReader {
@@ -27,4 +27,4 @@ class TapeReader {
     io::ZstdReader zstd_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

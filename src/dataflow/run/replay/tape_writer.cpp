@@ -1,12 +1,12 @@
-#include "kernel/replay/tape_writer.hpp"
+#include "dataflow/run/replay/tape_writer.hpp"
 
 #include <algorithm>
 #include <system_error>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/replay/canonical_operations.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/replay/canonical_operations.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 namespace {
 constexpr std::size_t most_waiting = 16;  // samples: some megabytes
@@ -103,4 +103,4 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
     }
 }
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

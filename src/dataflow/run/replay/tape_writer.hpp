@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/replay/live_retiming.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/sample_cutter.hpp"
+#include "dataflow/run/replay/live_retiming.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/sample_cutter.hpp"
 
-namespace faster::replay {
+namespace dataflow::replay {
 
 /// Puts samples on a run's tape from a thread of its own, so that what is recorded need not wait for it.
 class TapeWriter {
@@ -60,4 +60,4 @@ class TapeWriter {
     std::thread thread_;
 };
 
-}  // namespace faster::replay
+}  // namespace dataflow::replay

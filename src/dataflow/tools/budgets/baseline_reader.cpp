@@ -1,12 +1,12 @@
-#include "kernel/budgets/baseline_reader.hpp"
+#include "dataflow/tools/budgets/baseline_reader.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "kernel/config/plain_text.hpp"
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/run/config/value_reader.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -101,4 +101,4 @@ Baseline read_baseline(YAML::Node const& node, int line, KeyFaults& faults) {
     return BaselineReader(faults).read(node, line);
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

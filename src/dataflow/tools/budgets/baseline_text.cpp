@@ -1,12 +1,12 @@
-#include "kernel/budgets/baseline_text.hpp"
+#include "dataflow/tools/budgets/baseline_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "kernel/budgets/figure_pattern.hpp"
+#include "dataflow/tools/budgets/figure_pattern.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string baseline_block(Baseline const& baseline) {
            figure_lines(baseline.figures);
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

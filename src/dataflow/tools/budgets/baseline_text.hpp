@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/measurement.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// The baseline that a finished run makes for a budget: all figures of all cores together, and of single cores and
 /// samples those that a limit compares with the baseline.
@@ -17,4 +17,4 @@ bool is_same_run(Baseline const& a, Baseline const& b);
 /// The block `baseline:` of a budget file, one figure's item per line.
 std::string baseline_block(Baseline const& baseline);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,11 +1,11 @@
-#include "kernel/budgets/budget.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -76,4 +76,4 @@ Interval interval_of(Limit const& limit, Scale const& scale) {
     return interval;
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/figures.hpp"
-#include "kernel/compare/run_record.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
+#include "dataflow/tools/compare/run_record.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// A number as a budget writes it.
 struct Quantity {
@@ -79,4 +79,4 @@ struct Budget {
     std::string name() const { return file.stem().string(); }
 };
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,4 +1,4 @@
-#include "kernel/budgets/budget_file.hpp"
+#include "dataflow/tools/budgets/budget_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,22 +6,22 @@
 #include <vector>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/budgets/baseline_reader.hpp"
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/figure_pattern.hpp"
-#include "kernel/budgets/figures.hpp"
-#include "kernel/config/config_sources.hpp"
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/run/config/value_reader.hpp"
+#include "dataflow/tools/budgets/baseline_reader.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/figure_pattern.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -325,4 +325,4 @@ Budget read_budget(std::filesystem::path const& file, BaselineNeed need) {
     return BudgetReader(file, need).read(load_document(file, "a budget file"));
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,7 +1,7 @@
 #pragma once
-#include "kernel/budgets/budget.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 enum class BaselineNeed { required, optional };
 
@@ -10,4 +10,4 @@ enum class BaselineNeed { required, optional };
 /// configuration exists, and how many cores and samples there are, turns out later.
 Budget read_budget(std::filesystem::path const& file, BaselineNeed need = BaselineNeed::required);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

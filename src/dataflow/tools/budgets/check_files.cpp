@@ -1,14 +1,14 @@
-#include "kernel/budgets/check_files.hpp"
+#include "dataflow/tools/budgets/check_files.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/base/markup_text.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/budgets/check_text.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/base/markup_text.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/tools/budgets/check_text.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -181,4 +181,4 @@ std::string junit_xml(std::vector<CheckResult> const& results) {
         attributes(all, seconds), suites);
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/check_result.hpp"
+#include "dataflow/tools/budgets/check_result.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// All results as a JSON file (docs/formats.md, "Results of a check").
 std::string check_json(std::vector<CheckResult> const& results);
@@ -16,4 +16,4 @@ std::string junit_xml(std::vector<CheckResult> const& results);
 /// Text as XML has it between tags and in attributes; control characters that XML 1.0 forbids become `?`.
 std::string xml_text(std::string const& text);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

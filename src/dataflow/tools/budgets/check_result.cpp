@@ -1,13 +1,13 @@
-#include "kernel/budgets/check_result.hpp"
+#include "dataflow/tools/budgets/check_result.hpp"
 
 #include <utility>
 
-#include "kernel/budgets/figures.hpp"
-#include "kernel/compare/compare.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
+#include "dataflow/tools/compare/compare.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -92,4 +92,4 @@ char const* name_of(CheckResult::Status status) {
     return "";
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/evaluate.hpp"
-#include "kernel/budgets/measurement.hpp"
-#include "kernel/compare/comparison.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/evaluate.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
+#include "dataflow/tools/compare/comparison.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// What moved since the baseline. Work does not depend on time in this machine, so a change of shape or work is where
 /// a breach starts, and a change of waiting is what follows from it - or, alone, from something that no figure counts.
@@ -55,4 +55,4 @@ struct CheckResult {
 /// "passed", "breached", ...
 char const* name_of(CheckResult::Status status);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

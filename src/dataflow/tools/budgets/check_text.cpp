@@ -1,4 +1,4 @@
-#include "kernel/budgets/check_text.hpp"
+#include "dataflow/tools/budgets/check_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/budgets/figures.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::string totals_text(std::vector<CheckResult> const& results) {
     return text + "\n";
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

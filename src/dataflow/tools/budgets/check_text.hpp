@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/check_result.hpp"
-#include "kernel/budgets/evaluate.hpp"
+#include "dataflow/tools/budgets/check_result.hpp"
+#include "dataflow/tools/budgets/evaluate.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// A limit for people, e.g. "max 1.5 ms = 300000": in the budget's words, and in cycles where these are others.
 std::string limit_text(Limit const& limit, Interval const& allowed);
@@ -23,4 +23,4 @@ std::string explanation_text(Explanation const& explanation, std::size_t top);
 /// "12 budgets: 11 passed, 1 breached".
 std::string totals_text(std::vector<CheckResult> const& results);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

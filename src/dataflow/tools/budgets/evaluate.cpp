@@ -1,14 +1,14 @@
-#include "kernel/budgets/evaluate.hpp"
+#include "dataflow/tools/budgets/evaluate.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/budgets/figure_pattern.hpp"
-#include "kernel/config/design.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/tools/budgets/figure_pattern.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -129,4 +129,4 @@ bool has_breach(std::vector<Verdict> const& verdicts) {
                        [](Verdict const& verdict) { return !verdict.breaches.empty(); });
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/measurement.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// One figure against its limit.
 struct Comparison {
@@ -36,4 +36,4 @@ std::vector<Verdict> evaluate(Budget const& budget, Measurement const& measureme
 
 bool has_breach(std::vector<Verdict> const& verdicts);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,15 +1,15 @@
-#include "kernel/budgets/figure_pattern.hpp"
+#include "dataflow/tools/budgets/figure_pattern.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/budgets/figures.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::string did_you_mean_figure(std::string const& pattern) {
     return did_you_mean(pattern, candidates);
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

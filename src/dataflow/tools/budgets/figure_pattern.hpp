@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/figures.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// A figure's name in which each part may hold the wildcards of file names: `*`, `?` and `[...]`. A wildcard stands for
 /// letters of one part, never for a point: "fifos.*.max_occupancy", "fifos.pixel_*.full_stall_cycles".
@@ -26,4 +26,4 @@ std::vector<std::string> possible_names(std::string const& pattern);
 /// What a pattern that stands for nothing was probably meant to be: ", did you mean ...?", or nothing.
 std::string did_you_mean_figure(std::string const& pattern);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

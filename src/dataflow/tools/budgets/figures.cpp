@@ -1,15 +1,15 @@
-#include "kernel/budgets/figures.hpp"
+#include "dataflow/tools/budgets/figures.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "kernel/config/design.hpp"
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/module_row.hpp"
-#include "kernel/figures/table_columns.hpp"
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/run/figures/module_row.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::vector<std::string> parts_of(std::string const& name) {
     return parts;
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -6,10 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "kernel/base/column.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/base/column.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// One figure of a run, by its dotted name: a path through the output files, e.g. "fifos.edge_token.max_occupancy",
 /// "samples.3.latency_cycles" or "cores.0.loops.filter.rows.ii".
@@ -45,4 +45,4 @@ inline bool is_in_cycles(std::string const& name) { return facts_of(name).is_in_
 /// and of each core under "cores.N.". Names and values are those of summary.json and samples.csv.
 Figures run_figures(RunStatistics const& run);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,12 +1,12 @@
-#include "kernel/budgets/measurement.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
 
 #include <stdexcept>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/plain_text.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys) {
     std::vector<Setting> settings;
@@ -53,4 +53,4 @@ Measurement measurement_from_text(std::string const& text) {
     }
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

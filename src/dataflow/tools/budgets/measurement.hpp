@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/budgets/budget.hpp"
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// The keys of the accelerator that do not have their defaults.
 std::vector<Setting> accelerator_settings(std::vector<ResolvedKey> const& keys);
@@ -30,4 +30,4 @@ std::string to_text(Measurement const& measurement);
 /// Throws std::runtime_error for text that to_text() did not write, for example cut off.
 Measurement measurement_from_text(std::string const& text);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

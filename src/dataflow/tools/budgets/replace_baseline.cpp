@@ -1,15 +1,15 @@
-#include "kernel/budgets/replace_baseline.hpp"
+#include "dataflow/tools/budgets/replace_baseline.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/budgets/baseline_reader.hpp"
-#include "kernel/budgets/baseline_text.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/tools/budgets/baseline_reader.hpp"
+#include "dataflow/tools/budgets/baseline_text.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -191,4 +191,4 @@ std::string replace_baseline(std::string const& text, Baseline const& baseline, 
     refuse(file, static_cast<int>(block.first) + 1);
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,13 +1,13 @@
-#include "kernel/budgets/starting_budget.hpp"
+#include "dataflow/tools/budgets/starting_budget.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/budgets/baseline_text.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/tools/budgets/baseline_text.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::string starting_budget(Budget const& budget, Measurement const& measurement
            baseline_block(baseline_of(measurement, compared, date, "first run"));
 }
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

@@ -1,8 +1,8 @@
 #pragma once
-#include "kernel/budgets/budget.hpp"
-#include "kernel/budgets/measurement.hpp"
+#include "dataflow/tools/budgets/budget.hpp"
+#include "dataflow/tools/budgets/measurement.hpp"
 
-namespace faster::budgets {
+namespace dataflow::budgets {
 
 /// Figures of the simulated design that a first budget guards.
 struct GuardedFigures {
@@ -15,4 +15,4 @@ struct GuardedFigures {
 std::string starting_budget(Budget const& budget, Measurement const& measurement, GuardedFigures const& guarded,
                             std::string const& date);
 
-}  // namespace faster::budgets
+}  // namespace dataflow::budgets

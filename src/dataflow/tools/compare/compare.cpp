@@ -1,4 +1,4 @@
-#include "kernel/compare/compare.hpp"
+#include "dataflow/tools/compare/compare.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "kernel/config/design.hpp"
-#include "kernel/figures/column_values.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/figures/column_values.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 namespace {
 
@@ -202,4 +202,4 @@ Comparison compare(RunRecord const& a, RunRecord const& b) {
     return comparison;
 }
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -1,9 +1,9 @@
-#include "kernel/compare/comparison.hpp"
+#include "dataflow/tools/compare/comparison.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 std::int64_t Change::difference() const {
     return static_cast<std::int64_t>(b.value_or(0)) - static_cast<std::int64_t>(a.value_or(0));
@@ -21,4 +21,4 @@ std::optional<double> percent_of(double a, double b) {
     return (b - a) / a * 100;
 }
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/figures/table_columns.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 /// A setting in two runs, its values as JSON on one line; nothing where a run does not know it.
 struct SettingChange {
@@ -73,4 +73,4 @@ struct Comparison {
     bool is_functionally_equal() const { return samples.empty() && a.samples == b.samples; }
 };
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -1,15 +1,15 @@
-#include "kernel/compare/comparison_report.hpp"
+#include "dataflow/tools/compare/comparison_report.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/config/design.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 namespace {
 
@@ -230,4 +230,4 @@ std::string comparison_text(Comparison const& comparison, std::size_t top) {
     return text;
 }
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

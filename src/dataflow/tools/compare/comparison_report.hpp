@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <string>
 
-#include "kernel/compare/comparison.hpp"
+#include "dataflow/tools/compare/comparison.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 /// The whole comparison as a JSON file (docs/formats.md, "Comparison of two runs").
 std::string comparison_json(Comparison const& comparison);
@@ -13,4 +13,4 @@ std::string comparison_json(Comparison const& comparison);
 /// Each list ends after `top` rows with a line that says how many were left out. Identical runs are one line.
 std::string comparison_text(Comparison const& comparison, std::size_t top);
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

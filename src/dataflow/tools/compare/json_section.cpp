@@ -1,13 +1,13 @@
-#include "kernel/compare/json_section.hpp"
+#include "dataflow/tools/compare/json_section.hpp"
 
 #include <fmt/format.h>
 #include <utility>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 JsonSection::JsonSection(std::string file, std::string name, Json const& object)
     : file_(std::move(file)), name_(std::move(name)), object_(object) {
@@ -60,4 +60,4 @@ void JsonSection::fail(std::string const& key, std::string const& expected) cons
     throw InputError(fmt::format("{}: {} = {}, expected {}", file_, path_of(key), io::shown(at(key)), expected));
 }
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 /// The largest figure a run may have: 2^53 - 1, which every JSON reader keeps exactly. A sum over the at most 1024
 /// cores fits into 63 bits, so sums and differences do not overflow.
@@ -38,4 +38,4 @@ class JsonSection {
     Json const& object_;
 };
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -1,4 +1,4 @@
-#include "kernel/compare/read_run.hpp"
+#include "dataflow/tools/compare/read_run.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/files/csv_cells.hpp"
-#include "kernel/base/files/csv_integers.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/compare/json_section.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/figures/column_values.hpp"
+#include "dataflow/base/files/csv_cells.hpp"
+#include "dataflow/base/files/csv_integers.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/tools/compare/json_section.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 namespace {
 
@@ -294,4 +294,4 @@ RunRecord run_record(std::string const& name, std::string const& summary, std::v
     return run;
 }
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/table_columns.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
 
-namespace faster::runs {
+namespace dataflow::runs {
 
 /// One key of the resolved configuration.
 struct ConfigurationEntry {
@@ -50,4 +50,4 @@ struct RunRecord {
     std::vector<SampleStatistics> samples;  ///< by sample
 };
 
-}  // namespace faster::runs
+}  // namespace dataflow::runs

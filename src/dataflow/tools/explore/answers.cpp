@@ -1,14 +1,14 @@
-#include "kernel/explore/answers.hpp"
+#include "dataflow/tools/explore/answers.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/explore/page.hpp"
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/provenance.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/tools/explore/page.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/provenance.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 namespace {
 
@@ -143,4 +143,4 @@ Json Answers::start(Json const& request) {
     return state_of(place);
 }
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

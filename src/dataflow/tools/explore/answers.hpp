@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/explore/exploration.hpp"
+#include "dataflow/tools/explore/exploration.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 /// What is sent back for a request, as HTTP has it.
 struct Answer {
@@ -54,4 +54,4 @@ class Answers {
     std::map<std::string, Numbered> jobs_;
 };
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

@@ -1,37 +1,37 @@
-#include "kernel/explore/exploration.hpp"
+#include "dataflow/tools/explore/exploration.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/idle_keys.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/config/run_config.hpp"
-#include "kernel/events/retimed_config.hpp"
-#include "kernel/explore/replayed_timeline.hpp"
-#include "kernel/figures/table_rows.hpp"
-#include "kernel/replay/critical_path_of.hpp"
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/retime_together.hpp"
-#include "kernel/replay/sensitivities.hpp"
-#include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/diagnosis_text.hpp"
-#include "kernel/report/html/deadlock_html.hpp"
-#include "kernel/report/html/graph_data.hpp"
-#include "kernel/report/html/run_data.hpp"
-#include "kernel/report/html/timeline_data.hpp"
-#include "kernel/report/json_rows.hpp"
-#include "kernel/report/sensitivity_report.hpp"
-#include "kernel/report/summary.hpp"
-#include "kernel/sizing/cheapest_choice.hpp"
-#include "kernel/sizing/sizing_files.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "dataflow/run/events/retimed_config.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "dataflow/run/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/retime_together.hpp"
+#include "dataflow/run/replay/sensitivities.hpp"
+#include "dataflow/tools/explore/replayed_timeline.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/html/deadlock_html.hpp"
+#include "dataflow/tools/report/html/graph_data.hpp"
+#include "dataflow/tools/report/html/run_data.hpp"
+#include "dataflow/tools/report/html/timeline_data.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/sizing/cheapest_choice.hpp"
+#include "dataflow/tools/sizing/sizing_files.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 namespace {
 
@@ -332,4 +332,4 @@ Job::Work Exploration::sizing(Overrides const& overrides, double within_percent)
     };
 }
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/config/load_config.hpp"
-#include "kernel/explore/job.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/replay/recorded_run.hpp"
-#include "kernel/replay/scripted_run.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
+#include "dataflow/run/replay/recorded_run.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
+#include "dataflow/tools/explore/job.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 /// "a.b.c=value" each, to be put over what was recorded.
 using Overrides = std::vector<std::string>;
@@ -70,4 +70,4 @@ class Exploration {
     std::shared_ptr<KeptTimeline const> kept_;
 };
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

@@ -1,10 +1,10 @@
-#include "kernel/explore/job.hpp"
+#include "dataflow/tools/explore/job.hpp"
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 namespace {
 
@@ -56,4 +56,4 @@ Json Job::state() const {
     return end_.is_null() ? Json{{"state", "running"}, {"done", done_.load()}, {"steps", steps_.load()}} : end_;
 }
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

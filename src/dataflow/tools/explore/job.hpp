@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 /// Work in the background, of which somebody asks now and then how far it is. It gives way to what people wait for.
 class Job {
@@ -50,4 +50,4 @@ class Job {
     std::thread thread_;
 };
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 /// Joined by the build from the files of page/.
 extern char const* const explore_page;
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

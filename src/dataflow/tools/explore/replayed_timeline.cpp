@@ -1,19 +1,19 @@
-#include "kernel/explore/replayed_timeline.hpp"
+#include "dataflow/tools/explore/replayed_timeline.hpp"
 
 #include <algorithm>
 #include <map>
 #include <memory>
 
-#include "kernel/base/on_threads.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/recording/core_recorder.hpp"
-#include "kernel/recording/core_timeline.hpp"
-#include "kernel/replay/core_variant.hpp"
-#include "kernel/replay/core_watch.hpp"
-#include "kernel/replay/plain_reader.hpp"
-#include "kernel/replay/retime_together.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/core_watch.hpp"
+#include "dataflow/run/replay/plain_reader.hpp"
+#include "dataflow/run/replay/retime_together.hpp"
+#include "dataflow/tools/recording/core_recorder.hpp"
+#include "dataflow/tools/recording/core_timeline.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 namespace {
 
@@ -204,4 +204,4 @@ SampleTimeline cut(SampleTimeline timeline, Cycles from, Cycles to) {
     return timeline;
 }
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

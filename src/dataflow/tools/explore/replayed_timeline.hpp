@@ -2,11 +2,11 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/replay/scripted_run.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
 
-namespace faster::explore {
+namespace dataflow::explore {
 
 /// The timeline of the i-th of the samples asked for. Called by several threads, once for each i.
 using TakeTimeline = std::function<void(std::size_t i, SampleTimeline timeline)>;
@@ -27,4 +27,4 @@ SampleTimeline replayed_timeline(replay::ScriptedRun const& run, Machine const& 
 /// The part from one cycle to another.
 SampleTimeline cut(SampleTimeline timeline, Cycles from, Cycles to);
 
-}  // namespace faster::explore
+}  // namespace dataflow::explore

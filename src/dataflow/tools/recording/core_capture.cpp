@@ -1,8 +1,8 @@
-#include "kernel/recording/core_capture.hpp"
+#include "dataflow/tools/recording/core_capture.hpp"
 
 #include <algorithm>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 using Kind = Event::Kind;
 using timing::ProcessTiming;
@@ -236,4 +236,4 @@ void CoreCapture::stamped(ProcessTiming const& process, Cycles cycle) {
     put(process, event);
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -2,12 +2,12 @@
 #include <deque>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
-#include "kernel/recording/event_spool.hpp"
-#include "kernel/recording/token_tap.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/tools/recording/event_spool.hpp"
+#include "dataflow/tools/recording/token_tap.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Takes down what the processes of one core do, with the tokens they write.
 class CoreCapture : public timing::StepObserver {
@@ -71,4 +71,4 @@ class CoreCapture : public timing::StepObserver {
     std::vector<std::size_t> writers_;                  // by FIFO: the process that writes it
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,8 +1,8 @@
-#include "kernel/recording/core_recorder.hpp"
+#include "dataflow/tools/recording/core_recorder.hpp"
 
 #include <algorithm>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -247,4 +247,4 @@ RecordedCore CoreRecorder::recorded() {
     return recorded;
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

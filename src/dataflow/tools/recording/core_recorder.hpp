@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/recording/core_capture.hpp"
-#include "kernel/recording/recorded_core.hpp"
-#include "kernel/recording/recording_window.hpp"
-#include "kernel/recording/running_core.hpp"
-#include "kernel/timing/process_timing.hpp"
+#include "dataflow/core/time/process_timing.hpp"
+#include "dataflow/tools/recording/core_capture.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
+#include "dataflow/tools/recording/recording_window.hpp"
+#include "dataflow/tools/recording/running_core.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What a process has told of its loops, so that somebody can say in which iteration it stands: the process itself
 /// keeps no more of that than decides its times.
@@ -91,4 +91,4 @@ class CoreRecorder {
     std::unique_ptr<CoreCapture> capture_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

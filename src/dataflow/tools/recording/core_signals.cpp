@@ -1,10 +1,10 @@
-#include "kernel/recording/core_signals.hpp"
+#include "dataflow/tools/recording/core_signals.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/recording/state_codes.hpp"
+#include "dataflow/tools/recording/state_codes.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 using Kind = Event::Kind;
 
@@ -185,4 +185,4 @@ void CoreSignals::show_accesses(std::vector<PortAccess> const& accesses) {
     }
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -3,13 +3,13 @@
 #include <queue>
 #include <vector>
 
-#include "kernel/recording/fifo_state.hpp"
-#include "kernel/recording/memory_trace.hpp"
-#include "kernel/recording/recorded_core.hpp"
-#include "kernel/recording/signal_filter.hpp"
-#include "kernel/recording/waveform.hpp"
+#include "dataflow/tools/recording/fifo_state.hpp"
+#include "dataflow/tools/recording/memory_trace.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
+#include "dataflow/tools/recording/signal_filter.hpp"
+#include "dataflow/tools/recording/waveform.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The signals of one core in a waveform.
 class CoreSignals {
@@ -68,4 +68,4 @@ class CoreSignals {
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> arrivals_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,10 +1,10 @@
-#include "kernel/recording/core_timeline.hpp"
+#include "dataflow/tools/recording/core_timeline.hpp"
 
 #include <algorithm>
 
-#include "kernel/recording/event_merge.hpp"
+#include "dataflow/tools/recording/event_merge.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -192,4 +192,4 @@ SampleTimeline sample_timeline(RecordedCore const& core, std::size_t sample) {
     return {core.core, sample, core.from, core.to + 1, std::move(timeline.spans), std::move(timeline.occupancy)};
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

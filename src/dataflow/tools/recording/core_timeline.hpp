@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/recording/recorded_core.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What the modules of one core did in a recorded window, for a look from further away than a waveform's.
 struct CoreTimeline {
@@ -38,4 +38,4 @@ CoreTimeline make_timeline(RecordedCore const& core, TimelineGrain const& grain)
 /// Of a window that is one sample, as exactly as it can be: who draws it takes means.
 SampleTimeline sample_timeline(RecordedCore const& core, std::size_t sample);
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

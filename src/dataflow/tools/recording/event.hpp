@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Something that a process did, as it is taken down. Its own cycles never go back.
 struct Event {
@@ -31,4 +31,4 @@ struct Event {
 /// The fields of a token, in the order of its layout.
 using TokenValues = std::vector<std::int64_t>;
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,9 +1,9 @@
-#include "kernel/recording/event_merge.hpp"
+#include "dataflow/tools/recording/event_merge.hpp"
 
 #include <algorithm>
 #include <memory>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -108,4 +108,4 @@ void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
     }
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

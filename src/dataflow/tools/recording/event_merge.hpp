@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/recording/event_spool.hpp"
+#include "dataflow/tools/recording/event_spool.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The events of one process as things that happen in a single cycle each, in order: iterations one by one, the end of
 /// a stall after its begin. Fields stay behind the write they belong to.
@@ -39,4 +39,4 @@ struct CoreEvent {
 void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
                     std::function<void(CoreEvent const&)> const& visit);
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,13 +1,13 @@
-#include "kernel/recording/event_spool.hpp"
+#include "dataflow/tools/recording/event_spool.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
 
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 [[noreturn]] void fail(char const* what) {
@@ -107,4 +107,4 @@ bool EventSpool::get(Event& event) {
     return true;
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

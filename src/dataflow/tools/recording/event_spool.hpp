@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/files/c_file.hpp"
-#include "kernel/recording/event.hpp"
+#include "dataflow/base/files/c_file.hpp"
+#include "dataflow/tools/recording/event.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The events of one process, in order, a few bytes each. What does not fit into a small buffer waits in a temporary
 /// file. Errors: InputError if there is no room for it.
@@ -49,4 +49,4 @@ class EventSpool {
 /// Those of a core, by process.
 using Spools = std::vector<EventSpool>;
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <deque>
 
-#include "kernel/recording/event.hpp"
-#include "kernel/timing/fifo_timing.hpp"
+#include "dataflow/core/time/fifo_timing.hpp"
+#include "dataflow/tools/recording/event.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The tokens in one FIFO, as events put them in and take them out. A token of a flushing pipeline arrives
 /// issue_latency cycles after it was written.
@@ -37,4 +37,4 @@ class FifoState {
     std::uint64_t arrived_ = 0;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,12 +1,12 @@
-#include "kernel/recording/fst_file.hpp"
+#include "dataflow/tools/recording/fst_file.hpp"
 
 #include <cerrno>
 #include <fmt/format.h>
 #include <fstapi.h>
 
-#include "kernel/base/files/output_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 /// Digits of a value, one letter each, the highest first.
@@ -101,4 +101,4 @@ void FstFile::finish() {
     target_.finish();
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

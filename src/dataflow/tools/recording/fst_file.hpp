@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/recording/unfinished_file.hpp"
-#include "kernel/recording/waveform_file.hpp"
+#include "dataflow/tools/recording/unfinished_file.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Writes an FST, GTKWave's compressed format of waveforms, by GTKWave's own code.
 class FstFile : public WaveformFile {
@@ -43,4 +43,4 @@ class FstFile : public WaveformFile {
     std::uint64_t bytes_ = 0;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

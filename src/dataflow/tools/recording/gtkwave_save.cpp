@@ -1,4 +1,4 @@
-#include "kernel/recording/gtkwave_save.hpp"
+#include "dataflow/tools/recording/gtkwave_save.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -6,12 +6,12 @@
 #include <iterator>
 #include <map>
 
-#include "kernel/base/files/output_file.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/recording/state_codes.hpp"
-#include "kernel/recording/waveform_file.hpp"
+#include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/tools/recording/state_codes.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -187,4 +187,4 @@ void write_gtkwave_save(std::filesystem::path const& waveform, ValueNames names,
     save.write_to(std::filesystem::absolute(waveform).parent_path());
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
 
-#include "kernel/recording/recorded_window.hpp"
-#include "kernel/recording/signal_filter.hpp"
+#include "dataflow/tools/recording/recorded_window.hpp"
+#include "dataflow/tools/recording/signal_filter.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Where GTKWave finds what values mean: in the waveform, or in tables of their own (.states.txt, .stalls.txt, ...),
 /// which are written too.
@@ -20,4 +20,4 @@ std::vector<std::filesystem::path> files_beside(std::filesystem::path const& wav
 void write_gtkwave_save(std::filesystem::path const& waveform, ValueNames names, Machine const& machine,
                         RecordedWindow const& window, SignalFilter const& filter);
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

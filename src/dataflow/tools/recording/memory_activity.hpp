@@ -2,11 +2,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/recording/event.hpp"
-#include "kernel/recording/memory_ports.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/tools/recording/event.hpp"
+#include "dataflow/tools/recording/memory_ports.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// A process reads a token.
 struct TokenRead {
@@ -35,4 +35,4 @@ class MemoryActivity {
     virtual void iterated(LoopIteration const& iteration, MemoryPorts& ports) = 0;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,9 +1,9 @@
-#include "kernel/recording/memory_changes.hpp"
+#include "dataflow/tools/recording/memory_changes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 MemoryChanges::MemoryChanges(RecordedMemory const& memory) : memory_(memory), ports_(memory.shape.ports) {
     for (std::size_t port = 0; port < ports_.size(); ++port)
@@ -89,4 +89,4 @@ void MemorySignals::change() {
     waveform_.set(ports_[number].bytes, static_cast<std::int64_t>(port.bytes));
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -4,10 +4,10 @@
 #include <queue>
 #include <vector>
 
-#include "kernel/recording/memory_recorder.hpp"
-#include "kernel/recording/waveform.hpp"
+#include "dataflow/tools/recording/memory_recorder.hpp"
+#include "dataflow/tools/recording/waveform.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Goes through what was recorded of a memory, change by change.
 class MemoryChanges {
@@ -71,4 +71,4 @@ class MemorySignals {
     Waveform::Signal controller_busy_ = 0, queue_ = 0;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,8 +1,8 @@
-#include "kernel/recording/memory_ports.hpp"
+#include "dataflow/tools/recording/memory_ports.hpp"
 
 #include <algorithm>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 bool MemoryPorts::has_read(std::size_t memory, std::uint64_t address) const {
     return std::any_of(accesses_.begin(), accesses_.end(), [=](PortAccess const& access) {
@@ -27,4 +27,4 @@ std::uint64_t MemoryPorts::accesses_so_far(std::size_t memory, std::uint64_t ban
     return static_cast<std::uint64_t>(std::count_if(accesses_.begin(), accesses_.end(), is_in_bank));
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// One access of a memory port, as the static schedule of a loop iteration has it.
 struct PortAccess {
@@ -52,4 +52,4 @@ class MemoryPorts {
     std::vector<PortAccess> accesses_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -3,10 +3,10 @@
 #include <deque>
 #include <vector>
 
-#include "kernel/timing/memory/external_memory.hpp"
-#include "kernel/timing/memory/served_burst.hpp"
+#include "dataflow/core/memory/external_memory.hpp"
+#include "dataflow/core/memory/served_burst.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What was recorded of an external memory.
 struct RecordedMemory {
@@ -37,4 +37,4 @@ class MemoryRecorder {
     RecordedMemory memory_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,6 +1,6 @@
-#include "kernel/recording/memory_trace.hpp"
+#include "dataflow/tools/recording/memory_trace.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 using Kind = Event::Kind;
 
@@ -22,4 +22,4 @@ std::vector<PortAccess> const& MemoryTrace::take(CoreEvent const& core_event, To
     return ports_.accesses();
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

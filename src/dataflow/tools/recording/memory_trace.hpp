@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/recording/event_merge.hpp"
-#include "kernel/recording/recorded_core.hpp"
+#include "dataflow/tools/recording/event_merge.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The accesses to memory ports that the events of one core stand for. None if the core tells no memory activity.
 class MemoryTrace {
@@ -23,4 +23,4 @@ class MemoryTrace {
     std::vector<std::size_t> loops_;  // by process: the loop it has entered last
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

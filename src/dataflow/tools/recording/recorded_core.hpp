@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
-#include "kernel/machine/token_field.hpp"
-#include "kernel/recording/event_spool.hpp"
-#include "kernel/recording/memory_activity.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/machine/token_field.hpp"
+#include "dataflow/tools/recording/event_spool.hpp"
+#include "dataflow/tools/recording/memory_activity.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What was recorded of one core.
 struct RecordedCore {
@@ -24,4 +24,4 @@ struct RecordedCore {
     Spools* spools = nullptr;  ///< its events
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

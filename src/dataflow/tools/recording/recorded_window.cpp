@@ -1,8 +1,8 @@
-#include "kernel/recording/recorded_window.hpp"
+#include "dataflow/tools/recording/recorded_window.hpp"
 
 #include <algorithm>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 Cycles RecordedWindow::from() const {
     Cycles from = ~Cycles{0};
@@ -18,4 +18,4 @@ Cycles RecordedWindow::to() const {
     return to;
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

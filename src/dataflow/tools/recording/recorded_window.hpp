@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "kernel/recording/memory_recorder.hpp"
-#include "kernel/recording/recorded_core.hpp"
+#include "dataflow/tools/recording/memory_recorder.hpp"
+#include "dataflow/tools/recording/recorded_core.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What was recorded of a window of a run. The events of its cores can be gone through once.
 struct RecordedWindow {
@@ -16,4 +16,4 @@ struct RecordedWindow {
     Cycles to() const;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
+#include "dataflow/base/cycles.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Which part of a run is wanted. Without anything: all of it.
 struct RecordingWindow {
@@ -20,4 +20,4 @@ struct RecordingWindow {
     std::vector<std::size_t> cores;  ///< empty: all
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/machine/core_share.hpp"
-#include "kernel/machine/machine.hpp"
-#include "kernel/recording/memory_activity.hpp"
-#include "kernel/recording/token_tap.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/tools/recording/memory_activity.hpp"
+#include "dataflow/tools/recording/token_tap.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// A core while it runs, as a recording needs to know it.
 class RunningCore {
@@ -43,4 +43,4 @@ class RunningCore {
     virtual std::unique_ptr<MemoryActivity> memory_activity() const { return nullptr; }
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

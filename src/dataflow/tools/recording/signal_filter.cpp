@@ -1,13 +1,13 @@
-#include "kernel/recording/signal_filter.hpp"
+#include "dataflow/tools/recording/signal_filter.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -70,4 +70,4 @@ SignalFilter SignalFilter::fifos(Machine const& machine) {
     return filter;
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

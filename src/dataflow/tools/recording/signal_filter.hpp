@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Which parts of a machine's cores are to be shown: those whose name matches one of some glob patterns, and the FIFOs
 /// at a module's ends and the block RAMs inside it with the module. The external memory is named "memory". Without
@@ -34,4 +34,4 @@ class SignalFilter {
     bool samples_ = true;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

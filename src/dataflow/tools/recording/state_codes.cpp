@@ -1,10 +1,10 @@
-#include "kernel/recording/state_codes.hpp"
+#include "dataflow/tools/recording/state_codes.hpp"
 
 #include <fmt/format.h>
 #include <iterator>
 #include <sstream>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 std::vector<std::string> port_names(MachineMemory const& memory) {
     std::uint64_t const banks = memory.partition.banks();
@@ -46,4 +46,4 @@ std::vector<std::string> value_names(TokenField const& field) {
     return {std::istream_iterator<std::string>(words), {}};
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
-#include "kernel/machine/token_field.hpp"
-#include "kernel/recording/waveform_file.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/machine/token_field.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// How waveforms name the ports of a memory, bank by bank: "port0", "port1"; of several banks "bank0_port0", ...; of
 /// two buffers "buffer0_port0", .., "buffer1_port0", ...
@@ -40,4 +40,4 @@ std::vector<std::string> value_names(TokenField const& field);
 inline unsigned state_bits(Machine const& machine) { return std::max(8U, signal_bits(machine.loops.size())); }
 inline unsigned stall_bits(Machine const& machine) { return std::max(8U, signal_bits(2 * machine.fifos.size() + 1)); }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

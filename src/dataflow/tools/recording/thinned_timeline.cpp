@@ -1,10 +1,10 @@
-#include "kernel/recording/thinned_timeline.hpp"
+#include "dataflow/tools/recording/thinned_timeline.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -102,4 +102,4 @@ CoreTimeline thinned(CoreTimeline timeline, std::size_t most) {
     return timeline;
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

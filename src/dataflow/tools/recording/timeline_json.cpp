@@ -1,15 +1,15 @@
-#include "kernel/recording/timeline_json.hpp"
+#include "dataflow/tools/recording/timeline_json.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/recording/memory_changes.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/tools/recording/memory_changes.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -248,4 +248,4 @@ std::string timeline_json(std::vector<CoreTimeline> const& timelines, std::optio
     return writer.text();
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

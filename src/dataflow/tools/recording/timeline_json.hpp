@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/recording/core_timeline.hpp"
-#include "kernel/recording/recorded_window.hpp"
+#include "dataflow/tools/recording/core_timeline.hpp"
+#include "dataflow/tools/recording/recorded_window.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// What the ports of an external memory did in some windows of a run.
 struct MemoryTimeline {
@@ -34,4 +34,4 @@ MemoryTimeline make_memory_timeline(RecordedMemory const& memory, Cycles from, C
 std::string timeline_json(std::vector<CoreTimeline> const& timelines, std::optional<MemoryTimeline> const& memory,
                           double clock_mhz);
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/machine/token_field.hpp"
+#include "dataflow/core/machine/token_field.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// The tokens that went through a FIFO, as plain numbers, from the first that anybody still asks for.
 class TokenTap {
@@ -40,4 +40,4 @@ class TokenTap {
     std::vector<std::int64_t> values_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,14 +1,14 @@
-#include "kernel/recording/unfinished_file.hpp"
+#include "dataflow/tools/recording/unfinished_file.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/files/output_file.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/output_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 UnfinishedFile::UnfinishedFile(std::filesystem::path file) : file_(std::move(file)) {
     if (io::is_device(file_))
@@ -29,4 +29,4 @@ void UnfinishedFile::finish() {
 
 void UnfinishedFile::fail() const { io::fail_to_write(io::without_hidden_names(file_), std::strerror(errno)); }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

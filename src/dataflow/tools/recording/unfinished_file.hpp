@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "kernel/base/files/scratch.hpp"
+#include "dataflow/base/files/scratch.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// A file that has its name once it is finished, and until then a hidden one beside it. A device or a pipe is written
 /// to at once.
@@ -25,4 +25,4 @@ class UnfinishedFile {
     std::optional<io::Scratch> scratch_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -1,12 +1,12 @@
-#include "kernel/recording/vcd_file.hpp"
+#include "dataflow/tools/recording/vcd_file.hpp"
 
 #include <charconv>
 #include <cstring>
 #include <fmt/format.h>
 
-#include "kernel/base/held_signals.hpp"
+#include "dataflow/base/held_signals.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 constexpr std::size_t buffer_size = 1U << 20;
@@ -115,4 +115,4 @@ void VcdFile::finish() {
     target_.finish();
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/c_file.hpp"
-#include "kernel/recording/unfinished_file.hpp"
-#include "kernel/recording/waveform_file.hpp"
+#include "dataflow/base/files/c_file.hpp"
+#include "dataflow/tools/recording/unfinished_file.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Writes a value change dump (IEEE 1364-2005, clause 18).
 class VcdFile : public WaveformFile {
@@ -42,4 +42,4 @@ class VcdFile : public WaveformFile {
     std::vector<Signal> signals_;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

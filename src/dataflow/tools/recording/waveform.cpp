@@ -1,9 +1,9 @@
-#include "kernel/recording/waveform.hpp"
+#include "dataflow/tools/recording/waveform.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 Waveform::Waveform(WaveformFiles const& files, double clock_mhz)
     : files_(files), ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {}
@@ -167,4 +167,4 @@ void Waveform::finish() {
         (*file)->finish();
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

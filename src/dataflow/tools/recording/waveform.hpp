@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/recording/waveform_file.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/tools/recording/waveform_file.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Written at once. The last goes first: the first lets the signals through that they hold back (HeldSignals).
 struct WaveformFiles : std::vector<std::unique_ptr<WaveformFile>> {
@@ -118,4 +118,4 @@ class Waveform {
     Cycles cycle_ = 0;
 };
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// A signal as a file declares it.
 struct SignalShape {
@@ -49,4 +49,4 @@ inline unsigned signal_bits(std::uint64_t largest) {
     return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

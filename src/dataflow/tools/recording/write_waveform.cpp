@@ -1,13 +1,13 @@
-#include "kernel/recording/write_waveform.hpp"
+#include "dataflow/tools/recording/write_waveform.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-#include "kernel/recording/core_signals.hpp"
-#include "kernel/recording/memory_changes.hpp"
+#include "dataflow/tools/recording/core_signals.hpp"
+#include "dataflow/tools/recording/memory_changes.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 namespace {
 
@@ -88,4 +88,4 @@ void write_waveform(WaveformFiles const& files, Machine const& machine, Recorded
     WaveformWriter(files, machine, window, filter).write(progress);
 }
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

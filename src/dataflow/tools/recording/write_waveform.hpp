@@ -1,11 +1,11 @@
 #pragma once
 #include <functional>
 
-#include "kernel/recording/recorded_window.hpp"
-#include "kernel/recording/signal_filter.hpp"
-#include "kernel/recording/waveform.hpp"
+#include "dataflow/tools/recording/recorded_window.hpp"
+#include "dataflow/tools/recording/signal_filter.hpp"
+#include "dataflow/tools/recording/waveform.hpp"
 
-namespace faster::recording {
+namespace dataflow::recording {
 
 /// Told now and then how many cycles are written, of how many.
 using WritingProgress = std::function<void(Cycles done, Cycles all)>;
@@ -15,4 +15,4 @@ using WritingProgress = std::function<void(Cycles done, Cycles all)>;
 void write_waveform(WaveformFiles const& files, Machine const& machine, RecordedWindow const& window,
                     SignalFilter const& filter, WritingProgress const& progress = {});
 
-}  // namespace faster::recording
+}  // namespace dataflow::recording

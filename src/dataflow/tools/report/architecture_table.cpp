@@ -1,4 +1,4 @@
-#include "kernel/report/architecture_table.hpp"
+#include "dataflow/tools/report/architecture_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,12 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "kernel/base/csv_cell.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/machine/machine_resources.hpp"
-#include "kernel/report/summary.hpp"
+#include "dataflow/base/csv_cell.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -177,4 +177,4 @@ ArchitectureRow row_from_text(std::string const& text) {
     return row;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

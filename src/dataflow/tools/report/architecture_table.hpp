@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// One architecture on one workload. Stalls and conflicts in lane-cycles of all modules and cores.
 struct ArchitectureRow {
@@ -44,4 +44,4 @@ std::string architecture_csv(std::vector<ArchitectureRow> const& rows);
 std::string to_text(ArchitectureRow const& row);
 ArchitectureRow row_from_text(std::string const& text);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

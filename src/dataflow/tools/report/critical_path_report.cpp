@@ -1,9 +1,9 @@
-#include "kernel/report/critical_path_report.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
 
 #include <fmt/format.h>
 #include <iterator>
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -59,4 +59,4 @@ Json critical_path_json(RunStatistics const& run) {
     return {{"core", run.critical_path->core}, {"rows", rows}};
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

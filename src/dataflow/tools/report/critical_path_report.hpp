@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/json_rows.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// The critical path of a run for people, the largest rows first: lines of text, empty if it was not traced.
 std::string critical_path_text(RunStatistics const& run);
@@ -12,4 +12,4 @@ std::string critical_path_text(RunStatistics const& run);
 /// `critical_path` of summary.json (docs/formats.md); the run's must have been traced.
 Json critical_path_json(RunStatistics const& run);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,12 +1,12 @@
-#include "kernel/report/csv.hpp"
+#include "dataflow/tools/report/csv.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/config/design.hpp"
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string loops_csv(RunStatistics const& run) { return line(csv_header(loop_co
 
 std::string all_loops_csv(RunStatistics const& run) { return loops_csv(run) + loop_lines(run, false); }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

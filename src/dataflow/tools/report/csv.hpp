@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// The tables of SPEC section 4, header line first, as they stand in samples.csv, fifos.csv and loops.csv.
 std::string samples_csv(RunStatistics const& run);
@@ -13,4 +13,4 @@ std::string loops_csv(RunStatistics const& run);
 /// loops.csv with the loops that SPEC section 4 leaves out of it: the rows of loops.csv first.
 std::string all_loops_csv(RunStatistics const& run);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

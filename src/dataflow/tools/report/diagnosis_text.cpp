@@ -1,8 +1,8 @@
-#include "kernel/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
 
 #include <fmt/format.h>
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<std::string> diagnosis_sentences(RunStatistics const& run) {
     return sentences;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

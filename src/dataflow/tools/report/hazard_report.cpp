@@ -1,11 +1,11 @@
-#include "kernel/report/hazard_report.hpp"
+#include "dataflow/tools/report/hazard_report.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/config/enum_names.hpp"
-#include "kernel/figures/table_rows.hpp"
+#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -96,4 +96,4 @@ Json hazard_sums_json(RunStatistics const& run) {
     return rows;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

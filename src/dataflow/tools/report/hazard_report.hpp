@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/json_rows.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// The loops whose iterations write what later ones read, with their hazards, all cores together: lines of text, empty
 /// if nobody has looked.
@@ -15,4 +15,4 @@ Json hazards_json(RunStatistics const& run);
 /// The same of all cores together, without `core`.
 Json hazard_sums_json(RunStatistics const& run);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

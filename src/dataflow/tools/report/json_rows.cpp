@@ -1,8 +1,8 @@
-#include "kernel/report/json_rows.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
 
-#include "kernel/figures/module_row.hpp"
+#include "dataflow/run/figures/module_row.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -27,4 +27,4 @@ Json json_row(ModuleRow const& module) {
     return row;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

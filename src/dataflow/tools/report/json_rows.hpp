@@ -1,9 +1,9 @@
 #pragma once
-#include "kernel/base/json.hpp"
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/module_row.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/run/figures/module_row.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// A row of a table as a JSON object.
 template <class Row, std::size_t N> Json json_row(Columns<Row, N> columns, Row const& row) {
@@ -23,4 +23,4 @@ template <class Row, std::size_t N> Json json_table(Columns<Row, N> columns, std
     return array;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,8 +1,8 @@
-#include "kernel/report/latencies.hpp"
+#include "dataflow/tools/report/latencies.hpp"
 
 #include <algorithm>
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -62,4 +62,4 @@ Cycles latency_at(std::vector<Cycles> const& sorted, double share) {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// How many samples took how long. Bin i counts latencies from first + i * width up to the next bin's first cycle.
 struct LatencyHistogram {
@@ -31,4 +31,4 @@ std::vector<Cycles> sorted_latencies(RunStatistics const& run);
 /// The latency that `share` (0..1) of the samples do not exceed; `sorted` is not empty.
 Cycles latency_at(std::vector<Cycles> const& sorted, double share);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

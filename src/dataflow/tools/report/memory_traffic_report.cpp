@@ -1,11 +1,11 @@
-#include "kernel/report/memory_traffic_report.hpp"
+#include "dataflow/tools/report/memory_traffic_report.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "kernel/report/json_rows.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -117,4 +117,4 @@ Json memory_traffic_json(RunStatistics const& run) {
             {"masters", masters}};
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

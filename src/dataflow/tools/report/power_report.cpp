@@ -1,12 +1,12 @@
-#include "kernel/report/power_report.hpp"
+#include "dataflow/tools/report/power_report.hpp"
 
 #include <fmt/format.h>
 #include <string_view>
 #include <vector>
 
-#include "kernel/figures/power.hpp"
+#include "dataflow/tools/resources/power.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string power_text(RunStatistics const& run) {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,13 +1,13 @@
-#include "kernel/report/provenance.hpp"
+#include "dataflow/tools/report/provenance.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/markup_text.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/configuration_hash.hpp"
+#include "dataflow/base/markup_text.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::string made_by_html(std::string const& configuration_hash, MadeBy const& ma
     return line;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/base/made_by.hpp"
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/base/made_by.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// Where a result comes from: program, version, commit, command and hash of the configuration. No date of the run, so
 /// that equal runs write equal bytes.
@@ -18,4 +18,4 @@ Json made_by_json(std::vector<ResolvedKey> const& keys);
 /// The same as a line of HTML. An empty hash is left out.
 std::string made_by_html(std::string const& configuration_hash, MadeBy const& maker = made_by());
 
-}  // namespace faster::report
+}  // namespace dataflow::report

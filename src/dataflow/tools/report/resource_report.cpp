@@ -1,10 +1,10 @@
-#include "kernel/report/resource_report.hpp"
+#include "dataflow/tools/report/resource_report.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/machine/machine_resources.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string resources_text(Machine const& machine) {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

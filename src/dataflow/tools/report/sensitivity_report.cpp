@@ -1,13 +1,13 @@
-#include "kernel/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/files/json_file.hpp"
+#include "dataflow/base/files/json_file.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::string sensitivities_file_json(RunStatistics const& run) {
     return io::text_of(file, 2) + "\n";
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

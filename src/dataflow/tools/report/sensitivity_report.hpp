@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/json_rows.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// The keys whose steps change total_cycles, those that save most first: lines of text, empty if none were worked out.
 /// Then, if it was looked for, what slack keys have.
@@ -18,4 +18,4 @@ Json alternatives_json(RunStatistics const& run);
 /// The same as a file of its own, of `faster-sim sensitivities --json`.
 std::string sensitivities_file_json(RunStatistics const& run);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,18 +1,18 @@
-#include "kernel/report/summary.hpp"
+#include "dataflow/tools/report/summary.hpp"
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/figures/table_rows.hpp"
-#include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/diagnosis_text.hpp"
-#include "kernel/report/hazard_report.hpp"
-#include "kernel/report/json_rows.hpp"
-#include "kernel/report/memory_traffic_report.hpp"
-#include "kernel/report/power_report.hpp"
-#include "kernel/report/resource_report.hpp"
-#include "kernel/report/sensitivity_report.hpp"
-#include "kernel/report/timing_report.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/hazard_report.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
+#include "dataflow/tools/report/memory_traffic_report.hpp"
+#include "dataflow/tools/report/power_report.hpp"
+#include "dataflow/tools/report/resource_report.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/timing_report.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
     return io::text_of(summary, 2) + "\n";
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// What the host spent; kept apart from simulated figures, so that those compare equal from run to run.
 struct HostTime {
@@ -26,4 +26,4 @@ Json deadlock_json(RunStatistics const& run);
 std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run,
                                   Json const& made_by = {});
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,22 +1,22 @@
-#include "kernel/report/text_report.hpp"
+#include "dataflow/tools/report/text_report.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/figures/column_values.hpp"
-#include "kernel/figures/table_rows.hpp"
-#include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/diagnosis_text.hpp"
-#include "kernel/report/hazard_report.hpp"
-#include "kernel/report/latencies.hpp"
-#include "kernel/report/memory_traffic_report.hpp"
-#include "kernel/report/power_report.hpp"
-#include "kernel/report/resource_report.hpp"
-#include "kernel/report/sensitivity_report.hpp"
-#include "kernel/report/timing_report.hpp"
+#include "dataflow/run/figures/column_values.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/hazard_report.hpp"
+#include "dataflow/tools/report/latencies.hpp"
+#include "dataflow/tools/report/memory_traffic_report.hpp"
+#include "dataflow/tools/report/power_report.hpp"
+#include "dataflow/tools/report/resource_report.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/timing_report.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::string deadlock_report(RunStatistics const& run) {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,10 +1,10 @@
-#include "kernel/report/timing_report.hpp"
+#include "dataflow/tools/report/timing_report.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/machine/machine_resources.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::string timing_text(Machine const& machine) {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

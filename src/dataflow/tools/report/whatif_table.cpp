@@ -1,13 +1,13 @@
-#include "kernel/report/whatif_table.hpp"
+#include "dataflow/tools/report/whatif_table.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
-#include "kernel/base/csv_cell.hpp"
+#include "dataflow/base/csv_cell.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples) {
     recorded_.settings = "as recorded";
@@ -64,4 +64,4 @@ std::string WhatifTable::csv() const {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

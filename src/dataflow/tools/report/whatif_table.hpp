@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// How long a recorded run would take in each of several configurations: a row for each.
 class WhatifTable {
@@ -36,4 +36,4 @@ class WhatifTable {
     std::vector<Row> rows_;
 };
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,11 +1,11 @@
-#include "kernel/machine/fifo_cost.hpp"
+#include "dataflow/tools/resources/fifo_cost.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "kernel/machine/primitive_shapes.hpp"
+#include "dataflow/core/machine/primitive_shapes.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -44,4 +44,4 @@ Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, Cost
     return cost_of(block, weights) < cost_of(distributed, weights) ? block : distributed;
 }
 
-}  // namespace faster
+}  // namespace dataflow

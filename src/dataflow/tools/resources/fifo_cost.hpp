@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
 
-#include "kernel/machine/fifo_kind.hpp"
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/fifo_kind.hpp"
+#include "dataflow/core/machine/resources.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a FIFO's tokens are kept in, on an UltraScale+ device. Counters, flags and output registers are not counted.
 struct Primitives {
@@ -32,4 +32,4 @@ double cost_of(Primitives const& primitives, CostWeights const& weights);
 /// Source: AMD UG574 (SLICEM), UG573 (block RAM).
 Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, CostWeights const& weights);
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,11 +1,11 @@
-#include "kernel/machine/machine_resources.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/integer_bits.hpp"
-#include "kernel/machine/fifo_cost.hpp"
+#include "dataflow/base/integer_bits.hpp"
+#include "dataflow/tools/resources/fifo_cost.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -19,7 +19,7 @@ std::optional<UnitPath> slowest_of(std::vector<UnitPath> const& paths) {
 std::vector<MachineResources::Module> modules_of(Machine const& machine, ToldResources const& told) {
     std::vector<MachineResources::Module> modules;
     if (!told.modules.empty())
-        for (std::size_t const i : faster::modules_of(machine))
+        for (std::size_t const i : dataflow::modules_of(machine))
             modules.push_back({sum_of(machine.processes[i].name, told.modules[i]), told.modules[i],
                                told.paths.empty() ? std::nullopt : slowest_of(told.paths[i])});
     return modules;
@@ -27,7 +27,7 @@ std::vector<MachineResources::Module> modules_of(Machine const& machine, ToldRes
 
 std::vector<ResourcePart> fifos_of(Machine const& machine, ToldResources const& told) {
     std::vector<ResourcePart> fifos;
-    for (std::size_t const i : faster::fifos_of(machine)) {
+    for (std::size_t const i : dataflow::fifos_of(machine)) {
         ResourcePart part{"", counted_fifo(machine.fifos[i]), ResourceBasis::counted};
         if (!told.fifos.empty())
             part = told.fifos[i];
@@ -82,4 +82,4 @@ bool MachineResources::fits(Device const& device) const {
            chip.ramb36 <= device.has.ramb36;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/core/machine/resources.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// What a machine takes of a device. Everything is of one core, but for `cores`, `beside` and `chip`.
 struct MachineResources {
@@ -32,4 +32,4 @@ MachineResources resources_of(Machine const& machine);
 /// A FIFO as its primitives, with counters and output register; if the design does not tell.
 Resources counted_fifo(MachineFifo const& fifo);
 
-}  // namespace faster
+}  // namespace dataflow

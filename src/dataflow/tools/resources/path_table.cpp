@@ -1,11 +1,11 @@
-#include "kernel/machine/path_table.hpp"
+#include "dataflow/tools/resources/path_table.hpp"
 
 #include <algorithm>
 #include <sstream>
 
-#include "kernel/machine/unit_keys.hpp"
+#include "dataflow/tools/resources/unit_keys.hpp"
 
-namespace faster {
+namespace dataflow {
 
 PathTable::PathTable(std::string_view csv) {
     std::istringstream lines{std::string(csv)};
@@ -42,4 +42,4 @@ std::vector<UnitPath> PathTable::paths(std::string const& unit, std::map<std::st
     return paths;
 }
 
-}  // namespace faster
+}  // namespace dataflow

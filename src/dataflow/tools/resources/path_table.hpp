@@ -4,24 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace faster {
+#include "dataflow/core/machine/unit_path.hpp"
 
-/// An estimate with its range.
-struct Estimate {
-    double low = 0;
-    double typical = 0;
-    double high = 0;
-};
-
-/// A longest path of a unit, clock to clock.
-struct UnitPath {
-    std::string from;
-    std::string to;
-    unsigned stages = 1;  ///< that its logic may be spread over
-    Estimate delay_ns;    ///< of all of it
-
-    Estimate of_stage() const { return {delay_ns.low / stages, delay_ns.typical / stages, delay_ns.high / stages}; }
-};
+namespace dataflow {
 
 /// Longest paths of synthesized configurations of units: rtl/timing.csv, of which the columns unit, configuration,
 /// stages, low_ns, typical_ns, high_ns, from and to count.
@@ -42,4 +27,4 @@ class PathTable {
     std::vector<Row> rows_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

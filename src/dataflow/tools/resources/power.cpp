@@ -1,8 +1,8 @@
-#include "kernel/figures/power.hpp"
+#include "dataflow/tools/resources/power.hpp"
 
-#include "kernel/machine/machine_resources.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -97,4 +97,4 @@ RunPower power_of(RunStatistics const& run, PowerCoefficients const& coefficient
     return PowerCount(run, coefficients).power();
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/machine/path_table.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/resources/path_table.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// Energies of primitives of an UltraScale+ device at 0.85 V, with their nets: engineering estimates, which no run is
 /// fitted to. docs/hardware.md says how they come about.
@@ -40,4 +40,4 @@ struct RunPower {
 /// Of a run with at least a cycle.
 RunPower power_of(RunStatistics const& run, PowerCoefficients const& coefficients = {});
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,4 +1,4 @@
-#include "kernel/machine/resource_table.hpp"
+#include "dataflow/tools/resources/resource_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "kernel/machine/unit_keys.hpp"
+#include "dataflow/tools/resources/unit_keys.hpp"
 
-namespace faster {
+namespace dataflow {
 
 namespace {
 
@@ -148,4 +148,4 @@ ResourcePart ResourceTable::fifo(FifoKind kind, std::uint64_t tokens, unsigned b
     return part;
 }
 
-}  // namespace faster
+}  // namespace dataflow

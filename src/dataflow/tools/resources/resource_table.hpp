@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/machine/fifo_kind.hpp"
-#include "kernel/machine/resources.hpp"
+#include "dataflow/core/machine/fifo_kind.hpp"
+#include "dataflow/core/machine/resources.hpp"
 
-namespace faster {
+namespace dataflow {
 
 /// A key of a unit's configuration. Values are numbers or names; `standard` is that of the unit's row `default`.
 struct UnitKey {
@@ -56,4 +56,4 @@ class ResourceTable {
     std::vector<Row> rows_;
 };
 
-}  // namespace faster
+}  // namespace dataflow

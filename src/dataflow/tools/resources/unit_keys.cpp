@@ -1,9 +1,9 @@
-#include "kernel/machine/unit_keys.hpp"
+#include "dataflow/tools/resources/unit_keys.hpp"
 
 #include <sstream>
 #include <stdexcept>
 
-namespace faster {
+namespace dataflow {
 
 std::map<std::string, std::string> unit_keys(std::string const& configuration) {
     std::map<std::string, std::string> keys;
@@ -25,4 +25,4 @@ std::vector<std::string> csv_cells(std::string const& line) {
     return cells;
 }
 
-}  // namespace faster
+}  // namespace dataflow

@@ -1,12 +1,12 @@
-#include "kernel/sizing/certificate.hpp"
+#include "dataflow/tools/sizing/certificate.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <numeric>
 
-#include "kernel/base/on_threads.hpp"
+#include "dataflow/base/on_threads.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -73,4 +73,4 @@ void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned j
     });
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -2,9 +2,9 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/sizing/search.hpp"
+#include "dataflow/tools/sizing/search.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// What one FIFO of an answer would do if it were shallower, all others as they are.
 struct CertificateRow {
@@ -27,4 +27,4 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
 void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned jobs, std::vector<CertificateRow>& rows,
                 std::function<void()> const& done);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

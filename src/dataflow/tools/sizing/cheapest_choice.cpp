@@ -1,6 +1,6 @@
-#include "kernel/sizing/cheapest_choice.hpp"
+#include "dataflow/tools/sizing/cheapest_choice.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -108,4 +108,4 @@ std::optional<Choice> cheapest_choice(Levels const& levels, std::vector<Cut> con
     return BranchAndBound(levels, cuts).run();
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/sizing/cut.hpp"
+#include "dataflow/tools/sizing/cut.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// The levels of each FIFO, the cheapest first.
 using Levels = std::vector<std::vector<Level>>;
@@ -16,4 +16,4 @@ Primitives sum_of(Choice const& choice, Freedoms const& fifos, CostWeights const
 /// none. Exact: branches on who escapes a cut, and leaves a branch once it costs what the best so far costs.
 std::optional<Choice> cheapest_choice(Levels const& levels, std::vector<Cut> const& cuts);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,15 +1,15 @@
-#include "kernel/sizing/core_times.hpp"
+#include "dataflow/tools/sizing/core_times.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/on_threads.hpp"
-#include "kernel/machine/core_share.hpp"
-#include "kernel/replay/collect.hpp"
-#include "kernel/sizing/cut_members.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/tools/sizing/cut_members.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -394,4 +394,4 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
     return Cut{members, cycles};
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/replay/retime.hpp"
-#include "kernel/replay/scripted_run.hpp"
-#include "kernel/sizing/cut.hpp"
-#include "kernel/sizing/relaxation.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/run/replay/scripted_run.hpp"
+#include "dataflow/tools/sizing/cut.hpp"
+#include "dataflow/tools/sizing/relaxation.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// How long the cores of a recorded run would take with other FIFOs. Remembers what it has worked out. May be asked by
 /// several threads at once. Where times are not monotone it knows those of the relaxed machine besides. Cores that
@@ -131,4 +131,4 @@ class CoreTimes {
     mutable std::mutex mutex_;
 };
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

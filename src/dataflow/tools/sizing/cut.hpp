@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/sizing/fifo_choice.hpp"
+#include "dataflow/tools/sizing/fifo_choice.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// Why choices are too slow: a path through the time of one core that turns at the FIFOs of the members. A choice
 /// escapes only if one of the members differs from what the path needs; all others take `total_cycles` at least.
@@ -32,4 +32,4 @@ struct Cut {
     }
 };
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,10 +1,10 @@
-#include "kernel/sizing/cut_members.hpp"
+#include "dataflow/tools/sizing/cut_members.hpp"
 
 #include <algorithm>
 
-#include "kernel/timing/path_sweep.hpp"
+#include "dataflow/core/time/path_sweep.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -73,4 +73,4 @@ Members members_of_deadlock(timing::CoreTiming& core) {
     return those_that_hold_up(members);
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -2,10 +2,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/sizing/cut.hpp"
-#include "kernel/timing/core_timing.hpp"
+#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/tools/sizing/cut.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 using Members = std::vector<Cut::Member>;
 
@@ -14,4 +14,4 @@ Members members_of_path(timing::CoreTiming const& core, std::size_t collector);
 /// Of a deadlock. Everything else could have all the room it wants: what is full would be as full.
 Members members_of_deadlock(timing::CoreTiming& core);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

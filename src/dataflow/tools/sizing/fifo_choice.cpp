@@ -1,8 +1,8 @@
-#include "kernel/sizing/fifo_choice.hpp"
+#include "dataflow/tools/sizing/fifo_choice.hpp"
 
 #include <algorithm>
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::vector<Level> levels_of(FifoFreedom const& fifo, std::uint64_t depth, CostW
     return levels;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

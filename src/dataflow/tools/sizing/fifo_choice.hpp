@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/machine/fifo_cost.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/tools/resources/fifo_cost.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// How one FIFO is built: a resolved kind and a depth, by the rules of a generation, which all FIFOs of a search have
 /// alike. What it means for time is a capacity and a read latency (SPEC section 3).
@@ -65,4 +65,4 @@ struct Level {
 /// The levels of a FIFO, the cheapest first. No deeper than `depth`.
 std::vector<Level> levels_of(FifoFreedom const& fifo, std::uint64_t depth, CostWeights const& weights);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

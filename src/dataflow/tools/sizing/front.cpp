@@ -1,8 +1,8 @@
-#include "kernel/sizing/front.hpp"
+#include "dataflow/tools/sizing/front.hpp"
 
 #include <algorithm>
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<FrontPoint> front(FifoFrame const& frame, RepairedSearch& search, Cy
     return kept;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

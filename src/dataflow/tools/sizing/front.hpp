@@ -2,9 +2,9 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/sizing/search.hpp"
+#include "dataflow/tools/sizing/search.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// Searches for the cheapest FIFOs of a machine whose times need not be monotone.
 ///
@@ -44,4 +44,4 @@ struct FrontPoint {
 std::vector<FrontPoint> front(FifoFrame const& frame, RepairedSearch& search, Cycles unbounded_cycles, Cycles bound,
                               unsigned points, std::function<void()> const& done);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,4 +1,4 @@
-#include "kernel/sizing/last_that_holds.hpp"
+#include "dataflow/tools/sizing/last_that_holds.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -6,9 +6,9 @@
 #include <mutex>
 #include <vector>
 
-#include "kernel/base/on_threads.hpp"
+#include "dataflow/base/on_threads.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -140,4 +140,4 @@ std::size_t last_before_failing(std::size_t count, unsigned jobs, Monotone::Hold
     return yes;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// Something that holds for the first of some numbers, and for all up to one.
 struct Monotone {
@@ -22,4 +22,4 @@ std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& mo
 /// if there is one. Which, depends on nothing but `holds`: not on the jobs, two of which have something to do.
 std::size_t last_before_failing(std::size_t count, unsigned jobs, Monotone::Holds const& holds);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,8 +1,8 @@
-#include "kernel/sizing/relaxation.hpp"
+#include "dataflow/tools/sizing/relaxation.hpp"
 
 #include <utility>
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 std::vector<std::size_t> freezing_fifos(Machine const& machine) {
     std::vector<std::size_t> freezing;
@@ -22,4 +22,4 @@ Machine relaxed(Machine machine) {
     return machine;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/machine/machine.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// FIFOs behind a flushing pipeline that freezes while they are full. With one of them, more room or less latency
 /// somewhere may make a run longer: a token that reaches the full FIFO sooner freezes the pipeline for longer, and
@@ -21,4 +21,4 @@ bool shares_memory(Machine const& machine);
 /// long where no such FIFO is ever full. And more room or less latency never makes it take longer.
 Machine relaxed(Machine machine);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,13 +1,13 @@
-#include "kernel/sizing/search.hpp"
+#include "dataflow/tools/sizing/search.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <optional>
 
-#include "kernel/base/on_threads.hpp"
-#include "kernel/sizing/last_that_holds.hpp"
+#include "dataflow/base/on_threads.hpp"
+#include "dataflow/tools/sizing/last_that_holds.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -332,4 +332,4 @@ Choice Search::without_spare_tokens(Choice choice, Cycles bound, std::vector<std
     return choice;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

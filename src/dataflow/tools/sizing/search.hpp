@@ -2,12 +2,12 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/sizing/cheapest_choice.hpp"
-#include "kernel/sizing/core_times.hpp"
-#include "kernel/sizing/last_that_holds.hpp"
-#include "kernel/sizing/unbounded.hpp"
+#include "dataflow/tools/sizing/cheapest_choice.hpp"
+#include "dataflow/tools/sizing/core_times.hpp"
+#include "dataflow/tools/sizing/last_that_holds.hpp"
+#include "dataflow/tools/sizing/unbounded.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// The cheapest choice within a bound, and how sure that is.
 struct Found {
@@ -76,4 +76,4 @@ class Search {
     std::size_t strict_core_;  ///< the one that broke the last bound; it will probably break the next
 };
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,12 +1,12 @@
-#include "kernel/sizing/size_fifos.hpp"
+#include "dataflow/tools/sizing/size_fifos.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "kernel/config/design.hpp"
+#include "dataflow/run/config/design.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -127,4 +127,4 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     return sizing;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -2,11 +2,11 @@
 #include <functional>
 #include <optional>
 
-#include "kernel/config/run_config.hpp"
-#include "kernel/sizing/certificate.hpp"
-#include "kernel/sizing/front.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "dataflow/tools/sizing/certificate.hpp"
+#include "dataflow/tools/sizing/front.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 struct SizingOptions {
     double within_percent = 0;  ///< of what unbounded FIFOs take, more
@@ -53,4 +53,4 @@ Cycles bound_within(double percent, Cycles unbounded_cycles);
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

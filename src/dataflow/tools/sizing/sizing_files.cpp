@@ -1,16 +1,16 @@
-#include "kernel/sizing/sizing_files.hpp"
+#include "dataflow/tools/sizing/sizing_files.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/config/enum_names.hpp"
-#include "kernel/config/idle_keys.hpp"
-#include "kernel/config/resolved_config.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -304,4 +304,4 @@ std::string depths_yaml(Sizing const& sizing, std::string const& title) {
            to_yaml(keys);
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "kernel/sizing/size_fifos.hpp"
+#include "dataflow/tools/sizing/size_fifos.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// A sizing for people: the answer, the certificate, the front.
 std::string sizing_text(Sizing const& sizing);
@@ -14,4 +14,4 @@ std::string pareto_csv(Sizing const& sizing);
 /// The answer as a configuration of `accelerator.fifos`. `title`: what it is the answer to, for a comment.
 std::string depths_yaml(Sizing const& sizing, std::string const& title);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

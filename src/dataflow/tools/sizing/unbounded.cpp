@@ -1,9 +1,9 @@
-#include "kernel/sizing/unbounded.hpp"
+#include "dataflow/tools/sizing/unbounded.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 namespace {
 
@@ -117,4 +117,4 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs) {
     return result;
 }
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

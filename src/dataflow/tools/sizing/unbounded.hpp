@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "kernel/sizing/cheapest_choice.hpp"
-#include "kernel/sizing/core_times.hpp"
+#include "dataflow/tools/sizing/cheapest_choice.hpp"
+#include "dataflow/tools/sizing/core_times.hpp"
 
-namespace faster::sizing {
+namespace dataflow::sizing {
 
 /// The FIFOs as they are configured: how they may be built.
 struct FifoFrame {
@@ -32,4 +32,4 @@ Unbounded unbounded(FifoFrame const& frame, CoreTimes& times, unsigned jobs);
 /// no slower.
 FifoChoice as_it_may_be(FifoChoice const& choice, FifoFreedom const& fifo);
 
-}  // namespace faster::sizing
+}  // namespace dataflow::sizing

@@ -1,19 +1,19 @@
-#include "kernel/sweeps/dimension_reader.hpp"
+#include "dataflow/tools/sweeps/dimension_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/sweeps/random_dimension.hpp"
-#include "kernel/sweeps/results_table.hpp"
-#include "kernel/sweeps/sweep_file.hpp"
-#include "kernel/sweeps/value_lists.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/tools/sweeps/random_dimension.hpp"
+#include "dataflow/tools/sweeps/results_table.hpp"
+#include "dataflow/tools/sweeps/sweep_file.hpp"
+#include "dataflow/tools/sweeps/value_lists.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -253,4 +253,4 @@ std::optional<Dimension> read_dimension(YAML::Node const& item, int line, KeyCel
     return DimensionReader(line, cells).dimension(item);
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -2,10 +2,10 @@
 #include <optional>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/sweeps/key_cells.hpp"
-#include "kernel/sweeps/sweep.hpp"
+#include "dataflow/tools/sweeps/key_cells.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// An item of `dimensions`; one of
 ///   {key: KEY, values: [...]}                     the values as listed
@@ -17,4 +17,4 @@ namespace faster::sweeps {
 /// What is wrong is added to the faults of `cells`; then there is no dimension.
 std::optional<Dimension> read_dimension(YAML::Node const& item, int line, KeyCells const& cells);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,11 +1,11 @@
-#include "kernel/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
 
-#include "kernel/base/files/durable_file.hpp"
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/sweeps/journal_rows.hpp"
+#include "dataflow/base/files/durable_file.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/tools/sweeps/journal_rows.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -62,4 +62,4 @@ void Journal::note(std::vector<std::pair<std::string, PointResult>> const& rows)
         content_.results[id] = result;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/files/append_file.hpp"
-#include "kernel/sweeps/point_result.hpp"
+#include "dataflow/base/files/append_file.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Results by the hash of their point (PointIdentity::point).
 using Results = std::map<std::string, PointResult>;
@@ -47,4 +47,4 @@ class Journal {
     io::AppendFile file_;
 };
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

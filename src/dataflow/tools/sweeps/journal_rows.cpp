@@ -1,11 +1,11 @@
-#include "kernel/sweeps/journal_rows.hpp"
+#include "dataflow/tools/sweeps/journal_rows.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/fnv1a.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/fnv1a.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::size_t read_journal_rows(std::string_view text, std::function<void(Json con
     return damaged;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

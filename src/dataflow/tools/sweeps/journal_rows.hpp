@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/base/json.hpp"
+#include "dataflow/base/json.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 // Rows of a file to which results are added as they come: a checksum of 16 letters, a blank, JSON on one line.
 
@@ -17,4 +17,4 @@ std::string journal_row(Json const& json);
 /// that `take` throws a Json::exception.
 std::size_t read_journal_rows(std::string_view text, std::function<void(Json const&)> const& take);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

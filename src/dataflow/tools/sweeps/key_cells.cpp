@@ -1,13 +1,13 @@
-#include "kernel/sweeps/key_cells.hpp"
+#include "dataflow/tools/sweeps/key_cells.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/printable.hpp"
-#include "kernel/base/utf8.hpp"
-#include "kernel/config/plain_text.hpp"
-#include "kernel/config/value_reader.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/utf8.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/run/config/value_reader.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 Key const* KeyCells::key(std::string const& name, int line) const {
     Key const* const found = find_key(name);
@@ -43,4 +43,4 @@ std::optional<std::filesystem::path> KeyCells::path(std::string const& name, YAM
     return (folder_ / value.Scalar()).lexically_normal();
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -4,11 +4,11 @@
 #include <string>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/config/key_faults.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/sweeps/sweep.hpp"
+#include "dataflow/run/config/key_faults.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Makes cells of the values of a sweep file. What is wrong with them is added to the faults, and there is no cell.
 class KeyCells {
@@ -30,4 +30,4 @@ class KeyCells {
     KeyFaults& faults_;
 };
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

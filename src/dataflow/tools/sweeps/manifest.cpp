@@ -1,14 +1,14 @@
-#include "kernel/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
 
 #include <fmt/format.h>
 #include <set>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/sweeps/sweep.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {}
 
@@ -62,4 +62,4 @@ std::string why_no_part_of(Manifest const& smaller, Manifest const& larger) {
                        larger.sweep, smaller.name(first));
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// What a sweep is: sweep.json in its folder (docs/formats.md). Says which points there are, so that results can be put
 /// together without the sweep file.
@@ -28,4 +28,4 @@ Manifest manifest_from_text(std::string const& text, std::string const& file);
 /// people: "3 of its 12 points are not in grid.yaml, the first is point 4 (...)".
 std::string why_no_part_of(Manifest const& smaller, Manifest const& larger);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,13 +1,13 @@
-#include "kernel/sweeps/point_identity.hpp"
+#include "dataflow/tools/sweeps/point_identity.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/fnv1a.hpp"
-#include "kernel/config/design.hpp"
-#include "kernel/config/keys.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/fnv1a.hpp"
+#include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/keys.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string const& Identifier::content(std::filesystem::path const& path) {
     return contents_[path] = hexadecimal(hash);
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
-#include "kernel/config/key.hpp"
+#include "dataflow/run/config/key.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Hashes (FNV-1a, 16 hexadecimal digits) by which points are known, wherever and whenever they are worked out.
 struct PointIdentity {
@@ -30,4 +30,4 @@ class Identifier {
     std::map<std::filesystem::path, std::string> contents_;
 };
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

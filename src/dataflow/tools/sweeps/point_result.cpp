@@ -1,11 +1,11 @@
-#include "kernel/sweeps/point_result.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/json.hpp"
-#include "kernel/report/architecture_table.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/tools/report/architecture_table.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -117,4 +117,4 @@ PointResult result_from_json(Json const& json) {
     return result;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "kernel/base/cycles.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// What came of a point.
 struct PointResult {
@@ -40,4 +40,4 @@ nlohmann::ordered_json to_json(PointResult const& result);
 /// Throws Json::exception for anything else.
 PointResult result_from_json(nlohmann::ordered_json const& json);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

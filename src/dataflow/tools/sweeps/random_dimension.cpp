@@ -1,4 +1,4 @@
-#include "kernel/sweeps/random_dimension.hpp"
+#include "dataflow/tools/sweeps/random_dimension.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/base/random.hpp"
-#include "kernel/config/key_value.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/base/random.hpp"
+#include "dataflow/run/config/key_value.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -122,4 +122,4 @@ Dimension random_dimension(MapEntry const& random, std::int64_t count, std::uint
     return dimension;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,11 +1,11 @@
-#include "kernel/sweeps/results_table.hpp"
+#include "dataflow/tools/sweeps/results_table.hpp"
 
 #include <fmt/format.h>
 #include <iterator>
 
-#include "kernel/base/csv_cell.hpp"
+#include "dataflow/base/csv_cell.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::string results_csv(Manifest const& manifest, Results const& results) {
     return text;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,8 +1,8 @@
-#include "kernel/sweeps/schedule.hpp"
+#include "dataflow/tools/sweeps/schedule.hpp"
 
 #include <algorithm>
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 Schedule::Schedule(std::vector<Job> const& jobs, std::set<std::string> const& recorded) {
     for (Job const& job : jobs) {
@@ -82,4 +82,4 @@ void Schedule::note(std::string const& function) {
         startable_.insert(rank);
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Work for one process.
 struct Assignment {
@@ -69,4 +69,4 @@ class Schedule {
     std::set<std::size_t> startable_;  // with pending points and none
 };
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,14 +1,14 @@
-#include "kernel/sweeps/shard.hpp"
+#include "dataflow/tools/sweeps/shard.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <set>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/sweeps/sweep_folder.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/tools/sweeps/sweep_folder.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::vector<std::size_t> missing_points(Manifest const& manifest, Results const&
     return missing;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/sweeps/journal.hpp"
-#include "kernel/sweeps/manifest.hpp"
-#include "kernel/sweeps/point_identity.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/point_identity.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Part `index` (from 1) of `count` parts.
 struct Shard {
@@ -35,4 +35,4 @@ Merged merged(std::vector<std::filesystem::path> const& folders);
 /// Which of the manifest's points have no result.
 std::vector<std::size_t> missing_points(Manifest const& manifest, Results const& results);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,11 +1,11 @@
-#include "kernel/sweeps/sweep.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
 
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/config/layered_config.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/config/layered_config.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 std::size_t Sweep::points() const {
     std::size_t count = 1;
@@ -67,4 +67,4 @@ std::string name_of_point(std::size_t point, std::vector<std::string> const& col
     return fmt::format("point {} ({})", point, text);
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/load_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// What a point has in one column.
 struct Cell {
@@ -44,4 +44,4 @@ struct Sweep {
 std::string name_of_point(std::size_t point, std::vector<std::string> const& columns,
                           std::vector<std::string> const& values);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

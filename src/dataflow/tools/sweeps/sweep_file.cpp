@@ -1,4 +1,4 @@
-#include "kernel/sweeps/sweep_file.hpp"
+#include "dataflow/tools/sweeps/sweep_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,16 +6,16 @@
 #include <map>
 #include <set>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/config/value_reader.hpp"
-#include "kernel/sweeps/dimension_reader.hpp"
-#include "kernel/sweeps/key_cells.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/value_reader.hpp"
+#include "dataflow/tools/sweeps/dimension_reader.hpp"
+#include "dataflow/tools/sweeps/key_cells.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -136,4 +136,4 @@ Sweep read_sweep_file(std::filesystem::path const& path) {
     return SweepReader(path).sweep(load_document(path, "a sweep file"));
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,9 +1,9 @@
 #pragma once
 #include <filesystem>
 
-#include "kernel/sweeps/sweep.hpp"
+#include "dataflow/tools/sweeps/sweep.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// More are taken for a mistake in the file.
 constexpr std::size_t most_points = 100'000;
@@ -13,4 +13,4 @@ constexpr std::size_t most_points = 100'000;
 /// point is a valid configuration is not looked at, see Sweep::configuration().
 Sweep read_sweep_file(std::filesystem::path const& path);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

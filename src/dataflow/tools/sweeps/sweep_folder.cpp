@@ -1,15 +1,15 @@
-#include "kernel/sweeps/sweep_folder.hpp"
+#include "dataflow/tools/sweeps/sweep_folder.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <system_error>
 
-#include "kernel/base/files/durable_file.hpp"
-#include "kernel/base/files/hidden_name.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
+#include "dataflow/base/files/durable_file.hpp"
+#include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace fs = std::filesystem;
 
@@ -95,4 +95,4 @@ Manifest read_manifest_of(fs::path const& folder) {
     return manifest_from_text(io::read_file(file), file.string());
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

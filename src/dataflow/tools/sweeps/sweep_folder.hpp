@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "kernel/base/files/folder_lock.hpp"
-#include "kernel/sweeps/manifest.hpp"
+#include "dataflow/base/files/folder_lock.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// The output folder of a sweep, which one process has to itself while this lives.
 ///   sweep.json   the manifest
@@ -51,4 +51,4 @@ bool is_sweep_folder(std::filesystem::path const& folder);
 /// The manifest of a folder that a sweep wrote. Throws InputError if it is none.
 Manifest read_manifest_of(std::filesystem::path const& folder);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,13 +1,13 @@
-#include "kernel/sweeps/sweep_page.hpp"
+#include "dataflow/tools/sweeps/sweep_page.hpp"
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/json.hpp"
-#include "kernel/config/configuration_hash.hpp"
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/provenance.hpp"
-#include "kernel/sweeps/page.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/provenance.hpp"
+#include "dataflow/tools/sweeps/page.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 namespace {
 
@@ -26,7 +26,7 @@ Json points_json(Manifest const& manifest, Results const& results) {
 
 /// Made of the manifest as all else, not of the command, which may have been `sweep merge`.
 std::string made_by(Manifest const& manifest) {
-    MadeBy maker = faster::made_by();
+    MadeBy maker = dataflow::made_by();
     maker.version = manifest.version;
     maker.command = "sweep " + manifest.sweep;
     return report::made_by_html(hash_of(to_text(manifest)), maker);
@@ -41,4 +41,4 @@ std::string sweep_page(Manifest const& manifest, Results const& results) {
     return report::filled_page(sweep_page_template, manifest.sweep, made_by(manifest), io::text_of(data));
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

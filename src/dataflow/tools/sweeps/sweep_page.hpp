@@ -1,13 +1,13 @@
 #pragma once
 #include <string>
 
-#include "kernel/sweeps/journal.hpp"
-#include "kernel/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/manifest.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// index.html: one page that needs nothing else, with the Pareto front of two figures, parallel coordinates and a
 /// table. Equal results give equal bytes.
 std::string sweep_page(Manifest const& manifest, Results const& results);
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

@@ -1,12 +1,12 @@
-#include "kernel/sweeps/value_lists.hpp"
+#include "dataflow/tools/sweeps/value_lists.hpp"
 
 #include <fmt/format.h>
 #include <set>
 
-#include "kernel/base/printable.hpp"
-#include "kernel/config/plain_text.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/plain_text.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 void ValueLists::fault(int line, std::string const& key, std::string const& problem) const {
     cells_.faults().push_back({line, key, std::nullopt, problem});
@@ -68,4 +68,4 @@ std::optional<std::int64_t> ValueLists::whole_number(MapEntry const& entry, std:
     return std::nullopt;
 }
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

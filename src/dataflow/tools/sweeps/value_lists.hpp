@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/config/value_reader.hpp"
-#include "kernel/sweeps/key_cells.hpp"
+#include "dataflow/run/config/value_reader.hpp"
+#include "dataflow/tools/sweeps/key_cells.hpp"
 
-namespace faster::sweeps {
+namespace dataflow::sweeps {
 
 /// Reads lists and numbers of a sweep file. What is wrong with them is added to the faults.
 class ValueLists {
@@ -31,4 +31,4 @@ class ValueLists {
     KeyCells const& cells_;
 };
 
-}  // namespace faster::sweeps
+}  // namespace dataflow::sweeps

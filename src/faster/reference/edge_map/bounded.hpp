@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/edge_map/transition.hpp"
+#include "faster/reference/edge_map/transition.hpp"
 
 namespace faster::reference {
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/edge_map/transition.hpp"
+#include "faster/reference/edge_map/transition.hpp"
 
 namespace faster::reference {
 

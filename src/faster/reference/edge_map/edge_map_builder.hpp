@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "common/image.hpp"
+#include "faster/data/image.hpp"
 
 namespace faster::reference {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "reference/edge_map/edge_map_builder.hpp"
+#include "faster/reference/edge_map/edge_map_builder.hpp"
 
 namespace faster::reference {
 

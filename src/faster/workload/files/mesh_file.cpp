@@ -1,4 +1,4 @@
-#include "workload/files/mesh_file.hpp"
+#include "faster/workload/files/mesh_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,13 @@
 #include <fmt/ranges.h>
 #include <new>
 
-#include "kernel/base/confinement.hpp"
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/process_pool.hpp"
-#include "workload/files/mesh_import.hpp"
+#include "dataflow/base/confinement.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_import.hpp"
 
 namespace faster::io {
 

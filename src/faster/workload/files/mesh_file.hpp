@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::io {
 

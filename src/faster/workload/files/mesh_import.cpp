@@ -1,4 +1,4 @@
-#include "workload/files/mesh_import.hpp"
+#include "faster/workload/files/mesh_import.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,11 +20,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include "kernel/base/files/file_error.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "workload/files/ply_length.hpp"
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/ply_length.hpp"
 
 namespace faster::io {
 

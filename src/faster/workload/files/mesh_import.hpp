@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::io {
 

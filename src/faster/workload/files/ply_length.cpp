@@ -1,4 +1,4 @@
-#include "workload/files/ply_length.hpp"
+#include "faster/workload/files/ply_length.hpp"
 
 #include <algorithm>
 #include <array>

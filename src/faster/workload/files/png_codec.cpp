@@ -1,4 +1,4 @@
-#include "workload/files/png_codec.hpp"
+#include "faster/workload/files/png_codec.hpp"
 
 #include <algorithm>
 #include <array>

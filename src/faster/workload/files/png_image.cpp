@@ -1,13 +1,14 @@
-#include "workload/files/png_image.hpp"
+#include "faster/workload/files/png_image.hpp"
 
 #include <cstring>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string_view>
 
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "workload/files/png_codec.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_codec.hpp"
 
 namespace faster::io {
 

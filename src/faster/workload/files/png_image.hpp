@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "common/image.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::io {
 

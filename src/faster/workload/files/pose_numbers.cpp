@@ -1,4 +1,4 @@
-#include "workload/files/pose_numbers.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::io {
 

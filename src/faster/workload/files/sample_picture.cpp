@@ -1,4 +1,4 @@
-#include "workload/files/sample_picture.hpp"
+#include "faster/workload/files/sample_picture.hpp"
 
 #include <fmt/format.h>
 

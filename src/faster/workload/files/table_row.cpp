@@ -1,13 +1,14 @@
-#include "workload/files/table_row.hpp"
+#include "faster/workload/files/table_row.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/printable.hpp"
-#include "workload/files/pose_numbers.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
 
 namespace faster::io {
 namespace {

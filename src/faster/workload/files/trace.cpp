@@ -1,4 +1,4 @@
-#include "workload/files/trace.hpp"
+#include "faster/workload/files/trace.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/files/atomic_folder.hpp"
-#include "kernel/base/files/csv_integers.hpp"
-#include "kernel/base/files/text_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "workload/files/png_image.hpp"
-#include "workload/files/trace_manifest.hpp"
+#include "dataflow/base/files/atomic_folder.hpp"
+#include "dataflow/base/files/csv_integers.hpp"
+#include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
+#include "faster/workload/files/trace_manifest.hpp"
 
 namespace faster::io {
 

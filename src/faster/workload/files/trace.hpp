@@ -1,8 +1,9 @@
 #pragma once
 #include <filesystem>
 
-#include "common/stimulus.hpp"
-#include "kernel/base/files/folder_kind.hpp"
+#include "dataflow/base/files/folder_kind.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::io {
 

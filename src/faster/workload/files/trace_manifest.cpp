@@ -1,4 +1,4 @@
-#include "workload/files/trace_manifest.hpp"
+#include "faster/workload/files/trace_manifest.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,9 +8,10 @@
 #include <vector>
 #include <yaml-cpp/yaml.h>
 
-#include "kernel/base/files/yaml_document.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/nearest_name.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::io {
 namespace {

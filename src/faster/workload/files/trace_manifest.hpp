@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/fixed_point.hpp"
+#include "faster/data/fixed_point.hpp"
 
 namespace faster::io {
 

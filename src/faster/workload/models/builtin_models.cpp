@@ -1,13 +1,14 @@
-#include "workload/models/builtin_models.hpp"
+#include "faster/workload/models/builtin_models.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "kernel/base/input_error.hpp"
-#include "workload/models/primitives/compose.hpp"
-#include "workload/models/shape.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/models/primitives/compose.hpp"
+#include "faster/workload/models/shape.hpp"
 
 namespace faster::models {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 /// Meshes of the 21 YCB classes without any file: shapes made by code, as large as the scanned objects.
 ///

@@ -1,6 +1,6 @@
-#include "workload/models/primitives/box.hpp"
-#include "workload/models/primitives/skin.hpp"
-#include "workload/models/shape.hpp"
+#include "faster/workload/models/primitives/box.hpp"
+#include "faster/workload/models/primitives/skin.hpp"
+#include "faster/workload/models/shape.hpp"
 
 namespace faster::models {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "workload/models/primitives/compose.hpp"
-#include "workload/models/primitives/skin.hpp"
-#include "workload/models/shape.hpp"
+#include "faster/workload/models/primitives/compose.hpp"
+#include "faster/workload/models/primitives/skin.hpp"
+#include "faster/workload/models/shape.hpp"
 
 namespace faster::models {
 namespace {

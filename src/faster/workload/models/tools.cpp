@@ -1,8 +1,8 @@
 #include <vector>
 
-#include "workload/models/primitives/compose.hpp"
-#include "workload/models/primitives/skin.hpp"
-#include "workload/models/shape.hpp"
+#include "faster/workload/models/primitives/compose.hpp"
+#include "faster/workload/models/primitives/skin.hpp"
+#include "faster/workload/models/shape.hpp"
 
 /// Tools lie flat: their outlines are drawn in x and y, z is their thickness.
 namespace faster::models {

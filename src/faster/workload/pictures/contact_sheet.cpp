@@ -1,13 +1,13 @@
-#include "workload/pictures/contact_sheet.hpp"
+#include "faster/workload/pictures/contact_sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
 
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/depth_map.hpp"
-#include "workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/depth_map.hpp"
+#include "faster/workload/pictures/drawing.hpp"
 
 namespace faster::pictures {
 

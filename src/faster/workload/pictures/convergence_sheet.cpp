@@ -1,9 +1,9 @@
-#include "workload/pictures/convergence_sheet.hpp"
+#include "faster/workload/pictures/convergence_sheet.hpp"
 
 #include <algorithm>
 
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/drawing.hpp"
 
 namespace faster::pictures {
 

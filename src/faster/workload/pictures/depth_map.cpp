@@ -1,10 +1,10 @@
-#include "workload/pictures/depth_map.hpp"
+#include "faster/workload/pictures/depth_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/drawing.hpp"
 
 namespace faster::pictures {
 

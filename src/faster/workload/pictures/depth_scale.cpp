@@ -1,4 +1,4 @@
-#include "workload/pictures/depth_scale.hpp"
+#include "faster/workload/pictures/depth_scale.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "workload/pictures/colour.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "common/fixed_point.hpp"
-#include "common/image.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -1,10 +1,10 @@
-#include "workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/drawing.hpp"
 
 #include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "workload/pictures/colour.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -1,11 +1,11 @@
-#include "workload/pictures/line_plot.hpp"
+#include "faster/workload/pictures/line_plot.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/drawing.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/drawing.hpp"
 
 namespace faster::pictures {
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "common/image.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

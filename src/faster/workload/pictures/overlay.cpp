@@ -1,6 +1,6 @@
-#include "workload/pictures/overlay.hpp"
+#include "faster/workload/pictures/overlay.hpp"
 
-#include "workload/pictures/colour.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "common/image.hpp"
-#include "common/stimulus.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/image.hpp"
+#include "faster/data/stimulus.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

@@ -1,11 +1,11 @@
-#include "workload/pictures/terminal_picture.hpp"
+#include "faster/workload/pictures/terminal_picture.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <string_view>
 
-#include "common/fixed_point.hpp"
-#include "workload/pictures/colour.hpp"
+#include "faster/data/fixed_point.hpp"
+#include "faster/workload/pictures/colour.hpp"
 
 namespace faster::pictures {
 

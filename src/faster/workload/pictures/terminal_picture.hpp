@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <string>
 
-#include "common/image.hpp"
-#include "workload/pictures/colour.hpp"
-#include "workload/pictures/depth_scale.hpp"
+#include "faster/data/image.hpp"
+#include "faster/workload/pictures/colour.hpp"
+#include "faster/workload/pictures/depth_scale.hpp"
 
 namespace faster::pictures {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "datapath/edge_map/single_map.hpp"
+#include "modules/edge_map_builder/algorithms/single_map.hpp"
 
 namespace faster::datapath {
 

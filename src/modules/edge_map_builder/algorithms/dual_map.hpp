@@ -1,6 +1,6 @@
 #pragma once
-#include "datapath/edge_map/edge_map_policy.hpp"
-#include "datapath/edge_map/edge_maps.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
+#include "modules/edge_map_builder/algorithms/edge_maps.hpp"
 
 namespace faster::datapath {
 

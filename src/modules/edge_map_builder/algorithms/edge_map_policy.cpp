@@ -1,11 +1,11 @@
-#include "datapath/edge_map/edge_map_policy.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
-#include "datapath/edge_map/bounded_map.hpp"
-#include "datapath/edge_map/dual_map.hpp"
-#include "datapath/edge_map/dual_map_4_1_2.hpp"
-#include "datapath/edge_map/inner_border.hpp"
-#include "datapath/edge_map/threshold_map.hpp"
-#include "datapath/edge_map/transition_map.hpp"
+#include "modules/edge_map_builder/algorithms/bounded_map.hpp"
+#include "modules/edge_map_builder/algorithms/dual_map.hpp"
+#include "modules/edge_map_builder/algorithms/dual_map_4_1_2.hpp"
+#include "modules/edge_map_builder/algorithms/inner_border.hpp"
+#include "modules/edge_map_builder/algorithms/threshold_map.hpp"
+#include "modules/edge_map_builder/algorithms/transition_map.hpp"
 
 namespace faster::datapath {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <memory>
 
-#include "common/edge_map_config.hpp"
-#include "common/tokens.hpp"
-#include "datapath/edge_map/map_watch.hpp"
+#include "faster/config/edge_map_config.hpp"
+#include "faster/data/tokens.hpp"
+#include "modules/edge_map_builder/algorithms/map_watch.hpp"
 
 namespace faster::datapath {
 

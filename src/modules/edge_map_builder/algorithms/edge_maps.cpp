@@ -1,4 +1,4 @@
-#include "datapath/edge_map/edge_maps.hpp"
+#include "modules/edge_map_builder/algorithms/edge_maps.hpp"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/tokens.hpp"
-#include "datapath/edge_map/map_watch.hpp"
-#include "datapath/edge_map/token_marks.hpp"
+#include "faster/data/tokens.hpp"
+#include "modules/edge_map_builder/algorithms/map_watch.hpp"
+#include "modules/edge_map_builder/algorithms/token_marks.hpp"
 
 namespace faster::datapath {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "datapath/edge_map/edge_map_policy.hpp"
-#include "datapath/edge_map/token_marks.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
+#include "modules/edge_map_builder/algorithms/token_marks.hpp"
 
 namespace faster::datapath {
 

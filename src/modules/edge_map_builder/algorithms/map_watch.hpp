@@ -1,7 +1,8 @@
 #pragma once
 #include <cstddef>
 
-#include "kernel/base/write_distances.hpp"
+#include "dataflow/base/write_distances.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::datapath {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "datapath/edge_map/edge_map_policy.hpp"
+#include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
 namespace faster::datapath {
 

@@ -1,12 +1,12 @@
-#include "kernel/report/html/architectures_html.hpp"
+#include "dataflow/tools/report/html/architectures_html.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/html/page.hpp"
-#include "kernel/report/provenance.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/html/page.hpp"
+#include "dataflow/tools/report/provenance.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 std::string architectures_html(std::string const& title, std::vector<ArchitectureRow> const& rows) {
     nlohmann::json table = nlohmann::json::array();
@@ -20,4 +20,4 @@ std::string architectures_html(std::string const& title, std::vector<Architectur
                        nlohmann::json{{"rows", table}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,20 +1,20 @@
-#include "kernel/report/html/deadlock_html.hpp"
+#include "dataflow/tools/report/html/deadlock_html.hpp"
 
 #include <algorithm>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/program_name.hpp"
-#include "kernel/config/configuration_hash.hpp"
-#include "kernel/config/key_names.hpp"
-#include "kernel/config/keys.hpp"
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/html/graph_data.hpp"
-#include "kernel/report/html/page.hpp"
-#include "kernel/report/html/run_data.hpp"
-#include "kernel/report/provenance.hpp"
-#include "kernel/report/summary.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/keys.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/html/graph_data.hpp"
+#include "dataflow/tools/report/html/page.hpp"
+#include "dataflow/tools/report/html/run_data.hpp"
+#include "dataflow/tools/report/provenance.hpp"
+#include "dataflow/tools/report/summary.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -141,4 +141,4 @@ std::string deadlock_html(std::string const& title, RunCommand const& command, R
     return filled_page(deadlock_page, title, made_by_html(configuration_hash(keys)), io::text_of(data));
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/html/packed_timeline.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/html/packed_timeline.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// Who waits for whom, as in summary.json, and what could be `deeper`: the FIFOs of the circle that are full, with the
 /// keys of their depths.
@@ -27,4 +27,4 @@ SampleTimeline with_endless_waits(SampleTimeline timeline, RunStatistics const& 
 std::string deadlock_html(std::string const& title, RunCommand const& command, RunStatistics const& run,
                           std::vector<ResolvedKey> const& keys, std::vector<PackedTimeline> const& timelines);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,10 +1,10 @@
-#include "kernel/report/html/fill_page.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
 
-#include "kernel/base/markup_text.hpp"
-#include "kernel/base/printable.hpp"
-#include "kernel/report/html/html_text.hpp"
+#include "dataflow/base/markup_text.hpp"
+#include "dataflow/base/printable.hpp"
+#include "dataflow/tools/report/html/html_text.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// Takes the page up to `marker` off the front of `rest`, and the marker with it.
 static std::string_view take_until(std::string_view& rest, std::string_view marker) {
@@ -25,4 +25,4 @@ std::string filled_page(std::string_view page, std::string const& title, std::st
     return html.append(page);
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

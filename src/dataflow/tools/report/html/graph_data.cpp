@@ -1,15 +1,15 @@
-#include "kernel/report/html/graph_data.hpp"
+#include "dataflow/tools/report/html/graph_data.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <sstream>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/base/input_error.hpp"
-#include "kernel/base/program_output.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_output.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -193,4 +193,4 @@ Json graph_data(Machine const& machine) {
             {"tall", layout(machine, "TB")}};
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

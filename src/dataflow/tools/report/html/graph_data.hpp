@@ -1,8 +1,8 @@
 #pragma once
-#include "kernel/base/json.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/core/machine/machine.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// The dataflow graph of a core: its processes, FIFOs, memories, and where to draw them. Graphviz's `dot` places them,
 /// twice: from left to right (`wide`), and from top to bottom (`tall`). Without `dot` both are null.
@@ -11,4 +11,4 @@ Json graph_data(Machine const& machine);
 /// The memories of a core and their ports.
 Json memory_data(Machine const& machine);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,27 +1,27 @@
-#include "kernel/report/html/html_report.hpp"
+#include "dataflow/tools/report/html/html_report.hpp"
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/config/configuration_hash.hpp"
-#include "kernel/figures/table_rows.hpp"
-#include "kernel/report/critical_path_report.hpp"
-#include "kernel/report/diagnosis_text.hpp"
-#include "kernel/report/hazard_report.hpp"
-#include "kernel/report/html/fill_page.hpp"
-#include "kernel/report/html/graph_data.hpp"
-#include "kernel/report/html/html_text.hpp"
-#include "kernel/report/html/page.hpp"
-#include "kernel/report/html/run_data.hpp"
-#include "kernel/report/json_rows.hpp"
-#include "kernel/report/latencies.hpp"
-#include "kernel/report/memory_traffic_report.hpp"
-#include "kernel/report/power_report.hpp"
-#include "kernel/report/provenance.hpp"
-#include "kernel/report/resource_report.hpp"
-#include "kernel/report/sensitivity_report.hpp"
-#include "kernel/report/summary.hpp"
-#include "kernel/report/timing_report.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
+#include "dataflow/tools/report/diagnosis_text.hpp"
+#include "dataflow/tools/report/hazard_report.hpp"
+#include "dataflow/tools/report/html/fill_page.hpp"
+#include "dataflow/tools/report/html/graph_data.hpp"
+#include "dataflow/tools/report/html/html_text.hpp"
+#include "dataflow/tools/report/html/page.hpp"
+#include "dataflow/tools/report/html/run_data.hpp"
+#include "dataflow/tools/report/json_rows.hpp"
+#include "dataflow/tools/report/latencies.hpp"
+#include "dataflow/tools/report/memory_traffic_report.hpp"
+#include "dataflow/tools/report/power_report.hpp"
+#include "dataflow/tools/report/provenance.hpp"
+#include "dataflow/tools/report/resource_report.hpp"
+#include "dataflow/tools/report/sensitivity_report.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/report/timing_report.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::string html_report(HtmlReportInput const& input) {
     return filled_page(report_page, input.title, made_by_html(configuration_hash(input.keys)), report_data(input));
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
-#include "kernel/report/html/packed_timeline.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "dataflow/tools/report/html/packed_timeline.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// A picture to show as it is.
 struct ReportPicture {
@@ -27,4 +27,4 @@ struct HtmlReportInput {
 /// bytes.
 std::string html_report(HtmlReportInput const& input);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

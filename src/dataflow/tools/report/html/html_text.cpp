@@ -1,9 +1,9 @@
-#include "kernel/report/html/html_text.hpp"
+#include "dataflow/tools/report/html/html_text.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-namespace faster::report {
+namespace dataflow::report {
 
 std::string script_safe(std::string_view json) {
     std::string safe;
@@ -37,4 +37,4 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,4 +1,4 @@
-#include "kernel/report/html/packed_timeline.hpp"
+#include "dataflow/tools/report/html/packed_timeline.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -6,11 +6,11 @@
 #include <vector>
 #include <zlib.h>
 
-#include "kernel/base/files/json_file.hpp"
-#include "kernel/report/html/html_text.hpp"
-#include "kernel/report/html/timeline_data.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/tools/report/html/html_text.hpp"
+#include "dataflow/tools/report/html/timeline_data.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -100,4 +100,4 @@ Json packed_timeline_json(PackedTimeline const& timeline, std::vector<std::strin
             {"packed", timeline.packed}};
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

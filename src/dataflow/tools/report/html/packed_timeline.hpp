@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// A sample's timeline as a page holds it: as JSON, deflated, and in base64.
 ///
@@ -31,4 +31,4 @@ PackedTimeline packed_timeline(Machine const& machine, SampleTimeline const& tim
 /// As a page has it in its list. `is`: what the sample stands for, such as "slowest".
 Json packed_timeline_json(PackedTimeline const& timeline, std::vector<std::string> const& is);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

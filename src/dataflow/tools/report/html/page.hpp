@@ -1,5 +1,5 @@
 #pragma once
-namespace faster::report {
+namespace dataflow::report {
 
 /// The HTML report without its data: page/report.html with style and scripts in place. In the order in which they stand
 /// there, `@title@` (twice), `@made_by@` and `@data@` are to be replaced.
@@ -11,4 +11,4 @@ extern char const* const sizing_page;
 /// The same of architectures side by side: page/architectures.html.
 extern char const* const architectures_page;
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,9 +1,9 @@
-#include "kernel/report/html/run_data.hpp"
+#include "dataflow/tools/report/html/run_data.hpp"
 
-#include "kernel/config/plain_text.hpp"
-#include "kernel/report/critical_path_report.hpp"
+#include "dataflow/run/config/plain_text.hpp"
+#include "dataflow/tools/report/critical_path_report.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -88,4 +88,4 @@ Json path_cause_data(Machine const& machine) {
     return names;
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/config/resolved_config.hpp"
-#include "kernel/figures/run_statistics.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/figures/run_statistics.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// All keys as pages show them. Values as text: JavaScript's numbers would round the larger integers.
 Json configuration_data(std::vector<ResolvedKey> const& keys);
@@ -21,4 +21,4 @@ Json module_data(RunStatistics const& run);
 /// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
 Json stall_data(RunStatistics const& run);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

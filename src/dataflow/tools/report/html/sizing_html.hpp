@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// One HTML page of a sizing of FIFOs, that needs nothing else. `json`: its sizing.json (docs/formats.md).
 std::string sizing_html(std::string const& title, std::string const& configuration_hash, std::string const& json);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,13 +1,13 @@
-#include "kernel/report/html/timeline_data.hpp"
+#include "dataflow/tools/report/html/timeline_data.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
-#include "kernel/figures/cycle_class.hpp"
+#include "dataflow/run/figures/cycle_class.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 namespace {
 
@@ -133,4 +133,4 @@ Json timeline_data(Machine const& machine, SampleTimeline const& timeline) {
             {"occupancy", occupancy_data(machine, timeline)}};
 }
 
-}  // namespace faster::report
+}  // namespace dataflow::report

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
-#include "kernel/base/json.hpp"
-#include "kernel/figures/sample_timeline.hpp"
-#include "kernel/machine/machine.hpp"
+#include "dataflow/base/json.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/figures/sample_timeline.hpp"
 
-namespace faster::report {
+namespace dataflow::report {
 
 /// Spans of the same module and item that are too close to each other to be told apart in a picture.
 struct MergedSpan {
@@ -42,4 +42,4 @@ Json occupancy_data(Machine const& machine, SampleTimeline const& timeline);
 /// A sample's timeline as pages draw it: with as many bars and points as a wide screen can show.
 Json timeline_data(Machine const& machine, SampleTimeline const& timeline);
 
-}  // namespace faster::report
+}  // namespace dataflow::report

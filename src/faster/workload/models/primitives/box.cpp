@@ -1,4 +1,4 @@
-#include "workload/models/primitives/box.hpp"
+#include "faster/workload/models/primitives/box.hpp"
 
 #include <algorithm>
 #include <array>

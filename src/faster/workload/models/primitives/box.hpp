@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::models {
 

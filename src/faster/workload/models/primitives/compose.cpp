@@ -1,4 +1,4 @@
-#include "workload/models/primitives/compose.hpp"
+#include "faster/workload/models/primitives/compose.hpp"
 
 #include <Eigen/Geometry>
 #include <cstdint>

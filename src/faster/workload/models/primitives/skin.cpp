@@ -1,4 +1,4 @@
-#include "workload/models/primitives/skin.hpp"
+#include "faster/workload/models/primitives/skin.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "common/mesh.hpp"
+#include "faster/data/mesh.hpp"
 
 namespace faster::models {
 

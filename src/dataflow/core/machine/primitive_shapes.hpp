@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace faster {
+namespace dataflow {
 
 /// Words and bits of a block RAM primitive in one of its shapes.
 struct PrimitiveShape {
@@ -21,4 +21,4 @@ template <class Shapes> std::uint64_t fewest(std::uint64_t words, std::uint64_t 
     return least;
 }
 
-}  // namespace faster
+}  // namespace dataflow

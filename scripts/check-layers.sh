@@ -1,20 +1,48 @@
 #!/usr/bin/env bash
-# Checks that the kernel knows no design: it includes nothing of the model, and no word of FASTER stands in it.
-# (raster_cores is what the file formats call cores.)
+# Checks that each room of src/ includes only the rooms it may use, and that the kernel (dataflow, channels) knows no
+# design: no word of FASTER stands in it. (raster_cores is what the file formats call cores.)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-kernel=(src/kernel src/channels src/tool)
-model='common|faster|datapath|modules|workload|reference|tb'
-words='raster(?!_cores| core)|triangle|edge_map|edge map|depth_buffer|depth buffer|inlier|\bposes?\b|fragment|\bthesis|fpga_grip'
 found=0
-grep -rnE "#include \"($model)/" "${kernel[@]}" && found=1
-grep -rniP "$words" "${kernel[@]}" --include='*.?pp' --include='*.html' --include='*.js' |
-    grep -v 'pointStyle: "triangle"' && found=1
-# Within the kernel, only channels and tool may use SystemC.
-grep -rnE '#include <systemc' src/kernel && found=1
-if ((found)); then
+# may ROOM OTHERS: what stands in src/ROOM includes only itself and OTHERS, which are separated by '|'.
+may() {
+    local room=$1 others=$2
+    local allowed="^[^\"]*#include \"($room${others:+|$others})/"
+    if grep -rnE '#include "[a-z_]+/' "src/$room" --include='*.?pp' | grep -vE "$allowed"; then
+        echo "check-layers: $room may use ${others//|/, }, and nothing else" >&2
+        found=1
+    fi
+}
+base=dataflow/base
+core=$base'|dataflow/core'
+lookup=$core'|dataflow/lookup'
+run=$lookup'|dataflow/run'
+tools=$run'|dataflow/tools'
+may dataflow/base ''
+may dataflow/core "$base"
+may dataflow/lookup "$core"
+may dataflow/run "$lookup"
+may dataflow/tools "$run"
+may channels "$tools"
+may dataflow/commands "$tools|channels"
+may faster dataflow
+may modules 'dataflow|channels|faster'
+may poses 'dataflow|channels|faster|modules'
+may tb 'dataflow|channels|faster|modules|poses'
+
+kernel=(src/dataflow src/channels)
+words='raster(?!_cores| core)|triangle|edge_map|edge map|depth_buffer|depth buffer|inlier|\bposes?\b|fragment|\bthesis|fpga_grip|namespace faster|faster::'
+if grep -rniP "$words" "${kernel[@]}" --include='*.?pp' --include='*.html' --include='*.js' | grep -v 'pointStyle: "triangle"'; then
     echo "check-layers: the kernel knows something of the model" >&2
+    found=1
+fi
+# Of the kernel, only channels and commands may use SystemC.
+if grep -rnE '#include <systemc' src/dataflow/{base,core,lookup,run,tools}; then
+    echo "check-layers: SystemC is for channels and commands" >&2
+    found=1
+fi
+if ((found)); then
     exit 1
 fi
-echo "check-layers: the kernel knows no design"
+echo "check-layers: every room includes what it may, and the kernel knows no design"

@@ -186,7 +186,7 @@ def main():
     wrong = 0
     chosen = [mutation for mutation in mutations if re.search(arguments.only, f"{mutation.what} {mutation.file}")]
     # What many files include takes long.
-    chosen.sort(key=lambda mutation: (mutation.file.endswith(".hpp"), mutation.file.startswith("src/kernel")))
+    chosen.sort(key=lambda mutation: (mutation.file.endswith(".hpp"), mutation.file.startswith("src/dataflow")))
     for mutation in chosen:
         found = try_one(source, mutation, arguments.jobs)
         is_right = (found is None) == bool(mutation.unseen)

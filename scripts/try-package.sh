@@ -27,7 +27,7 @@ echo "try-package: main job after $((SECONDS - start)) s"
 inside faster-sim whatif /tmp/main.events --set accelerator.raster_cores=8 | sed -n 1,2p
 inside python3 -c 'import faster_sim; print(faster_sim.load_events("/tmp/main.events").whatif(accelerator__raster_cores=8).total_cycles)'
 inside man faster-sim-run | grep 'faster-sim-run - Simulate'
-inside test -e /usr/include/faster-sim/kernel/machine/machine.hpp
+inside test -e /usr/include/faster-sim/dataflow/core/machine/machine.hpp
 inside apt-get purge -q -y faster-sim >>"$root.log"
 inside test ! -e /usr/share/faster-sim
 echo "try-package: installed, ran, removed without a trace"

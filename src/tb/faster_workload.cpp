@@ -27,9 +27,9 @@ std::unique_ptr<DataflowAccelerator> FasterSimulation::elaborate(RunConfig const
                             ours.probe);
 }
 
-SimulatedDesign const& simulated_design() {
-    static FasterSimulation const design;
+}  // namespace faster
+
+dataflow::SimulatedDesign const& dataflow::simulated_design() {
+    static faster::FasterSimulation const design;
     return design;
 }
-
-}  // namespace faster

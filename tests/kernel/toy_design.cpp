@@ -79,11 +79,7 @@ CoreDescription describe_toy(ToyConfig const& config) {
 
 }  // namespace faster::test
 
-namespace faster {
-
-Design const& design() {
-    static test::ToyDesign const toy;
+dataflow::Design const& dataflow::design() {
+    static faster::test::ToyDesign const toy;
     return toy;
 }
-
-}  // namespace faster

@@ -89,9 +89,9 @@ std::vector<ColumnFacts> const& FasterDesign::counters() const {
     return all;
 }
 
-Design const& design() {
-    static FasterDesign const faster;
+}  // namespace faster
+
+dataflow::Design const& dataflow::design() {
+    static faster::FasterDesign const faster;
     return faster;
 }
-
-}  // namespace faster

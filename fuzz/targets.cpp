@@ -95,7 +95,7 @@ void read_stimulus(std::string_view bytes) {
     file_of("trace/triangles.csv", take_part(bytes));
     file_of("trace/depth.png", take_part(bytes));
     file_of("trace/edges.png", take_part(bytes));
-    io::read_trace(manifest.parent_path());
+    files::read_trace(manifest.parent_path());
 }
 
 void read_run_folder(std::string_view bytes) {
@@ -120,9 +120,9 @@ void read_bop_folder(std::string_view bytes) {
 
 template <std::size_t place> void read_mesh(std::string_view bytes) {
     constexpr char const* names[] = {"mesh.obj", "mesh.ply", "mesh.stl", "mesh.off"};
-    io::MeshLimits limits;
+    files::MeshLimits limits;
     limits.seconds = 1;
-    io::load_mesh(file_of(names[place], bytes), limits);
+    files::load_mesh(file_of(names[place], bytes), limits);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ std::vector<Target> const& targets() {
          [](auto bytes) {
              workload::load_depth_image(file_of("depth.png", bytes), 0.001, Camera{64, 48, 57, 57, 32, 24}, 1);
          }},
-        {"edges_png", "an image of 8 bits", [](auto bytes) { io::read_png8(file_of("edges.png", bytes)); }},
+        {"edges_png", "an image of 8 bits", [](auto bytes) { files::read_png8(file_of("edges.png", bytes)); }},
         {"run_folder", "files of a run, with lines of %% between them", read_run_folder},
         {"poses", "results in the format of BOP", [](auto bytes) { bop::read_pose_results(file_of("p.csv", bytes)); }},
         {"pose_list", "a table of poses", [](auto bytes) { workload::read_pose_list(file_of("l.csv", bytes)); }},

@@ -49,12 +49,12 @@ int record(RecordRequest const& request) {
     CommandPaths paths;
     paths.reads(request.config);
     paths.reads(loaded.config);
-    paths.writes("--out", request.out, io::trace_kind());
+    paths.writes("--out", request.out, files::trace_kind());
     Stimulus const posed = load_stimulus(loaded);
     say_warnings(stimulus_warnings(posed, workload_of(loaded.config)));
     announce(size_of(posed), request.force);
     Stimulus const stimulus = with_explicit_triangles(posed);
-    io::write_trace(stimulus, request.out);
+    files::write_trace(stimulus, request.out);
     say("recorded {} samples, {} triangles: {}\n", stimulus.samples.size(), stimulus.triangles.size(), request.out);
     return exit_done;
 }

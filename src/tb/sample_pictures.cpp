@@ -33,9 +33,9 @@ Image<Colour> for_people(Image<Colour> const& picture) {
 }
 
 void write_maps(fs::path const& folder, std::size_t sample, SampleMaps const& maps) {
-    io::write_png(io::sample_picture(folder, sample, "edges"), maps.edge_map);
-    io::write_png(io::sample_picture(folder, sample, "object"), maps.object_map);
-    io::write_png(io::sample_picture(folder, sample, "depth"), maps.depth_buffer);
+    files::write_png(files::sample_picture(folder, sample, "edges"), maps.edge_map);
+    files::write_png(files::sample_picture(folder, sample, "object"), maps.object_map);
+    files::write_png(files::sample_picture(folder, sample, "depth"), maps.depth_buffer);
 }
 
 /// Its own scale shows the most of a sample, and its picture does not depend on the others.
@@ -66,9 +66,9 @@ void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics>
     fs::create_directories(folder);
     for (auto const& [sample, maps] : maps_) {
         write_maps(folder, sample, maps);
-        io::write_colour_png(io::sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
-        io::write_colour_png(io::sample_picture(folder, sample, "depth_map"),
-                             depth_map_of(maps, stimulus_.fraction.depth_buffer));
+        files::write_colour_png(files::sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
+        files::write_colour_png(files::sample_picture(folder, sample, "depth_map"),
+                                depth_map_of(maps, stimulus_.fraction.depth_buffer));
     }
     if (!maps_.empty())
         write_contact_sheet(folder / "contact_sheet.png", samples);
@@ -78,7 +78,7 @@ std::vector<report::ReportPicture> SamplePictures::for_report() const {
     std::vector<report::ReportPicture> pictures;
     for (auto const& [sample, maps] : maps_)
         pictures.push_back({fmt::format("Sample {}: contour red, object green, observed edges blue", sample),
-                            io::colour_png(for_people(overlay_of(sample, maps)))});
+                            files::colour_png(for_people(overlay_of(sample, maps)))});
     return pictures;
 }
 
@@ -96,7 +96,7 @@ void SamplePictures::write_contact_sheet(fs::path const& file, std::vector<Sampl
         if (sheet.room() > 0)
             sheet.add(sample, counters_from(samples[sample].counters).inlier, overlay_of(sample, maps),
                       maps.depth_buffer);
-    io::write_colour_png(file, sheet.picture());
+    files::write_colour_png(file, sheet.picture());
 }
 
 }  // namespace faster

@@ -86,7 +86,7 @@ std::string what_is_there(fs::path const& file) {
 
 template <class Pixel>
 void require_size_of_edges(fs::path const& file, Image<Pixel> const& found, Image<std::uint8_t> const& edges) {
-    io::require_size(file, found.width(), found.height(), edges.width(), edges.height(), "the size of the edge map");
+    files::require_size(file, found.width(), found.height(), edges.width(), edges.height(), "the size of the edge map");
 }
 
 bool is_folder(fs::path const& folder) {
@@ -120,7 +120,7 @@ std::size_t RunFolder::samples() const {
 /// A run writes pictures of its first samples.
 std::size_t RunFolder::pictured_samples() const {
     std::size_t count = 0;
-    while (fs::exists(io::sample_picture(images_, count, "edges")))
+    while (fs::exists(files::sample_picture(images_, count, "edges")))
         ++count;
     return count;
 }
@@ -137,16 +137,16 @@ void RunFolder::require_pictures_of(std::size_t sample) const {
 SampleMaps RunFolder::maps(std::size_t sample) const {
     require_pictures_of(sample);
     SampleMaps maps;
-    maps.edge_map = io::read_png8(picture(sample, "edges"));
-    maps.object_map = io::read_png8(picture(sample, "object"));
-    maps.depth_buffer = io::read_png16(picture(sample, "depth"));
+    maps.edge_map = files::read_png8(picture(sample, "edges"));
+    maps.object_map = files::read_png8(picture(sample, "object"));
+    maps.depth_buffer = files::read_png16(picture(sample, "depth"));
     require_size_of_edges(picture(sample, "object"), maps.object_map, maps.edge_map);
     require_size_of_edges(picture(sample, "depth"), maps.depth_buffer, maps.edge_map);
     return maps;
 }
 
 fs::path RunFolder::picture(std::size_t sample, std::string const& content) const {
-    fs::path file = io::sample_picture(images_, sample, content);
+    fs::path file = files::sample_picture(images_, sample, content);
     if (!fs::exists(file))
         throw InputError(
             fmt::format("{}: no such file, expected a picture of a run; {}", file.string(), how_to_make(sample + 1)));

@@ -13,16 +13,16 @@
 #include "support/raster_machine.hpp"
 #include "support/token_bits.hpp"
 
-namespace faster::sizing::fifo_cost_test {
+namespace dataflow::sizing::fifo_cost_test {
 
-using testing::fifo_count;
-using testing::FifoId;
+using faster::testing::fifo_count;
+using faster::testing::FifoId;
 
 constexpr FifoKind srl = FifoKind::shift_register;
 constexpr FifoKind memory = FifoKind::memory;
 
 unsigned bits_of(FifoId fifo, AcceleratorConfig const& config) {
-    return testing::raster_machine(config).fifos.at(index_of(fifo)).bits;
+    return faster::testing::raster_machine(config).fifos.at(index_of(fifo)).bits;
 }
 
 constexpr std::array<FifoGeneration, 3> generations{FifoGeneration::spec, FifoGeneration::vivado_hls,
@@ -126,7 +126,7 @@ TEST_CASE("Every generation builds a FIFO of 16 tokens of 64 bits, and of 17, as
 }
 
 TEST_CASE("The tokens of every machine are as wide as the tests' own table says", "[sizing]") {
-    testing::RandomConfigOptions options;
+    faster::testing::RandomConfigOptions options;
     options.any_region = true;
     options.any_buffers = true;
     options.max_lanes = 9;
@@ -136,14 +136,14 @@ TEST_CASE("The tokens of every machine are as wide as the tests' own table says"
         options.algorithm = seed % 2 == 0 ? EdgeMapAlgorithm::inner_border : EdgeMapAlgorithm::dual_map;
         options.max_scan_lanes = seed % 4 == 0 ? 32 : 1;
         options.flow = seed % 5 == 0 ? Flow::fpga_grip : Flow::faster;
-        AcceleratorConfig config = testing::random_config(seed, options);
+        AcceleratorConfig config = faster::testing::random_config(seed, options);
         config.window = 1 + static_cast<int>(seed * 7);
         config.fraction_bits.vertex_xy = static_cast<int>(seed % 8);
         config.fraction_bits.area_reciprocal = static_cast<int>(seed % 40);
-        Machine const machine = testing::raster_machine(config);
+        Machine const machine = faster::testing::raster_machine(config);
         for (std::size_t const i : fifos_of(machine)) {
             CAPTURE(machine.fifos[i].name);
-            CHECK(machine.fifos[i].bits == testing::token_bits(testing::fifo_ids[i], config));
+            CHECK(machine.fifos[i].bits == faster::testing::token_bits(faster::testing::fifo_ids[i], config));
             ++compared;
         }
     }
@@ -167,7 +167,7 @@ TEST_CASE("docs/formats.md says how wide the tokens of three designs are", "[siz
     }
     CHECK(widths.size() == fifo_count + 1);  // and the line below the head
     for (std::size_t i = 0; i < presets.size(); ++i) {
-        Machine const machine = testing::raster_machine(accelerator_of(load_preset(presets[i]).config));
+        Machine const machine = faster::testing::raster_machine(accelerator_of(load_preset(presets[i]).config));
         for (MachineFifo const& fifo : machine.fifos) {
             CAPTURE(presets[i], fifo.name);
             REQUIRE(widths.count(fifo.name) == 1);
@@ -231,4 +231,4 @@ TEST_CASE("The cheapest choice that escapes all cuts is found", "[sizing]") {
     }
 }
 
-}  // namespace faster::sizing::fifo_cost_test
+}  // namespace dataflow::sizing::fifo_cost_test

@@ -7,7 +7,7 @@
 #include "dataflow/core/time/core_timing.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::replay::known_phrases_test {
+namespace dataflow::replay::known_phrases_test {
 
 using timing::Operation;
 using timing::Phrase;
@@ -167,4 +167,4 @@ TEST_CASE("A phrase awaits setups that were begun", "[events]") {
     CHECK_FALSE(Pair(false).knows({begin_setup}));  // none of its loops does that
 }
 
-}  // namespace faster::replay::known_phrases_test
+}  // namespace dataflow::replay::known_phrases_test

@@ -12,7 +12,7 @@
 
 #include "faster/dataflow_names.hpp"
 
-namespace faster::sizing::last_that_holds_test {
+namespace dataflow::sizing::last_that_holds_test {
 
 /// Margins that never rise, of which those asked for are known.
 struct Margins {
@@ -109,4 +109,4 @@ TEST_CASE("What is thrown where it is worked out ends the search of all", "[sizi
         CHECK_THROWS_WITH(last_that_holds(4096, jobs, monotone), "broken");
 }
 
-}  // namespace faster::sizing::last_that_holds_test
+}  // namespace dataflow::sizing::last_that_holds_test

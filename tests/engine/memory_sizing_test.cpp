@@ -15,7 +15,7 @@
 
 // Sizing FIFOs of cores that share an external memory, where more room may make a run longer.
 
-namespace faster::sizing::memory_sizing_test {
+namespace dataflow::sizing::memory_sizing_test {
 
 using Random = std::mt19937_64;
 
@@ -27,12 +27,12 @@ struct Case {
     Machine machine;
 
     Case(Stimulus of, AcceleratorConfig const& on) : stimulus(std::move(of)), config(on) {
-        test::TempFolder const folder;
-        testing::ForkOptions options;
+        faster::test::TempFolder const folder;
+        faster::testing::ForkOptions options;
         options.events = folder / "events";
         REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
-        machine = testing::raster_machine(config);
+        machine = faster::testing::raster_machine(config);
     }
 
     Sizing size(double percent, unsigned jobs = 1) const {
@@ -57,19 +57,19 @@ struct Most {
 
 /// Most memories are slow, so that cores wait for each other.
 Case random_case(std::uint64_t seed, Most const& most = {}) {
-    testing::RandomStimulusOptions workload;
+    faster::testing::RandomStimulusOptions workload;
     workload.width = {24, 48};
     workload.height = {24, 48};
     workload.window = {4, 12};
     workload.samples = {1, most.samples};
     workload.triangles = {0, most.triangles};
-    testing::RandomConfigOptions options;
+    faster::testing::RandomConfigOptions options;
     options.cores = {1, most.cores};
     options.any_region = true;
-    AcceleratorConfig config = testing::random_config(seed, options);
-    Stimulus const stimulus = testing::random_stimulus(seed, workload);
-    testing::draw_memory(seed, config);
-    testing::adopt(stimulus, config);
+    AcceleratorConfig config = faster::testing::random_config(seed, options);
+    Stimulus const stimulus = faster::testing::random_stimulus(seed, workload);
+    faster::testing::draw_memory(seed, config);
+    faster::testing::adopt(stimulus, config);
     return {stimulus, config};
 }
 
@@ -155,8 +155,9 @@ TEST_CASE("An answer behind a shared memory takes what it says, and nothing belo
         proven += sizing.is_proven ? 1U : 0U;
         open += sizing.is_proven ? 0U : 1U;
         CHECK(sizing.is_proven == (sizing.answer.cost <= sizing.least_cost + 1e-6));
-        testing::CheaperChoices choices(sizing, sizing.least_cost, [&](auto& choice) { return one.cycles(choice); });
-        if (choices.count() > testing::CheaperChoices::most)
+        faster::testing::CheaperChoices choices(sizing, sizing.least_cost,
+                                                [&](auto& choice) { return one.cycles(choice); });
+        if (choices.count() > faster::testing::CheaperChoices::most)
             continue;
         CHECK(choices.count_within() == 0);
         tried += choices.count();
@@ -176,11 +177,11 @@ TEST_CASE("A run with the depths found behind a shared memory takes as long, who
         CHECK(one.size(3, 3).answer.choice == sizing.answer.choice);
         AcceleratorConfig config = one.config;
         MachineSettings const sized = with_choice(one.config, one.machine, sizing.answer.choice);
-        for (testing::FifoId const id : testing::fifo_ids)
+        for (faster::testing::FifoId const id : faster::testing::fifo_ids)
             config.fifo(id).depth = sized.fifo(id).depth;
-        RunStatistics const run = testing::run_forked(config, one.stimulus, Engine::lockstep).statistics;
+        RunStatistics const run = faster::testing::run_forked(config, one.stimulus, Engine::lockstep).statistics;
         CHECK(run.total_cycles == sizing.answer.total_cycles);
     }
 }
 
-}  // namespace faster::sizing::memory_sizing_test
+}  // namespace dataflow::sizing::memory_sizing_test

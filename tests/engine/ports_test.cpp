@@ -11,7 +11,7 @@
 #include "dataflow/run/replay/operation_columns.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::ports_test {
+namespace dataflow::timing::ports_test {
 
 std::vector<unsigned> list_of(Ports ports) {
     std::vector<unsigned> list;
@@ -194,4 +194,4 @@ TEST_CASE("Operations at many ports come out of a file as they were put in", "[p
     CHECK_FALSE(replay::decode_operations(again, smaller, read));
 }
 
-}  // namespace faster::timing::ports_test
+}  // namespace dataflow::timing::ports_test

@@ -14,11 +14,11 @@
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
 
-namespace faster::sizing::sizing_test {
+namespace dataflow::sizing::sizing_test {
 
-using testing::fifo_count;
-using testing::fifo_ids;
-using testing::FifoId;
+using faster::testing::fifo_count;
+using faster::testing::fifo_ids;
+using faster::testing::FifoId;
 using Random = std::mt19937_64;
 
 /// A recorded run of a small random workload on a small random machine, which is printed if a check fails.
@@ -29,13 +29,13 @@ struct Case {
     Machine machine;
 
     Case(Stimulus of, AcceleratorConfig on) : stimulus(std::move(of)), config(std::move(on)) {
-        test::TempFolder const folder;
-        testing::ForkOptions options;
+        faster::test::TempFolder const folder;
+        faster::testing::ForkOptions options;
         options.events = folder / "events";
         REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
         config = accelerator_of(file.loaded.config);
-        machine = testing::raster_machine(config);
+        machine = faster::testing::raster_machine(config);
     }
 
     /// With these options, on the configuration that was recorded.
@@ -49,23 +49,23 @@ struct Case {
 /// `free_fifos` of the FIFOs have random kinds, the others are shift registers, whose price steps are large: few
 /// combinations cost less than an answer.
 Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
-    testing::RandomStimulusOptions workload;
+    faster::testing::RandomStimulusOptions workload;
     workload.width = {24, 48};
     workload.height = {24, 48};
     workload.window = {4, 12};
     workload.samples = {1, 6};
     workload.triangles = {0, 8};
-    testing::RandomConfigOptions machine;
+    faster::testing::RandomConfigOptions machine;
     machine.cores = {1, 3};
     machine.any_region = true;
-    AcceleratorConfig config = testing::random_config(seed, machine);
+    AcceleratorConfig config = faster::testing::random_config(seed, machine);
     Random random(seed);
     for (FifoId const id : fifo_ids)
         config.fifo(id).kind = FifoKind::shift_register;
     for (std::size_t i = 0; i < free_fifos; ++i)
         config.fifo(fifo_ids[free_fifos == fifo_count ? i : random() % fifo_count]).kind = std::array<FifoKind, 4>{
             FifoKind::automatic, FifoKind::automatic, FifoKind::shift_register, FifoKind::memory}[random() % 4];
-    return {testing::random_stimulus(seed, workload), config};
+    return {faster::testing::random_stimulus(seed, workload), config};
 }
 
 FifoChoice random_fifo(Random& random, FifoGeneration generation) {
@@ -244,10 +244,10 @@ TEST_CASE("No combination of depths that costs less is within the bound: all are
             CAPTURE(seed, percent);
             Sizing const sizing = one.size(within(percent));
             CHECK(sizing.is_proven);
-            testing::CheaperChoices choices(sizing, sizing.answer.cost,
-                                            [&](auto& choice) { return one.cycles(choice); });
+            faster::testing::CheaperChoices choices(sizing, sizing.answer.cost,
+                                                    [&](auto& choice) { return one.cycles(choice); });
             std::size_t const combinations = choices.count();
-            if (combinations == 0 || combinations > testing::CheaperChoices::most)
+            if (combinations == 0 || combinations > faster::testing::CheaperChoices::most)
                 continue;
             CHECK(choices.count_within() == 0);
             tried += combinations;
@@ -270,7 +270,7 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
         MachineSettings const sized = with_choice(one.config, one.machine, sizing.answer.choice);
         for (FifoId const id : fifo_ids)
             config.fifo(id).depth = sized.fifo(id).depth;  // not the kind: auto is decided by the depth
-        RunStatistics const run = testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;
+        RunStatistics const run = faster::testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;
         REQUIRE_FALSE(run.deadlocked());
         CHECK(run.total_cycles == sizing.answer.total_cycles);
     }
@@ -362,7 +362,7 @@ TEST_CASE("Threads change nothing about a sizing, and a run without samples need
     Sizing const alone = one.size(options);
     options.jobs = 4;
     CHECK(one.size(options).answer.choice == alone.answer.choice);
-    Case const nothing(testing::empty_stimulus(4, 0), testing::with_cores(2));
+    Case const nothing(faster::testing::empty_stimulus(4, 0), faster::testing::with_cores(2));
     Sizing const sizing = nothing.size(within(0));
     CHECK(sizing.is_proven);
     CHECK(sizing.answer.total_cycles == 0);
@@ -377,4 +377,4 @@ TEST_CASE("A bound is a whole number of cycles, percent above", "[sizing]") {
     CHECK(bound_within(1, 99) == 99);
 }
 
-}  // namespace faster::sizing::sizing_test
+}  // namespace dataflow::sizing::sizing_test

@@ -292,13 +292,13 @@ TEST_CASE("Model and reference agree on scanned meshes", "[golden]") {
     }
     std::vector<std::filesystem::path> files;
     for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::path(data) / "meshes"))
-        if (io::has_mesh_extension(entry.path()))
+        if (files::has_mesh_extension(entry.path()))
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     REQUIRE_FALSE(files.empty());
     for (std::size_t i = 0; i < files.size(); ++i) {
         CAPTURE(files[i].filename().string());
-        Mesh mesh = io::load_mesh(files[i]);
+        Mesh mesh = files::load_mesh(files[i]);
         if (i % 4 != 0)  // every fourth as it was scanned
             mesh = workload::simplified(mesh, 1200);
         Stimulus const stimulus = posed_stimulus(std::move(mesh), 6, 300 + i);

@@ -185,7 +185,7 @@ AcceleratorConfig config_with(std::string const& trace, std::vector<std::string>
     keys.push_back("accelerator.raster_cores=1");
     keys.emplace_back("accelerator.memory.model=ideal");
     LoadedConfig loaded = layered_config({source + "/configs/architectures/" + architecture + ".yaml"}, keys);
-    Stimulus const stimulus = io::read_trace(source + "/traces/" + trace);
+    Stimulus const stimulus = files::read_trace(source + "/traces/" + trace);
     adopt(stimulus, accelerator_of(loaded.config));
     accelerator_of(loaded.config).fraction_bits = stimulus.fraction;
     return accelerator_of(loaded.config);
@@ -248,7 +248,7 @@ std::vector<Mutation> mutations() {
 }
 
 TEST_CASE("Each of many mutations of the model is found", "[rtl]") {
-    Stimulus const stimulus = io::read_trace(source + "/traces/edge_heavy");
+    Stimulus const stimulus = files::read_trace(source + "/traces/edge_heavy");
     AcceleratorConfig const twin = config_with("edge_heavy", {});
     REQUIRE(difference(twin, twin, stimulus) == "");
     std::vector<Mutation> const all = mutations();
@@ -260,7 +260,7 @@ TEST_CASE("Each of many mutations of the model is found", "[rtl]") {
 }
 
 TEST_CASE("Each of many mutations of a design with lanes is found", "[rtl]") {
-    Stimulus const stimulus = io::read_trace(source + "/traces/edge_heavy");
+    Stimulus const stimulus = files::read_trace(source + "/traces/edge_heavy");
     AcceleratorConfig const twin = config_with("edge_heavy", {}, "next_zcu102");
     REQUIRE(difference(twin, twin, stimulus) == "");
     for (char const* const key : {"rasterizer.setup_overlap=11",

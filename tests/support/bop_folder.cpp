@@ -105,7 +105,7 @@ void write_depth(std::filesystem::path const& file, int im_id) {
             counts.at(row, column) =
                 static_cast<std::uint16_t>(std::lround(depth.at(row, column) / BopFolder::depth_unit_m));
     }
-    io::write_png(file, counts);
+    files::write_png(file, counts);
 }
 
 std::string targets() {

@@ -16,7 +16,7 @@
 
 namespace atomic_folder_test {
 
-using namespace faster::io;
+using namespace dataflow::io;
 using faster::test::content_of;
 using faster::test::entries_in;
 using faster::test::input_error_text;

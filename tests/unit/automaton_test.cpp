@@ -10,7 +10,7 @@
 #include "dataflow/core/time/core_timing.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::automaton_test {
+namespace dataflow::timing::automaton_test {
 
 /// Draws small numbers; the same with every compiler.
 class Dice {
@@ -386,4 +386,4 @@ TEST_CASE("Joined operations mean what they were joined of", "[operation]") {
     }
 }
 
-}  // namespace faster::timing::automaton_test
+}  // namespace dataflow::timing::automaton_test

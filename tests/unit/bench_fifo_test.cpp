@@ -7,7 +7,7 @@
 
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::bench_fifo_test {
+namespace dataflow::timing::bench_fifo_test {
 
 /// The cycles of all writes and reads of a FIFO, as close together as chance has it.
 struct Accesses {
@@ -110,4 +110,4 @@ TEST_CASE("A line keeps its cycles however many go through it", "[bench_fifo]") 
     CHECK(line.count_until(0) == 0);
 }
 
-}  // namespace faster::timing::bench_fifo_test
+}  // namespace dataflow::timing::bench_fifo_test

@@ -11,10 +11,10 @@
 namespace bounds_of_files_test {
 
 using Catch::Matchers::Contains;
+using dataflow::io::parse_json;
+using dataflow::io::read_csv_cells;
+using dataflow::io::read_json_file;
 using faster::load_document;
-using faster::io::parse_json;
-using faster::io::read_csv_cells;
-using faster::io::read_json_file;
 using faster::test::input_error_text;
 using faster::test::TempFolder;
 

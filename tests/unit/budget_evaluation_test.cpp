@@ -15,7 +15,7 @@
 
 namespace budget_evaluation_test {
 
-using namespace faster::budgets;
+using namespace dataflow::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 

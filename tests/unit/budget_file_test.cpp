@@ -9,7 +9,7 @@
 
 namespace budget_file_test {
 
-using namespace faster::budgets;
+using namespace dataflow::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 using faster::test::TempFolder;

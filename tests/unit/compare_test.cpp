@@ -9,7 +9,7 @@
 
 namespace compare_test {
 
-using namespace faster::runs;
+using namespace dataflow::runs;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using faster::Cycles;

@@ -11,15 +11,15 @@
 #include "support/report_page.hpp"
 #include "support/unpacked_timeline.hpp"
 
-namespace faster::report::html_report_test {
+namespace dataflow::report::html_report_test {
 
 using Json = nlohmann::ordered_json;
-using test::example_keys;
-using test::example_run;
-using test::hostile_text;
-using test::json_element;
-using test::packed_example_timeline;
-using test::unpacked;
+using faster::test::example_keys;
+using faster::test::example_run;
+using faster::test::hostile_text;
+using faster::test::json_element;
+using faster::test::packed_example_timeline;
+using faster::test::unpacked;
 
 std::string example_page() {
     return html_report({"example.yaml",
@@ -108,7 +108,7 @@ TEST_CASE("A timeline in the page has named bars and occupancies", "[html]") {
 }
 
 TEST_CASE("The finest bars of a timeline in the page are all its spans, or as many as are allowed", "[html]") {
-    SampleTimeline const timeline = test::example_timeline(1, 3, 450001);
+    SampleTimeline const timeline = faster::test::example_timeline(1, 3, 450001);
     Machine const machine = example_run().machine;
     Json const all = unpacked(packed_timeline(machine, timeline, 100'000).packed)["levels"];
     CHECK(all.front()["resolution"] == 345000 / 2000);
@@ -192,7 +192,7 @@ TEST_CASE("Bytes that are no UTF-8 do not break the page", "[html]") {
 }
 
 TEST_CASE("A run without samples, timelines and pictures has a page, too", "[html]") {
-    RunStatistics const empty = testing::idle_run(testing::raster_machine({}), 0);
+    RunStatistics const empty = faster::testing::idle_run(faster::testing::raster_machine({}), 0);
     Json const data = json_element(html_report({"empty", empty, {}, {}, {}}), "data");
     CHECK(data["headline"]["total_cycles"] == 0);
     CHECK(data["latency"].is_null());
@@ -215,4 +215,4 @@ TEST_CASE("The page is complete in itself", "[html]") {
     CHECK(count_of("Chart.js v3", page) == 1);  // with its licence
 }
 
-}  // namespace faster::report::html_report_test
+}  // namespace dataflow::report::html_report_test

@@ -6,7 +6,7 @@
 #include "dataflow/base/markup_text.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::report::html_text_test {
+namespace dataflow::report::html_text_test {
 
 TEST_CASE("Text in HTML shows as it is", "[html]") {
     CHECK(markup_escaped("plain text, 1 + 1 = 2") == "plain text, 1 + 1 = 2");
@@ -29,4 +29,4 @@ TEST_CASE("Base64 gives the vectors of RFC 4648", "[html]") {
     CHECK(base64(std::string("\0\xff\xfe", 3)) == "AP/+");
 }
 
-}  // namespace faster::report::html_text_test
+}  // namespace dataflow::report::html_text_test

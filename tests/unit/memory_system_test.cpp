@@ -8,7 +8,7 @@
 #include "dataflow/core/time/core_timing.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::memory_system_test {
+namespace dataflow::timing::memory_system_test {
 
 constexpr Cycles entered = 7;  ///< when the loop is entered
 constexpr Cycles depth = 5;    ///< of the loop
@@ -185,4 +185,4 @@ TEST_CASE("Tokens that lie beside what is fetched need nothing", "[memory]") {
     CHECK(cutter.take_free_tokens() == 2 + 10);
 }
 
-}  // namespace faster::timing::memory_system_test
+}  // namespace dataflow::timing::memory_system_test

@@ -13,7 +13,7 @@ namespace mesh_file_test {
 
 using Catch::Matchers::Contains;
 using faster::Mesh;
-using faster::io::load_mesh;
+using faster::files::load_mesh;
 using faster::test::input_error_text;
 using faster::test::is_instrumented;
 using faster::test::TempFolder;
@@ -160,7 +160,7 @@ TEST_CASE("A coordinate that is not finite is an input error that names the vert
 
 TEST_CASE("Whatever the library does with a damaged file, one line says which file and what happened", "[mesh_file]") {
     std::string const folder = FASTER_SOURCE_DIR "/tests/data/meshes/";
-    faster::io::MeshLimits limits;
+    faster::files::MeshLimits limits;
     limits.seconds = is_instrumented ? 5 : 0.5;  // to say why it crashes takes a sanitizer a second
     limits.section = "workload.mesh_files";
     auto const error = [&](std::string const& name) {
@@ -182,7 +182,7 @@ TEST_CASE("Whatever the library does with a damaged file, one line says which fi
 TEST_CASE("A mesh file may be as long as its limit", "[mesh_file]") {
     TempFolder const folder;
     auto const file = folder.write("t.obj", tetrahedron_vertices + tetrahedron_faces + std::string(1 << 20, '\n'));
-    faster::io::MeshLimits limits;
+    faster::files::MeshLimits limits;
     limits.file_mib = 1;
     CHECK(input_error_text([&] { load_mesh(file, limits); }) ==
           file.string() + ": cannot be read as a mesh (it is longer than 1 MiB), expected a valid obj file");
@@ -197,7 +197,7 @@ TEST_CASE("A PLY file whose header never ends is cut off", "[mesh_file]") {
 }
 
 TEST_CASE("Elements that take no room are no work, however many there are", "[mesh_file]") {
-    CHECK_FALSE(faster::io::is_truncated_ply(
+    CHECK_FALSE(faster::files::is_truncated_ply(
         "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nproperty foo x\nend_header\n"));
 }
 
@@ -205,34 +205,34 @@ TEST_CASE("Several meshes are read at once, and the first bad one is named", "[m
     TempFolder const folder;
     auto const one = folder.write("a.obj", tetrahedron_vertices + "f 1 2 3\n");
     auto const two = folder.write("b.obj", tetrahedron_vertices + tetrahedron_faces);
-    auto const meshes = faster::io::load_meshes({one, two, one}, {}, 2);
+    auto const meshes = faster::files::load_meshes({one, two, one}, {}, 2);
     REQUIRE(meshes.size() == 3);
     CHECK(meshes[0].faces.size() == 1);
     CHECK(meshes[1].faces.size() == 4);
     auto const bad = folder.write("c.obj", "f 1 2 3\n");
-    CHECK_THAT(input_error_text([&] { faster::io::load_meshes({one, bad, two}, {}, 2); }), Contains("c.obj: "));
+    CHECK_THAT(input_error_text([&] { faster::files::load_meshes({one, bad, two}, {}, 2); }), Contains("c.obj: "));
 }
 
 TEST_CASE("A mesh comes whole from one process to another, or not at all", "[mesh_file]") {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}};
     mesh.faces = {{0, 1, 2}, {2, 1, 0}};
-    std::string const bytes = faster::io::mesh_bytes(mesh);
-    auto const copy = faster::io::mesh_from_bytes(bytes);
+    std::string const bytes = faster::files::mesh_bytes(mesh);
+    auto const copy = faster::files::mesh_from_bytes(bytes);
     REQUIRE(copy);
     CHECK(copy->vertices == mesh.vertices);
     CHECK(copy->faces == mesh.faces);
     for (std::size_t length = 0; length < bytes.size(); ++length)
-        CHECK_FALSE(faster::io::mesh_from_bytes(bytes.substr(0, length)));
-    CHECK_FALSE(faster::io::mesh_from_bytes(bytes + '\0'));
+        CHECK_FALSE(faster::files::mesh_from_bytes(bytes.substr(0, length)));
+    CHECK_FALSE(faster::files::mesh_from_bytes(bytes + '\0'));
     for (std::size_t const place : {0U, 7U, 8U, 15U}) {  // counts of vertices and faces
         std::string damaged = bytes;
         damaged[place] = static_cast<char>(damaged[place] ^ 0x40);
-        CHECK_FALSE(faster::io::mesh_from_bytes(damaged));
+        CHECK_FALSE(faster::files::mesh_from_bytes(damaged));
     }
     std::string damaged = bytes;
     damaged.back() = 1;  // the last vertex of the last face
-    CHECK_FALSE(faster::io::mesh_from_bytes(damaged));
+    CHECK_FALSE(faster::files::mesh_from_bytes(damaged));
 }
 
 }  // namespace mesh_file_test

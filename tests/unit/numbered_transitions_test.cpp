@@ -7,7 +7,7 @@
 
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::numbered_transitions_test {
+namespace dataflow::timing::numbered_transitions_test {
 
 constexpr NumberedTransitions::Number numbers = NumberedTransitions::numbers;
 
@@ -103,4 +103,4 @@ TEST_CASE("A look-up for what is not there ends behind a long row of others", "[
         REQUIRE_FALSE(is_known(first + tag));  // one of them looks like one so far behind
 }
 
-}  // namespace faster::timing::numbered_transitions_test
+}  // namespace dataflow::timing::numbered_transitions_test

@@ -8,7 +8,7 @@
 
 namespace output_file_test {
 
-using namespace faster::io;
+using namespace dataflow::io;
 using faster::test::content_of;
 using faster::test::entries_in;
 using faster::test::input_error_text;

@@ -5,9 +5,9 @@
 #include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 
-namespace faster::report::path_report_test {
+namespace dataflow::report::path_report_test {
 
-using test::example_run;
+using faster::test::example_run;
 
 TEST_CASE("The critical path is told with module, loop, cause and what is to blame", "[report]") {
     std::string const text = critical_path_text(example_run());
@@ -80,4 +80,4 @@ TEST_CASE("sensitivities.csv has a row per step, with its outcome", "[report]") 
     CHECK(rows[2]["up"] == Json{{"outcome", "finished"}, {"total_cycles", 1007500}, {"change_cycles", 7500}});
 }
 
-}  // namespace faster::report::path_report_test
+}  // namespace dataflow::report::path_report_test

@@ -11,7 +11,7 @@
 #include "faster/dataflow_names.hpp"
 #include "support/spelled_out.hpp"
 
-namespace faster::timing::phrase_cutter_test {
+namespace dataflow::timing::phrase_cutter_test {
 
 /// A driver that writes fragments and edge tokens, and a reader of each.
 enum Process : unsigned { driver, drawer, builder };
@@ -85,7 +85,7 @@ std::vector<std::vector<Operation::Code>> said_by(PhraseBook const& book, std::v
                       [&](unsigned member, Ports::Number ports, bool) { next_ports[member] = ports; });
     std::vector<std::vector<Operation::Code>> said;
     for (Process const process : {driver, drawer, builder})
-        said.push_back(testing::spelled_out(core->process(process).log()));
+        said.push_back(faster::testing::spelled_out(core->process(process).log()));
     said.push_back(next_ports);
     return said;
 }
@@ -219,4 +219,4 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
     CHECK(phrases > 1000);
 }
 
-}  // namespace faster::timing::phrase_cutter_test
+}  // namespace dataflow::timing::phrase_cutter_test

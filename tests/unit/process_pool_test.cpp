@@ -14,7 +14,7 @@
 
 namespace process_pool_test {
 
-using namespace faster::processes;
+using namespace dataflow::processes;
 using faster::test::content_of;
 using faster::test::TempFolder;
 using Kind = Outcome::Kind;

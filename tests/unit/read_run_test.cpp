@@ -9,10 +9,10 @@
 namespace read_run_test {
 
 using Catch::Matchers::Contains;
+using dataflow::runs::CycleClass;
+using dataflow::runs::read_run;
+using dataflow::runs::RunRecord;
 using faster::Counters;
-using faster::runs::CycleClass;
-using faster::runs::read_run;
-using faster::runs::RunRecord;
 using faster::test::content_of;
 using faster::test::input_error_text;
 using faster::test::TempFolder;

@@ -7,7 +7,7 @@
 
 namespace replace_baseline_test {
 
-using namespace faster::budgets;
+using namespace dataflow::budgets;
 using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 

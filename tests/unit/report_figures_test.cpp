@@ -6,7 +6,7 @@
 #include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
 
-namespace faster::report::report_figures_test {
+namespace dataflow::report::report_figures_test {
 
 using Counts = std::vector<std::uint64_t>;
 
@@ -73,7 +73,7 @@ TEST_CASE("Spans that touch stay apart when every cycle can be seen", "[html]") 
 }
 
 TEST_CASE("A long sample has no more bars than a wide screen has places", "[html]") {
-    SampleTimeline const timeline = test::example_timeline(0, 0, 0);
+    SampleTimeline const timeline = faster::test::example_timeline(0, 0, 0);
     Cycles const resolution = (timeline.end - timeline.begin) / 100;
     std::vector<MergedSpan> const merged = merged_spans(timeline.spans, resolution);
     CHECK(merged.size() < timeline.spans.size() / 10);
@@ -99,10 +99,10 @@ TEST_CASE("An occupancy profile has no part shorter than a cycle, and is empty w
 }
 
 TEST_CASE("The cycles of an example add up like those of a run", "[html]") {
-    RunStatistics const run = test::example_run();
+    RunStatistics const run = faster::test::example_run();
     for (CoreStatistics const& core : run.cores)
         for (std::size_t const i : modules_of(run.machine))
             CHECK(core.processes[i].sum() == run.total_cycles);
 }
 
-}  // namespace faster::report::report_figures_test
+}  // namespace dataflow::report::report_figures_test

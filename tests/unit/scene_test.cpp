@@ -213,7 +213,7 @@ TEST_CASE("A depth image is scaled to metres and thinned out from pixel 0 on", "
             raw.at(row, column) = static_cast<std::uint16_t>(1000 * row + column);
         }
     }
-    io::write_png(folder / "d.png", raw);
+    files::write_png(folder / "d.png", raw);
     DepthImage const depth = load_depth_image(folder / "d.png", 0.001, {7, 5, 60, 50, 3, 2}, 3);
     REQUIRE(depth.height() == 2);
     REQUIRE(depth.width() == 3);
@@ -312,7 +312,7 @@ TEST_CASE("The centre of a sample is the floor of its projected origin", "[build
 
 TEST_CASE("The observed scene may be a depth image, thinned out with the camera", "[build_stimulus]") {
     TempFolder const folder;
-    io::write_png(folder / "d.png", Image<std::uint16_t>(48, 64, 650));
+    files::write_png(folder / "d.png", Image<std::uint16_t>(48, 64, 650));
     WorkloadConfig config = small_workload();
     config.camera.fx = config.camera.fy = 600;  // narrow enough for a wall without edges
     config.scene.depth_image = (folder / "d.png").string();
@@ -405,7 +405,7 @@ TEST_CASE("Scenes rendered by others look the same here, to a millimetre", "[sce
         DepthImage rendered(camera.height, camera.width);
         for (auto const& object : frame.at("objects")) {
             std::string const name = object.at("class");
-            draw_mesh(io::load_mesh(root / "meshes" / (name + ".obj")), scan_pose(object), camera, rendered);
+            draw_mesh(files::load_mesh(root / "meshes" / (name + ".obj")), scan_pose(object), camera, rendered);
         }
         std::string const file = frame.at("depth");
         DepthImage const measured = load_depth_image(folder / file, frame.at("depth_unit_m"), camera, 1);
@@ -424,10 +424,10 @@ TEST_CASE("All scans can be simplified to the triangles the machine gets", "[obj
         return;
     }
     for (auto const& entry : std::filesystem::directory_iterator(std::filesystem::path(data) / "meshes")) {
-        if (!io::has_mesh_extension(entry.path())) {
+        if (!files::has_mesh_extension(entry.path())) {
             continue;
         }
-        Mesh const scan = io::load_mesh(entry.path());
+        Mesh const scan = files::load_mesh(entry.path());
         Mesh const coarse = simplified(scan, 1200);
         CAPTURE(entry.path(), coarse.faces.size(), volume(scan), volume(coarse));
         CHECK(scan.faces.size() == 16384);

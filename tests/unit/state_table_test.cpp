@@ -5,7 +5,7 @@
 
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::state_table_test {
+namespace dataflow::timing::state_table_test {
 
 TEST_CASE("Equal states have one number, and stay where they are", "[state_table]") {
     std::mt19937 random(1);
@@ -73,4 +73,4 @@ TEST_CASE("What the words of a state say is what was put there", "[state_table]"
     CHECK(code_of(words) == 0xFEDCBA9876543210U);
 }
 
-}  // namespace faster::timing::state_table_test
+}  // namespace dataflow::timing::state_table_test

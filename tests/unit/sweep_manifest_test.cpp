@@ -8,10 +8,10 @@ namespace sweep_manifest_test {
 
 using namespace faster::test;
 using Catch::Matchers::Contains;
-using faster::sweeps::Manifest;
-using faster::sweeps::manifest_from_text;
-using faster::sweeps::to_text;
-using faster::sweeps::why_no_part_of;
+using dataflow::sweeps::Manifest;
+using dataflow::sweeps::manifest_from_text;
+using dataflow::sweeps::to_text;
+using dataflow::sweeps::why_no_part_of;
 
 Manifest const small{"small.yaml", "1.0", {"a.b", "design"}, {{"01", {"1", "x, \"y\""}}, {"02", {"2", "z"}}}};
 

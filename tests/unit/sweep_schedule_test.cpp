@@ -7,11 +7,11 @@
 
 namespace sweep_schedule_test {
 
-using faster::sweeps::Assignment;
-using faster::sweeps::Ending;
-using faster::sweeps::PointIdentity;
-using faster::sweeps::points_of_shard;
-using faster::sweeps::Schedule;
+using dataflow::sweeps::Assignment;
+using dataflow::sweeps::Ending;
+using dataflow::sweeps::PointIdentity;
+using dataflow::sweeps::points_of_shard;
+using dataflow::sweeps::Schedule;
 using Kind = Assignment::Kind;
 using Points = std::vector<std::size_t>;
 

@@ -9,7 +9,7 @@
 #include "dataflow/core/time/process_timing.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::timing::timing_test {
+namespace dataflow::timing::timing_test {
 
 FifoShape shape(char const* name, std::uint64_t capacity, Cycles read_latency = 1) {
     FifoShape result;
@@ -372,4 +372,4 @@ TEST_CASE("Accesses that nobody answers are waits, with both ends named", "[timi
     CHECK(waits[0].other == "reader");
 }
 
-}  // namespace faster::timing::timing_test
+}  // namespace dataflow::timing::timing_test

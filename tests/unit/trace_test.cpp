@@ -12,8 +12,8 @@
 namespace trace_test {
 
 using namespace faster;
-using io::read_trace;
-using io::write_trace;
+using files::read_trace;
+using files::write_trace;
 using test::content_of;
 using test::entries_in;
 using test::input_error_text;
@@ -107,9 +107,9 @@ TEST_CASE("A trace without samples and triangles is valid", "[trace]") {
 
 TEST_CASE("Depth is stored as codes, edges as 0 and 255", "[trace]") {
     Trace const trace;
-    CHECK(io::read_png16(trace / "depth.png").at(0, 5) == 2047);
-    CHECK(io::read_png8(trace / "edges.png").at(1, 2) == 255);
-    CHECK(io::read_png8(trace / "edges.png").at(1, 3) == 0);
+    CHECK(files::read_png16(trace / "depth.png").at(0, 5) == 2047);
+    CHECK(files::read_png8(trace / "edges.png").at(1, 2) == 255);
+    CHECK(files::read_png8(trace / "edges.png").at(1, 3) == 0);
 }
 
 TEST_CASE("Columns are found by name, in any order and among others", "[trace]") {
@@ -280,7 +280,7 @@ TEST_CASE("A depth code above far is an input error that names the pixel", "[tra
     Trace const trace;
     Image<std::uint16_t> depth = small_stimulus().observed_depth;
     depth.at(2, 3) = 2048;
-    io::write_png(trace / "depth.png", depth);
+    files::write_png(trace / "depth.png", depth);
     CHECK(trace.error() == "depth.png: pixel at row 2, column 3 is 2048, expected at most 2047, far");
 }
 
@@ -288,17 +288,17 @@ TEST_CASE("An edge value other than 0 and 255 is an input error that names the p
     Trace const trace;
     Image<std::uint8_t> edges(4, 6);
     edges.at(1, 5) = 1;
-    io::write_png(trace / "edges.png", edges);
+    files::write_png(trace / "edges.png", edges);
     CHECK(trace.error() == "edges.png: pixel at row 1, column 5 is 1, expected 0 or 255");
 }
 
 TEST_CASE("An image of the wrong size or type is an input error", "[trace]") {
     Trace const trace;
-    io::write_png(trace / "edges.png", Image<std::uint8_t>(4, 7));
+    files::write_png(trace / "edges.png", Image<std::uint8_t>(4, 7));
     CHECK(trace.error() == "edges.png: has 7 x 4 pixels, expected 6 x 4 (trace.yaml)");
-    io::write_png(trace / "depth.png", Image<std::uint16_t>(6, 4));
+    files::write_png(trace / "depth.png", Image<std::uint16_t>(6, 4));
     CHECK(trace.error() == "depth.png: has 4 x 6 pixels, expected 6 x 4 (trace.yaml)");
-    io::write_png(trace / "depth.png", Image<std::uint8_t>(4, 6));
+    files::write_png(trace / "depth.png", Image<std::uint8_t>(4, 6));
     CHECK(trace.error() == "depth.png: is an 8-bit greyscale PNG, expected a 16-bit greyscale PNG");
 }
 

@@ -26,8 +26,8 @@ DepthImage downscaled(DepthImage const& depth, int n) {
 }
 
 DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale) {
-    Image<std::uint16_t> const raw = io::read_png16(path);
-    io::require_size(path, raw.width(), raw.height(), camera.width, camera.height, "workload.camera");
+    Image<std::uint16_t> const raw = files::read_png16(path);
+    files::require_size(path, raw.width(), raw.height(), camera.width, camera.height, "workload.camera");
     DepthImage depth(raw.height(), raw.width());
     std::transform(raw.pixels().begin(), raw.pixels().end(), depth.pixels().begin(),
                    [unit_m](std::uint16_t count) { return unit_m * count; });

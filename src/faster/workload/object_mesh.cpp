@@ -100,13 +100,13 @@ std::string size_warning(Mesh const& mesh, std::string const& file) {
 }
 
 bool is_mesh_file(std::string const& name) {
-    return name.find('/') != std::string::npos || io::has_mesh_extension(name);
+    return name.find('/') != std::string::npos || files::has_mesh_extension(name);
 }
 
 Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files) {
     if (is_mesh_file(name)) {
-        return scaled(io::load_mesh(name, {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib,
-                                           "workload.mesh_files"}),
+        return scaled(files::load_mesh(name, {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib,
+                                              "workload.mesh_files"}),
                       files.scale);
     }
     if (!models::contains(name)) {

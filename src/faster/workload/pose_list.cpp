@@ -18,12 +18,12 @@ std::vector<Pose> read_pose_list(std::filesystem::path const& path) {
     std::vector<std::string> const columns{"R", is_in_mm ? "t" : "t_m"};
     std::vector<Pose> poses;
     io::read_csv_cells(path, columns, [&](std::size_t line, std::string_view const* cells) {
-        io::TableRow const row(path, columns, line, cells);
+        files::TableRow const row(path, columns, line, cells);
         if (poses.size() == most_poses)
             throw InputError(fmt::format("{}:{}: another row, expected at most {}", path.string(), line, most_poses));
         poses.push_back({row.rotation(0), row.vector(1)});
         if (is_in_mm)
-            poses.back().translation *= io::m_per_mm;
+            poses.back().translation *= files::m_per_mm;
     });
     if (poses.empty())
         throw InputError(path.string() + ": no rows, expected one per sample");
@@ -35,7 +35,7 @@ std::string pose_list_csv(std::vector<Pose> const& poses) {
     for (std::size_t sample = 0; sample < poses.size(); ++sample) {
         Eigen::Vector3d const& t = poses[sample].translation;
         text +=
-            fmt::format("{},{},{} {} {}\n", sample, io::row_major_text(poses[sample].rotation), t.x(), t.y(), t.z());
+            fmt::format("{},{},{} {} {}\n", sample, files::row_major_text(poses[sample].rotation), t.x(), t.y(), t.z());
     }
     return text;
 }

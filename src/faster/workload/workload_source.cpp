@@ -17,7 +17,7 @@ Stimulus load_stimulus(LoadedConfig& loaded) {
             adopt_poses(loaded, stimulus.samples.size());
         return stimulus;
     }
-    Stimulus stimulus = io::read_trace(config.trace);
+    Stimulus stimulus = files::read_trace(config.trace);
     adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
     return stimulus;
 }

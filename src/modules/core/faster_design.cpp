@@ -79,8 +79,8 @@ std::string FasterDesign::why_not_retimable(std::string const& key) const {
 std::vector<Preset> const& FasterDesign::presets() const { return faster_presets(); }
 
 std::vector<std::filesystem::path> FasterDesign::files_of(std::filesystem::path const& folder) const {
-    std::filesystem::path const manifest = folder / io::TraceManifest::file_name;
-    io::TraceManifest::Files const files = io::read_manifest(manifest).files;
+    std::filesystem::path const manifest = folder / files::TraceManifest::file_name;
+    files::TraceManifest::Files const files = files::read_manifest(manifest).files;
     return {manifest, folder / files.samples, folder / files.triangles, folder / files.depth, folder / files.edges};
 }
 

@@ -17,21 +17,21 @@ std::vector<std::string> const& columns() {
     return names;
 }
 
-PoseEstimate read_estimate(io::TableRow const& row) {
+PoseEstimate read_estimate(files::TableRow const& row) {
     PoseEstimate estimate;
     estimate.image = {row.id(scene_id), row.id(im_id)};
     estimate.obj_id = row.id(obj_id);
     estimate.score = row.number(score);
     estimate.pose.rotation = row.rotation(rotation);
-    estimate.pose.translation = io::m_per_mm * row.vector(translation);
+    estimate.pose.translation = files::m_per_mm * row.vector(translation);
     estimate.time_s = row.number(time);
     return estimate;
 }
 
 std::string csv_row(PoseEstimate const& estimate) {
-    Eigen::Vector3d const t = estimate.pose.translation / io::m_per_mm;
+    Eigen::Vector3d const t = estimate.pose.translation / files::m_per_mm;
     return fmt::format("{},{},{},{},{},{} {} {},{}\n", estimate.image.scene_id, estimate.image.im_id, estimate.obj_id,
-                       estimate.score, io::row_major_text(estimate.pose.rotation), t.x(), t.y(), t.z(),
+                       estimate.score, files::row_major_text(estimate.pose.rotation), t.x(), t.y(), t.z(),
                        estimate.time_s);
 }
 
@@ -40,7 +40,7 @@ std::string csv_row(PoseEstimate const& estimate) {
 std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path) {
     std::vector<PoseEstimate> estimates;
     io::read_csv_cells(path, columns(), [&](std::size_t line, std::string_view const* cells) {
-        estimates.push_back(read_estimate(io::TableRow(path, columns(), line, cells)));
+        estimates.push_back(read_estimate(files::TableRow(path, columns(), line, cells)));
         estimates.back().line = line;
     });
     return estimates;

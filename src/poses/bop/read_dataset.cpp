@@ -41,7 +41,7 @@ std::set<fs::path> meshes_in(fs::path const& folder) {
         io::fail(folder, "no such folder, expected one with models");
     std::set<fs::path> meshes;
     for (auto const& entry : fs::directory_iterator(folder)) {
-        if (io::has_mesh_extension(entry.path()))
+        if (files::has_mesh_extension(entry.path()))
             meshes.insert(entry.path());
     }
     if (meshes.empty())
@@ -62,7 +62,7 @@ std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes) {
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
         if (auto const id = numbered_object(mesh.stem().string()))
-            models[*id] = model_named(mesh, *id, io::m_per_mm);
+            models[*id] = model_named(mesh, *id, files::m_per_mm);
     }
     return models;
 }
@@ -80,9 +80,9 @@ std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes) {
 Pose read_symmetry(JsonNode const& node) {
     std::vector<double> const m = node.numbers(16);
     Pose pose;
-    pose.rotation = io::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
-    pose.translation = io::m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
-    if (std::string const problem = io::rotation_problem(pose.rotation); !problem.empty())
+    pose.rotation = files::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
+    pose.translation = files::m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
+    if (std::string const problem = files::rotation_problem(pose.rotation); !problem.empty())
         node.fail(problem + " and a translation");
     return pose;
 }
@@ -93,11 +93,11 @@ ObjectModel::Axis read_axis(JsonNode const& node) {
     Eigen::Vector3d const direction = vector_of(node.at("axis").numbers(3));
     if (!(direction.norm() > 0))
         node.at("axis").fail("a direction, not 0 0 0");
-    return {direction.normalized(), io::m_per_mm * vector_of(node.at("offset").numbers(3))};
+    return {direction.normalized(), files::m_per_mm * vector_of(node.at("offset").numbers(3))};
 }
 
 void read_info(JsonNode const& info, ObjectModel& model) {
-    model.diameter_m = io::m_per_mm * info.at("diameter").number_above_zero();
+    model.diameter_m = files::m_per_mm * info.at("diameter").number_above_zero();
     if (auto const discrete = info.find("symmetries_discrete")) {
         for (JsonNode const& symmetry : discrete->items())
             model.symmetries.push_back(read_symmetry(symmetry));
@@ -308,11 +308,11 @@ Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
 }
 
 Observation load_observation(DatasetImage const& image) {
-    Image<std::uint16_t> const raw = io::read_png16(image.depth);
+    Image<std::uint16_t> const raw = files::read_png16(image.depth);
     Observation observation{image.camera, workload::DepthImage(raw.height(), raw.width())};
     if (image.camera.width > 0)
-        io::require_size(image.depth, raw.width(), raw.height(), image.camera.width, image.camera.height,
-                         "the dataset's camera");
+        files::require_size(image.depth, raw.width(), raw.height(), image.camera.width, image.camera.height,
+                            "the dataset's camera");
     observation.camera.width = raw.width();
     observation.camera.height = raw.height();
     std::transform(raw.pixels().begin(), raw.pixels().end(), observation.depth.pixels().begin(),
@@ -325,7 +325,7 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
     files.reserve(models.size());
     for (ObjectModel const* const model : models)
         files.push_back(model->mesh);
-    std::vector<Mesh> meshes = io::load_meshes(files, {}, jobs);
+    std::vector<Mesh> meshes = files::load_meshes(files, {}, jobs);
     for (std::size_t i = 0; i < meshes.size(); ++i)
         for (Eigen::Vector3d& vertex : meshes[i].vertices)
             vertex *= models[i]->unit_m;

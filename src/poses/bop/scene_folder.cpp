@@ -23,7 +23,7 @@ DatasetImage read_camera(JsonNode const& node, Camera const& size) {
     DatasetImage image;
     image.camera = {size.width, size.height, k[0], k[4], k[2], k[5]};
     auto const scale = node.find("depth_scale");
-    image.depth_unit_m = io::m_per_mm * (scale ? scale->number_above_zero() : 1);
+    image.depth_unit_m = files::m_per_mm * (scale ? scale->number_above_zero() : 1);
     return image;
 }
 
@@ -43,11 +43,11 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
 GroundTruth read_object(JsonNode const& node) {
     GroundTruth object;
     object.obj_id = node.at("obj_id").integer(1);
-    object.pose.rotation = io::matrix_of(node.at("cam_R_m2c").numbers(9));
-    if (std::string const problem = io::rotation_problem(object.pose.rotation); !problem.empty())
+    object.pose.rotation = files::matrix_of(node.at("cam_R_m2c").numbers(9));
+    if (std::string const problem = files::rotation_problem(object.pose.rotation); !problem.empty())
         node.at("cam_R_m2c").fail(problem);
     std::vector<double> const t = node.at("cam_t_m2c").numbers(3);
-    object.pose.translation = io::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+    object.pose.translation = files::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
     return object;
 }
 
@@ -107,7 +107,7 @@ GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> c
         std::vector<double> const numbers = rows[static_cast<std::size_t>(row)].numbers(3);
         object.pose.rotation.row(row) << numbers[0], numbers[1], numbers[2];
     }
-    if (std::string const problem = io::rotation_problem(object.pose.rotation); !problem.empty())
+    if (std::string const problem = files::rotation_problem(object.pose.rotation); !problem.empty())
         node.at("R").fail(problem);
     std::vector<double> const t = node.at("t_scan").numbers(3);
     object.pose.translation = Eigen::Vector3d(t[0], t[1], t[2]);

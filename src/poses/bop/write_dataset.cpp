@@ -12,7 +12,7 @@
 namespace faster::bop {
 namespace {
 
-constexpr double mm_per_m = 1 / io::m_per_mm;
+constexpr double mm_per_m = 1 / files::m_per_mm;
 
 Json matrix_json(Eigen::Matrix3d const& m) {
     Json numbers = Json::array();

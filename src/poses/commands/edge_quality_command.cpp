@@ -61,8 +61,8 @@ void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> co
     fs::create_directories(folder);
     for (quality::PoseSurvey const& row : rows) {
         std::string const name = quality::name_of(row.algorithm) + "_" + row.object;
-        io::write_colour_png(folder / (name + "_best.png"), picture_of(row.best));
-        io::write_colour_png(folder / (name + "_worst.png"), picture_of(row.worst));
+        files::write_colour_png(folder / (name + "_best.png"), picture_of(row.best));
+        files::write_colour_png(folder / (name + "_worst.png"), picture_of(row.worst));
     }
 }
 

@@ -172,8 +172,8 @@ class EstimateRun {
             if (k < scored_.size()) {
                 Stimulus stimulus = scene_.observed;
                 workload::set_poses(scored_[k].poses, stimulus);
-                io::write_trace(with_explicit_triangles(std::move(stimulus)),
-                                folder / "traces" / fmt::format("iteration_{:04}", k));
+                files::write_trace(with_explicit_triangles(std::move(stimulus)),
+                                   folder / "traces" / fmt::format("iteration_{:04}", k));
             }
     }
 
@@ -246,7 +246,7 @@ class EstimateRun {
             drawn.push_back(std::move(iteration));
         }
         EstimatePictures(scene_.observed, accelerator_of(loaded_.config), estimated_pose()).write(folder, drawn);
-        io::write_colour_png(folder / "course.png", estimate_plots(rows_));
+        files::write_colour_png(folder / "course.png", estimate_plots(rows_));
     }
 
     EstimateRequest const& request_;

@@ -97,11 +97,11 @@ void EstimatePictures::write(std::filesystem::path const& folder, std::vector<Dr
     pictures::ConvergenceSheet sheet(iterations.size());
     for (DrawnIteration const& iteration : iterations) {
         Image<Colour> const drawn = picture(iteration);
-        io::write_colour_png(folder / fmt::format("iteration_{:04}.png", iteration.number),
-                             pictures::enlarged(drawn, std::max(1, usual_side / drawn.width())));
+        files::write_colour_png(folder / fmt::format("iteration_{:04}.png", iteration.number),
+                                pictures::enlarged(drawn, std::max(1, usual_side / drawn.width())));
         sheet.add(iteration.label, drawn);
     }
-    io::write_colour_png(folder / "convergence.png", sheet.picture());
+    files::write_colour_png(folder / "convergence.png", sheet.picture());
 }
 
 }  // namespace faster

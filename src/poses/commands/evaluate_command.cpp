@@ -127,8 +127,8 @@ void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
     io::write_file(path / "errors.csv", poses::errors_csv(evaluation));
     io::write_file(path / "curves.csv", poses::curves_csv(evaluation));
     io::write_file(path / "evaluation.html", poses::evaluation_html(evaluation));
-    io::write_colour_png(path / "accuracy_add_s.png", poses::accuracy_plot(evaluation, poses::CurveOf::add_s));
-    io::write_colour_png(path / "accuracy_add.png", poses::accuracy_plot(evaluation, poses::CurveOf::add));
+    files::write_colour_png(path / "accuracy_add_s.png", poses::accuracy_plot(evaluation, poses::CurveOf::add_s));
+    files::write_colour_png(path / "accuracy_add.png", poses::accuracy_plot(evaluation, poses::CurveOf::add));
     folder.commit();
 }
 

@@ -315,7 +315,7 @@ void write_failures(fs::path const& out, std::vector<Failure> const& failures, s
         if (worst.empty())
             fs::remove(file);
         else
-            io::write_file_atomically(file, io::colour_png(failure_sheet(worst)));
+            io::write_file_atomically(file, files::colour_png(failure_sheet(worst)));
     }
 }
 

@@ -281,8 +281,8 @@ class DatasetMaker {
         image.camera = camera_;
         image.depth_unit_m = bop::written_depth_unit_m;
         image.objects = std::move(scene.objects);
-        io::write_png(scene_folder(obj_id) / "depth" / fmt::format("{:06}.png", number),
-                      bop::depth_counts(scene.depth));
+        files::write_png(scene_folder(obj_id) / "depth" / fmt::format("{:06}.png", number),
+                         bop::depth_counts(scene.depth));
         return image;
     }
 

@@ -16,7 +16,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_import.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 namespace {
 
@@ -158,4 +158,4 @@ std::vector<Mesh> load_meshes(std::vector<fs::path> const& paths, MeshLimits con
 
 Mesh load_mesh(fs::path const& path, MeshLimits const& limits) { return std::move(load_meshes({path}, limits, 1)[0]); }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -9,7 +9,7 @@
 
 #include "faster/data/mesh.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// A mesh as bytes, from one process to another on the same host.
 std::string mesh_bytes(Mesh const& mesh);
@@ -52,4 +52,4 @@ Mesh load_mesh(std::filesystem::path const& path, MeshLimits const& limits = {})
 std::vector<Mesh> load_meshes(std::vector<std::filesystem::path> const& paths, MeshLimits const& limits,
                               std::size_t jobs);
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -27,7 +27,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/ply_length.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 namespace {
 
@@ -243,4 +243,4 @@ Mesh import_mesh(fs::path const& path) {
     return mesh;
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -4,7 +4,7 @@
 
 #include "faster/data/mesh.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// The ending of a file's name with the dot, lower case.
 std::string lower_case_extension(std::filesystem::path const& path);
@@ -13,4 +13,4 @@ std::string lower_case_extension(std::filesystem::path const& path);
 /// a process that may. Throws InputError as load_mesh(), and std::bad_alloc.
 Mesh import_mesh(std::filesystem::path const& path);
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace faster::io {
+namespace faster::files {
 namespace {
 
 struct Property {
@@ -160,4 +160,4 @@ bool is_truncated_ply(std::string_view file) {
     return header->format == "ascii" ? lacks_lines(*header, file) : lacks_bytes(*header, file);
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -9,7 +9,7 @@
 #include <utility>
 #include <zlib.h>
 
-namespace faster::io {
+namespace faster::files {
 
 namespace {
 
@@ -230,4 +230,4 @@ bool decode_png(std::string_view file, PngPixels& pixels) {
     return Reader(file).read(rows.data(), pixels.row_bytes(), pixels.height);
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace faster::io {
+namespace faster::files {
 
 /// What a PNG file says of its pixels (chunk IHDR).
 struct PngHeader {
@@ -52,4 +52,4 @@ std::string encode_png(PngPixels const& pixels, PngEffort effort);
 /// decoded.
 bool decode_png(std::string_view file, PngPixels& pixels);
 
-}  // namespace faster::io
+}  // namespace faster::files

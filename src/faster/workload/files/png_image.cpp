@@ -10,7 +10,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_codec.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 namespace {
 
@@ -100,4 +100,4 @@ void require_size(std::filesystem::path const& path, int found_width, int found_
     }
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -6,7 +6,7 @@
 #include "faster/data/image.hpp"
 #include "faster/workload/pictures/colour.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// A picture for people: the bytes of its file.
 std::string colour_png(Image<Colour> const& picture);
@@ -27,4 +27,4 @@ void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& ima
 void require_size(std::filesystem::path const& path, int found_width, int found_height, int expected_width,
                   int expected_height, std::string const& reason);
 
-}  // namespace faster::io
+}  // namespace faster::files

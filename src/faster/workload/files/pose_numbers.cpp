@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-namespace faster::io {
+namespace faster::files {
 
 std::string rotation_problem(Eigen::Matrix3d const& rotation) {
     double const error = (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -22,4 +22,4 @@ std::string row_major_text(Eigen::Matrix3d const& matrix) {
     return fmt::format("{}", fmt::join(rows.data(), rows.data() + rows.size(), " "));
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

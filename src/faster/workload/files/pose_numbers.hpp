@@ -4,7 +4,7 @@
 
 #include "faster/data/mesh.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 constexpr double m_per_mm = 1e-3;
 
@@ -20,4 +20,4 @@ Eigen::Matrix3d matrix_of(std::vector<double> const& row_major);
 /// Its nine numbers parted by blanks, with just the digits that bring back the same matrix.
 std::string row_major_text(Eigen::Matrix3d const& matrix);
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -10,7 +10,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 
-namespace faster::io {
+namespace faster::files {
 namespace {
 
 template <class Number> bool parse(std::string_view text, Number& number) {
@@ -72,4 +72,4 @@ void TableRow::fail(std::size_t column, std::string const& expected) const {
                                  cells_[column].empty() ? "nothing" : shortened(cells_[column]), expected));
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

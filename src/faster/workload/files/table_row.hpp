@@ -7,7 +7,7 @@
 
 #include "faster/data/mesh.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// One row of a table with poses in it, as read_csv_cells() gives it, and how to complain about it. Columns are numbers
 /// of those that were asked for. Everything throws InputError (file:line: column ... = ..., expected ...).
@@ -34,4 +34,4 @@ class TableRow {
     std::string_view const* cells_;
 };
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -17,7 +17,7 @@
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/trace_manifest.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 namespace {
 
@@ -207,4 +207,4 @@ void write_trace(Stimulus const& stimulus, std::filesystem::path const& folder) 
     output.commit();
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -5,7 +5,7 @@
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// A stimulus trace is a folder that fully determines what the machine computes (SPEC section 4): `trace.yaml`,
 /// the samples and their triangles after the vertex transform as CSV, the observed depth and edges as PNG.
@@ -21,4 +21,4 @@ FolderKind const& trace_kind();
 /// images of its size: anything else is a mistake of the caller (std::logic_error).
 void write_trace(Stimulus const& stimulus, std::filesystem::path const& folder);
 
-}  // namespace faster::io
+}  // namespace faster::files

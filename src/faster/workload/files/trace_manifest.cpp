@@ -13,7 +13,7 @@
 #include "dataflow/base/nearest_name.hpp"
 #include "faster/dataflow_names.hpp"
 
-namespace faster::io {
+namespace faster::files {
 namespace {
 
 /// An integer key: where its value goes and what it may be. The fraction limits keep every product of section 2 within
@@ -176,4 +176,4 @@ std::string manifest_text(TraceManifest const& manifest) {
     return text;
 }
 
-}  // namespace faster::io
+}  // namespace faster::files

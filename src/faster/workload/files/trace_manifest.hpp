@@ -4,7 +4,7 @@
 
 #include "faster/data/fixed_point.hpp"
 
-namespace faster::io {
+namespace faster::files {
 
 /// The content of `trace.yaml`: the shape of a stimulus trace and the names of its other files (SPEC section 4).
 struct TraceManifest {
@@ -31,4 +31,4 @@ TraceManifest read_manifest(std::filesystem::path const& path);
 /// The same, as text.
 std::string manifest_text(TraceManifest const& manifest);
 
-}  // namespace faster::io
+}  // namespace faster::files

@@ -17,7 +17,7 @@ namespace read_stage_test {
 // with the timing but the description below.
 
 using namespace faster;
-using namespace faster::timing;
+using namespace dataflow::timing;
 
 using PortList = std::vector<unsigned>;
 

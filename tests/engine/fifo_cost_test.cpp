@@ -14,6 +14,7 @@
 #include "support/token_bits.hpp"
 
 namespace dataflow::sizing::fifo_cost_test {
+using namespace faster;
 
 using faster::testing::fifo_count;
 using faster::testing::FifoId;

@@ -16,6 +16,7 @@
 // Sizing FIFOs of cores that share an external memory, where more room may make a run longer.
 
 namespace dataflow::sizing::memory_sizing_test {
+using namespace faster;
 
 using Random = std::mt19937_64;
 

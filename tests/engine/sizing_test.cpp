@@ -15,6 +15,7 @@
 #include "support/temp_folder.hpp"
 
 namespace dataflow::sizing::sizing_test {
+using namespace faster;
 
 using faster::testing::fifo_count;
 using faster::testing::fifo_ids;

@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-#include <csignal>
 #include <stdexcept>
 
 namespace dataflow::processes {
@@ -12,27 +10,30 @@ class Interrupted : public std::runtime_error {
 };
 
 /// Holds back the signals that end a program (SIGINT, SIGTERM, SIGHUP, SIGPIPE) while it lives, so that what is
-/// half-written can be taken away first: whoever writes for long calls give_up_if_interrupted() now and then. The
-/// destructor lets a signal through, which then ends the program as it always does. Of several, the one made last has
-/// to go first, and only the first lets signals through. Signals that the caller ignores stay ignored. It belongs to
-/// the program's first thread; what comes to another is handed on to that one.
+/// half-written can be taken away first: whoever writes for long calls give_up_if_interrupted() now and then. When the
+/// last of all threads has gone, a signal that came ends the program as it always does. Signals that the caller
+/// ignores stay ignored.
+///
+/// Who asks twice is not made to wait: a second SIGINT, SIGTERM or SIGHUP, a fifth of a second or more after the first,
+/// ends the program at once, and what is half-written stays behind under its hidden name. (Sooner it is the same
+/// request: `timeout` sends its signal to the process and to its group.)
 class HeldSignals {
   public:
     HeldSignals();
     ~HeldSignals();
     HeldSignals(HeldSignals const&) = delete;
     HeldSignals& operator=(HeldSignals const&) = delete;
-
-  private:
-    sigset_t before_{};
-    std::array<struct sigaction, 4> actions_before_{};
 };
-
-/// Those that are held back: all but the ignored ones.
-sigset_t ending_signals();
 
 /// Throws Interrupted if a signal is held back.
 void give_up_if_interrupted();
+
+/// The signal that came is done with: it does not end the program any more. A second one still does.
+void forget_signal();
+
+/// A descriptor that is readable while a signal is held back; the same for all who ask, and never closed. Throws
+/// HostError if there is none left.
+int descriptor_of_signals();
 
 /// For a child process, which is not to hold back what its parent holds back.
 void let_signals_through();

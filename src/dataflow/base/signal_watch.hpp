@@ -7,15 +7,12 @@ namespace dataflow::processes {
 class SignalWatch {
   public:
     /// Throws InputError if there is no descriptor left.
-    SignalWatch();
-    ~SignalWatch();
-    SignalWatch(SignalWatch const&) = delete;
-    SignalWatch& operator=(SignalWatch const&) = delete;
+    SignalWatch() : descriptor_(descriptor_of_signals()) {}
 
     /// Readable as soon as a signal has come.
     int descriptor() const { return descriptor_; }
     /// Takes a signal that has come as done with: it does not end the program any more.
-    void take() const;
+    void take() const { forget_signal(); }
 
   private:
     HeldSignals held_;

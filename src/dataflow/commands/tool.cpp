@@ -44,7 +44,7 @@ class Tool {
         } catch (std::filesystem::filesystem_error const& error) {
             return one_line_error(fmt::format("{}: {}, expected a path that can be used", error.path1().string(),
                                               error.code().message()));
-        } catch (processes::Interrupted const&) {  // the signal was blocked for the whole program
+        } catch (processes::Interrupted const&) {  // and whoever called handles the signal
             return one_line_error("interrupted");
         } catch (std::bad_alloc const&) {
             return one_line_error("not enough memory, expected a smaller run or a host with more");

@@ -140,4 +140,36 @@ TEST_CASE("An FST is no pipe and no device, and removes none") {
     CHECK(workspace.small().files_in("") == files);
 }
 
+TEST_CASE("A folder with a summary of something else is refused, and nothing in it is lost") {
+    Workspace const workspace;
+    fs::create_directories(workspace.folder() / "p" / "images");
+    workspace.folder().write("p/summary.json", "{\"mine\": 1}");
+    workspace.folder().write("p/samples.csv", "mine");
+    workspace.folder().write("p/images/photo.jpg", "mine");
+    for (std::string const command : {"run", "grip"})
+        workspace.check_refused({command, "config.yaml", "--out", "p"},
+                                command == "grip" ? Words{} : Words{"p: holds a summary.json of something else"});
+    CHECK(workspace.small().text("p/summary.json") == "{\"mine\": 1}");
+    CHECK(workspace.small().text("p/samples.csv") == "mine");
+    CHECK(workspace.small().text("p/images/photo.jpg") == "mine");
+}
+
+TEST_CASE("Outputs that are replaced keep the rights that they had") {
+    Workspace const workspace;
+    Words const words{"run", "config.yaml", "--out", "o",     "--report", "r.html",     "--events",
+                      "e",   "--vcd",       "w.vcd", "--fst", "w.fst",    "--timeline", "t.json"};
+    require_done(workspace.tool(words));
+    auto const rights = [&](std::string const& name) { return fs::status(workspace.folder() / name).permissions(); };
+    Words const files{"r.html", "e", "w.vcd", "w.fst", "w.gtkw", "t.json", "o/summary.json", "o/samples.csv"};
+    for (std::string const& file : files)
+        fs::permissions(workspace.folder() / file, fs::perms(0660));
+    fs::permissions(workspace.folder() / "o", fs::perms(02775));
+    require_done(workspace.tool(words));
+    for (std::string const& file : files) {
+        CAPTURE(file);
+        CHECK(rights(file) == fs::perms(0660));
+    }
+    CHECK(rights("o") == fs::perms(02775));
+}
+
 }  // namespace outputs_test

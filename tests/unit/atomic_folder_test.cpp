@@ -275,4 +275,95 @@ TEST_CASE("An older folder that lost its name gets it back, with what the user k
     CHECK(entries_in(folder.path()) == 1);
 }
 
+/// A kind whose marker says what it is, and in whose images people may keep something.
+FolderKind const marked{"result", "summary.json", {"samples.csv", "images/sample_*.png"}, "faster-test"};
+constexpr char const* own_marker = R"({"format": "faster-test", "version": 1})";
+
+void write_marked(fs::path const& target) {
+    AtomicFolder output(target, marked);
+    write_file(output.path() / "summary.json", own_marker);
+    fs::create_directory(output.path() / "images");
+    write_file(output.path() / "images" / "sample_0.png", "new");
+    output.commit();
+}
+
+TEST_CASE("A folder whose marker is another's is refused, and all in it stays", "[atomic_folder]") {
+    for (char const* const foreign : {"{}", "[]", "3", "", "{\"format\": 3}", "{\"format\": \"another\"}",
+                                      "{\"run\": {\"format\": \"faster-test\"}}", "{\"format\": \"faster-test"}) {
+        CAPTURE(foreign);
+        TempFolder const folder;
+        fs::create_directories(folder / "out" / "images");
+        folder.write("out/summary.json", foreign);
+        folder.write("out/samples.csv", "mine");
+        folder.write("out/images/photo.jpg", "mine");
+        CHECK(input_error_text([&] { write_marked(folder / "out"); }) ==
+              (folder / "out").string() +
+                  ": holds a summary.json of something else, expected a new or empty folder or an older result");
+        CHECK(content_of(folder / "out" / "summary.json") == foreign);
+        CHECK(content_of(folder / "out" / "samples.csv") == "mine");
+        CHECK(content_of(folder / "out" / "images" / "photo.jpg") == "mine");
+    }
+}
+
+TEST_CASE("A marker may be YAML, a table, or laid out in another way", "[atomic_folder]") {
+    auto const is_kind = [](std::string const& marker, std::string const& format, std::string const& content) {
+        TempFolder const folder;
+        folder.write(marker, content);
+        return FolderKind{"result", marker, {}, format}.is_kind_of(folder.path());
+    };
+    CHECK(is_kind("m.json", "faster-test", "{\n\"version\":1,\"format\"\n:\"faster-test\"}"));
+    CHECK(is_kind("m.yaml", "faster-test", "# x\nversion: 1\nformat: 'faster-test'\n"));
+    CHECK_FALSE(is_kind("m.yaml", "faster-test", "below: {format: faster-test}\n"));
+    CHECK_FALSE(is_kind("m.yaml", "faster-test", "format: [\n"));
+    CHECK(is_kind("m.csv", "a,b,", "a,b,c\n"));
+    CHECK_FALSE(is_kind("m.csv", "a,b,", "b,a,c\n"));
+    CHECK_FALSE(is_kind("m.csv", "a,b,", ""));
+}
+
+TEST_CASE("What people keep beside pictures of ours survives, and the pictures do not", "[atomic_folder]") {
+    TempFolder const folder;
+    write_marked(folder / "out");
+    folder.write("out/images/sample_7.png", "old");
+    folder.write("out/images/photo.jpg", "mine");
+    fs::create_directories(folder / "out" / "images" / "sample_album" / "deep");
+    folder.write("out/images/sample_album/deep/sample_1.png", "mine");
+    write_marked(folder / "out");
+    CHECK_FALSE(fs::exists(folder / "out" / "images" / "sample_7.png"));
+    CHECK(content_of(folder / "out" / "images" / "sample_0.png") == "new");
+    CHECK(content_of(folder / "out" / "images" / "photo.jpg") == "mine");
+    CHECK(content_of(folder / "out" / "images" / "sample_album" / "deep" / "sample_1.png") == "mine");
+
+    // And where the older folder lost its name when a process was killed.
+    fs::rename(folder / "out", folder / ".out.older-7");
+    fs::create_directory(folder / "out");
+    folder.write("out/summary.json", own_marker);
+    { AtomicFolder const look(folder / "out", marked); }
+    CHECK(content_of(folder / "out" / "images" / "photo.jpg") == "mine");
+    CHECK_FALSE(fs::exists(folder / "out" / "images" / "sample_0.png"));
+    CHECK(entries_in(folder.path()) == 1);
+}
+
+TEST_CASE("A folder that is replaced keeps its rights, and so do files in it", "[atomic_folder]") {
+    TempFolder const folder;
+    write_marked(folder / "out");
+    fs::permissions(folder / "out", fs::perms(02775));
+    fs::permissions(folder / "out" / "summary.json", fs::perms(0660));
+    fs::permissions(folder / "out" / "images", fs::perms(0700));
+    write_marked(folder / "out");
+    CHECK(fs::status(folder / "out").permissions() == fs::perms(02775));
+    CHECK(fs::status(folder / "out" / "summary.json").permissions() == fs::perms(0660));
+    CHECK(fs::status(folder / "out" / "images").permissions() == fs::perms(0700));
+    fs::permissions(folder / "out", fs::perms(0500));
+    write_marked(folder / "out");
+    CHECK(fs::status(folder / "out").permissions() == fs::perms(0500));
+}
+
+TEST_CASE("What is written for a private folder is private meanwhile", "[atomic_folder]") {
+    TempFolder const folder;
+    write_marked(folder / "out");
+    fs::permissions(folder / "out", fs::perms(0750));
+    AtomicFolder output(folder / "out", marked);
+    CHECK(fs::status(output.path()).permissions() == fs::perms(0750));
+}
+
 }  // namespace atomic_folder_test

@@ -1,6 +1,8 @@
 #include "dataflow/base/files/output_file.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
@@ -78,6 +80,50 @@ TEST_CASE("What is too long to be held is written bit by bit, and what stops it 
     file.commit([](std::ostream& stream) { stream << "new" << std::string(100'000, 'x'); });
     CHECK(content_of(folder / "long").size() == 100'003);
     CHECK(entries_in(folder.path()) == 1);
+}
+
+TEST_CASE("A file that is replaced keeps its rights, and a new one has what the umask leaves", "[output_file]") {
+    TempFolder const folder;
+    for (auto const rights : {fs::perms(0660), fs::perms(0664), fs::perms(0600), fs::perms(0444), fs::perms(0755)}) {
+        folder.write("report.html", "old");
+        fs::permissions(folder / "report.html", rights);
+        OutputFile(folder / "report.html").commit("new");
+        CHECK(content_of(folder / "report.html") == "new");
+        CHECK(fs::status(folder / "report.html").permissions() == rights);
+        fs::remove(folder / "report.html");
+    }
+    OutputFile(folder / "new.html").commit("new");
+    folder.write("usual.html", "");
+    CHECK(fs::status(folder / "new.html").permissions() == fs::status(folder / "usual.html").permissions());
+}
+
+TEST_CASE("What is written for a private file is private meanwhile", "[output_file]") {
+    TempFolder const folder;
+    folder.write("report.html", "old");
+    fs::permissions(folder / "report.html", fs::perms(0640));
+    OutputFile(folder / "report.html").commit([&](std::ostream& stream) {
+        stream << "new";
+        for (auto const& entry : fs::directory_iterator(folder.path()))
+            CHECK(entry.status().permissions() == fs::perms(0640));
+        CHECK(entries_in(folder.path()) == 2);
+    });
+}
+
+TEST_CASE("A file that is replaced keeps owner and group, where we may give it away", "[output_file]") {
+    constexpr unsigned somebody = 12345;
+    TempFolder const folder;
+    folder.write("report.html", "old");
+    if (chown((folder / "report.html").c_str(), somebody, somebody) != 0) {
+        WARN("skipped: only root gives files away");
+        return;
+    }
+    fs::permissions(folder / "report.html", fs::perms(0640));
+    OutputFile(folder / "report.html").commit("new");
+    struct stat is {};
+    REQUIRE(stat((folder / "report.html").c_str(), &is) == 0);
+    CHECK(is.st_uid == somebody);
+    CHECK(is.st_gid == somebody);
+    CHECK((is.st_mode & 07777U) == 0640);
 }
 
 }  // namespace output_file_test

@@ -11,11 +11,16 @@ namespace dataflow {
 
 io::FolderKind const& ResultsFolder::kind() {
     static io::FolderKind const results_folder = [] {
-        std::vector<std::string> others{"samples.csv",   "fifos.csv",         "loops.csv",
-                                        "all_loops.csv", "sensitivities.csv", "images"};
+        std::vector<std::string> others{"samples.csv",
+                                        "fifos.csv",
+                                        "loops.csv",
+                                        "all_loops.csv",
+                                        "sensitivities.csv",
+                                        "images/sample_*.png",
+                                        "images/contact_sheet.png"};
         if (std::string const table = design().workload_table(); !table.empty())
             others.push_back(table);
-        return io::FolderKind{"run's results", "summary.json", others};
+        return io::FolderKind{"run's results", "summary.json", others, "faster-summary"};
     }();
     return results_folder;
 }

@@ -41,7 +41,8 @@ struct EdgeQualityRequest {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-io::FolderKind const quality_folder{"edge map quality", "quality.csv", {"pictures"}};
+io::FolderKind const quality_folder{
+    "edge map quality", "quality.csv", {"pictures/*_best.png", "pictures/*_worst.png"}, "algorithm,object,poses,"};
 
 /// `given`, or all that are known if none is. Throws InputError if one is not.
 Words chosen(char const* option, Words const& given, Words const& known) {

@@ -61,7 +61,11 @@ struct EstimateRequest {
 constexpr double degrees_per_radian = 180 / portable::pi;
 
 io::FolderKind const estimate_folder{
-    "results of an estimate", "estimate.json", {"iterations.csv", "images", "traces", "bop.csv"}};
+    "results of an estimate",
+    "estimate.json",
+    {"iterations.csv", "bop.csv", "images/course.png", "images/convergence.png", "images/iteration_*.png",
+     "traces/iteration_*/*.csv", "traces/iteration_*/*.png", "traces/iteration_*/trace.yaml"},
+    "faster-estimate"};
 
 /// Which iterations are wanted: those asked for, or else a few of all.
 std::set<std::uint64_t> chosen_iterations(std::vector<std::uint64_t> const& asked, std::uint64_t count) {

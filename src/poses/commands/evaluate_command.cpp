@@ -36,7 +36,8 @@ namespace fs = std::filesystem;
 io::FolderKind const evaluation_folder{
     "evaluation",
     "evaluation.json",
-    {"scores.csv", "errors.csv", "curves.csv", "accuracy_add_s.png", "accuracy_add.png", "evaluation.html"}};
+    {"scores.csv", "errors.csv", "curves.csv", "accuracy_add_s.png", "accuracy_add.png", "evaluation.html"},
+    "faster-evaluation"};
 
 std::string method_name(std::string const& file) { return fs::path(file).stem().string(); }
 

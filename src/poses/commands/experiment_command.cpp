@@ -10,6 +10,7 @@
 
 #include "dataflow/base/files/folder_lock.hpp"
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/base/process_pool.hpp"
@@ -18,6 +19,7 @@
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/tools/sweeps/journal_rows.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "poses/bop/pose_results.hpp"
@@ -59,7 +61,9 @@ void take_folder(fs::path const& folder) {
         throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
     bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
                                      [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
-    if (!fs::exists(folder / journal_file) && !is_free)
+    bool const has_journal =
+        fs::is_regular_file(folder / journal_file) && sweeps::may_be_journal(io::read_file(folder / journal_file));
+    if (!has_journal && !is_free)
         throw InputError(folder.string() +
                          ": holds other files, expected a new or empty folder or that of an experiment");
 }

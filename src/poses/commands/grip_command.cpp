@@ -191,7 +191,7 @@ std::string grip_json(GripComparison const& comparison) {
 
 using HostClock = std::chrono::steady_clock;
 
-io::FolderKind const grip_folder{"scores of the grip baseline", "scores.csv", {"summary.json"}};
+io::FolderKind const grip_folder{"scores of the grip baseline", "summary.json", {"scores.csv"}, "faster-grip"};
 
 double seconds_since(HostClock::time_point start) {
     return std::chrono::duration<double>(HostClock::now() - start).count();

@@ -345,8 +345,12 @@ void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t 
     std::string const recipe = recipe_of(setting, seed);
     if (holds(folder, recipe))
         return;
-    io::AtomicFolder target(folder,
-                            {"made scenes", recipe_file, {"test", "models", "camera.json", "test_targets_bop19.json"}});
+    io::AtomicFolder target(
+        folder, {"made scenes",
+                 recipe_file,
+                 {"test/*/depth/*.png", "test/*/scene_camera.json", "test/*/scene_gt.json", "test/*/scene_gt_info.json",
+                  "models/obj_*.ply", "models/models_info.json", "camera.json", "test_targets_bop19.json"},
+                 "faster-scenes"});
     DatasetMaker(target.path(), setting, seed).make(jobs, progress);
     io::write_file(target.path() / recipe_file, recipe);
     target.commit();

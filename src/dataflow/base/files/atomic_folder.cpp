@@ -11,6 +11,7 @@
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/files/hidden_name.hpp"
 #include "dataflow/base/files/hold.hpp"
+#include "dataflow/base/files/kept_rights.hpp"
 
 namespace dataflow::io {
 
@@ -53,20 +54,39 @@ void exchange_in_two_steps(fs::path const& from, fs::path const& to) {
     fs::remove_all(older, ignored);
 }
 
-/// Moving files while listing their folder may skip some.
-std::vector<fs::path> names_in(fs::path const& folder) {
-    std::vector<fs::path> names;
-    for (auto const& entry : fs::directory_iterator(folder))
-        names.push_back(entry.path().filename());
-    return names;
+/// What of a folder is not of its kind: files, and folders of which nothing is; relative to it. Listed before anything
+/// is moved, which may make a listing skip some.
+std::vector<fs::path> foreign_things(fs::path const& folder, FolderKind const& kind, fs::path const& below = {}) {
+    std::vector<fs::path> foreign;
+    for (auto const& entry : fs::directory_iterator(folder / below)) {
+        fs::path const path = below / entry.path().filename();
+        if (kind.owns(path))
+            continue;
+        bool const may_hold_both = kind.has(path.begin()->string()) && fs::is_directory(entry.symlink_status());
+        if (!may_hold_both) {
+            foreign.push_back(path);
+            continue;
+        }
+        std::vector<fs::path> const inside = foreign_things(folder, kind, path);
+        foreign.insert(foreign.end(), inside.begin(), inside.end());
+    }
+    return foreign;
+}
+
+/// The folders above a path, as they are in `from`, where `to` lacks them. False if something else is in its place.
+bool makes_way(fs::path const& path, fs::path const& from, fs::path const& to) {
+    fs::path const above = path.parent_path();
+    if (!above.empty() && makes_way(above, from, to) && !fs::exists(fs::symlink_status(to / above)))
+        fs::create_directory(to / above, from / above);
+    return (above.empty() || fs::is_directory(to / above)) && !fs::exists(fs::symlink_status(to / path));
 }
 
 void bring_back(fs::path const& older, fs::path const& folder, FolderKind const& kind) {
     if (!fs::exists(folder))
         return fs::rename(older, folder);
-    for (fs::path const& name : names_in(older))
-        if (!kind.has(name.string()) && !fs::exists(folder / name))
-            fs::rename(older / name, folder / name);
+    for (fs::path const& path : foreign_things(older, kind))
+        if (makes_way(path, older, folder))
+            fs::rename(older / path, folder / path);
     fs::remove_all(older);
 }
 
@@ -162,8 +182,11 @@ void AtomicFolder::require_replaceable() const {
         return;
     if (!fs::is_directory(destination_))
         fail("is a file, expected a folder to write a " + kind_.name + " into");
-    if (!fs::is_empty(destination_) && !fs::exists(destination_ / kind_.marker))
-        fail("holds other files, expected a new or empty folder or an older " + kind_.name);
+    if (fs::is_empty(destination_) || kind_.is_kind_of(destination_))
+        return;
+    bool const has_marker = !kind_.format.empty() && fs::exists(destination_ / kind_.marker);
+    fail("holds " + (has_marker ? "a " + kind_.marker + " of something else" : "other files") +
+         ", expected a new or empty folder or an older " + kind_.name);
 }
 
 /// False if there is a folder with files by now: another process was quicker.
@@ -179,15 +202,24 @@ bool AtomicFolder::try_to_appear() const {
 bool AtomicFolder::try_to_replace() const {
     require_replaceable();  // it may have changed since the start of the run
     keep_foreign_files();
+    keep_rights_of_older();
     return exchange_folders(scratch_->path(), destination_);
 }
 
 void AtomicFolder::keep_foreign_files() const {
-    for (auto const& entry : fs::directory_iterator(destination_)) {
-        fs::path const name = entry.path().filename();
-        if (!kind_.has(name.string()) && !fs::exists(scratch_->path() / name))
-            copy_as_links(entry.path(), scratch_->path() / name);
+    for (fs::path const& path : foreign_things(destination_, kind_))
+        if (makes_way(path, destination_, scratch_->path()))
+            copy_as_links(destination_ / path, scratch_->path() / path);
+}
+
+/// Of the folder and of all in it that is written anew.
+void AtomicFolder::keep_rights_of_older() const {
+    for (auto const& entry : fs::recursive_directory_iterator(scratch_->path())) {
+        fs::path const path = entry.path().lexically_relative(scratch_->path());
+        if (kind_.has(path.begin()->string()) && !entry.is_symlink())
+            keep_rights(destination_ / path, entry.path());
     }
+    keep_rights(destination_, scratch_->path());
 }
 
 void AtomicFolder::fail(std::string const& what) const { io::fail(target_, what); }

@@ -14,7 +14,8 @@ namespace dataflow::io {
 ///
 /// The target may be missing (parents are made), empty, or an older folder of the same kind, with which the new one
 /// changes places in one step. Files in the older one that are not of that kind (a note, a waveform) are in both before
-/// that, as links to the same file, or copies where a file system has no links. Anything else, a place that cannot be
+/// that, as links to the same file, or copies where a file system has no links. The folder, and files in it that are
+/// written anew, keep their rights. Anything else, a place that cannot be
 /// written, and the current folder or one above are an InputError from the constructor: before the work whose output
 /// would be lost.
 ///
@@ -40,6 +41,7 @@ class AtomicFolder {
     bool try_to_appear() const;
     bool try_to_replace() const;
     void keep_foreign_files() const;
+    void keep_rights_of_older() const;
     [[noreturn]] void fail(std::string const& what) const;
     [[noreturn]] void fail(std::filesystem::filesystem_error const& error) const;
 

@@ -32,7 +32,7 @@ void write_file_durably(std::filesystem::path const& path, std::string_view cont
         write_file(scratch.path(), content);
         if (!sync(scratch.path(), O_RDONLY))
             fail_to_write(path, std::strerror(errno));
-        std::filesystem::rename(scratch.path(), path);
+        scratch.replace_target();
     } catch (std::filesystem::filesystem_error const& error) {
         fail_to_write(path, error.code().message());
     }

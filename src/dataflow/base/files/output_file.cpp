@@ -70,7 +70,7 @@ void OutputFile::commit(std::function<void(std::ostream&)> const& write) const {
         Scratch const scratch(destination_, Scratch::Kind::file);
         errno = 0;
         write_stream(scratch.path(), write);
-        fs::rename(scratch.path(), destination_);
+        scratch.replace_target();
     } catch (fs::filesystem_error const& error) {
         fail_to_write(target_, error.code().message());
     } catch (std::ios_base::failure const&) {

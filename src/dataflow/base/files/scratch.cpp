@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "dataflow/base/files/hidden_name.hpp"
+#include "dataflow/base/files/kept_rights.hpp"
 
 namespace dataflow::io {
 namespace {
@@ -61,7 +62,7 @@ void Scratch::make(Kind kind) {
             continue;
         hold();
         if (hold_ && !hold_->is_held_by_another() && hold_->is_at(path_))
-            return;
+            return keep_rights_while_writing(target_, path_);
         hold_.reset();
     }
     throw fs::filesystem_error("create", path_, std::make_error_code(std::errc::no_such_file_or_directory));
@@ -85,6 +86,11 @@ void Scratch::hold() {
         if (error.code() != std::errc::no_such_file_or_directory)
             throw;
     }
+}
+
+void Scratch::replace_target() const {
+    keep_rights(target_, path_);
+    fs::rename(path_, target_);
 }
 
 void Scratch::remove() {

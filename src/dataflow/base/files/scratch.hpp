@@ -10,7 +10,8 @@ namespace dataflow::io {
 
 /// A hidden file or folder beside `target`, in which something is written until it is whole. Folders that `target`
 /// lacks are made. The destructor removes what then has the hidden name, and the folders that were made if they are
-/// empty. Until then signals that would end the program are held back.
+/// empty. Until then signals that would end the program are held back. If there is a target already, who may read and
+/// write it may do so here, and nobody else.
 ///
 /// What processes that were killed have left of the same target is removed as well; what is of a living one is not.
 class Scratch {
@@ -25,6 +26,8 @@ class Scratch {
 
     std::filesystem::path const& path() const { return path_; }
     std::filesystem::path const& target() const { return target_; }
+    /// A file that is written, and closed, becomes the target. Throws std::filesystem::filesystem_error.
+    void replace_target() const;
 
   private:
     void make(Kind kind);

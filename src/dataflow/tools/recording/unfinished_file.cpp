@@ -22,8 +22,13 @@ UnfinishedFile::UnfinishedFile(std::filesystem::path file) : file_(std::move(fil
 }
 
 void UnfinishedFile::finish() {
-    if (scratch_ && std::rename(scratch_->path().c_str(), scratch_->target().c_str()) != 0)
+    try {
+        if (scratch_)
+            scratch_->replace_target();
+    } catch (std::filesystem::filesystem_error const& error) {
+        errno = error.code().value();
         fail();
+    }
     scratch_.reset();
 }
 

@@ -36,6 +36,14 @@ bool read_row(std::string_view row, std::function<void(Json const&)> const& take
 
 }  // namespace
 
+bool may_be_journal(std::string_view text) {
+    constexpr std::string_view hexadecimal = "0123456789abcdef";
+    std::string_view const start = text.substr(0, checksum_letters);
+    if (start.find_first_not_of(hexadecimal) != std::string_view::npos)
+        return false;
+    return text.size() <= checksum_letters || text[checksum_letters] == ' ';
+}
+
 std::string journal_row(Json const& json) {
     std::string const text = io::text_of(json);
     return checksum_of(text) + " " + text + "\n";

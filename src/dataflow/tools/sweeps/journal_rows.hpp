@@ -17,4 +17,7 @@ std::string journal_row(Json const& json);
 /// that `take` throws a Json::exception.
 std::size_t read_journal_rows(std::string_view text, std::function<void(Json const&)> const& take);
 
+/// Whether a file may be one of these, empty or cut off somewhere, and not another's of the same name.
+bool may_be_journal(std::string_view text);
+
 }  // namespace dataflow::sweeps

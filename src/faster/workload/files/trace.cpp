@@ -190,8 +190,10 @@ Stimulus read_trace(fs::path const& folder) {
 
 FolderKind const& trace_kind() {
     static TraceManifest::Files const files;
-    static FolderKind const kind{
-        "stimulus trace", TraceManifest::file_name, {files.samples, files.triangles, files.depth, files.edges}};
+    static FolderKind const kind{"stimulus trace",
+                                 TraceManifest::file_name,
+                                 {files.samples, files.triangles, files.depth, files.edges},
+                                 TraceManifest::format};
     return kind;
 }
 

@@ -18,5 +18,5 @@ install(DIRECTORY src/dataflow src/channels DESTINATION ${CMAKE_INSTALL_INCLUDED
   FILES_MATCHING PATTERN "*.hpp" PATTERN page EXCLUDE)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/faster-sim-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES cmake/faster-sim-config.cmake cmake/FasterBudget.cmake cmake/FindSystemC.cmake cmake/FindCppHttplib.cmake
+install(FILES cmake/faster-sim-config.cmake cmake/FasterBudget.cmake cmake/FindSystemC.cmake
   ${PROJECT_BINARY_DIR}/faster-sim-config-version.cmake DESTINATION ${faster_package_folder})

@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/FasterBudget.cmake)
 get_property(faster_sim_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
 if(CXX IN_LIST faster_sim_languages)
   include(CMakeFindDependencyMacro)
-  list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})  # FindSystemC.cmake, FindCppHttplib.cmake
+  list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})  # FindSystemC.cmake
   find_dependency(Threads)
   find_dependency(SystemC)
   find_dependency(yaml-cpp)
@@ -14,7 +14,6 @@ if(CXX IN_LIST faster_sim_languages)
   find_dependency(fmt)
   find_dependency(nlohmann_json)
   find_dependency(zstd)
-  find_dependency(CppHttplib)
   find_dependency(ZLIB)
   include(${CMAKE_CURRENT_LIST_DIR}/faster-sim-kernel.cmake)
   add_library(faster-sim::tool ALIAS dataflow::commands)  # its name before 0.2

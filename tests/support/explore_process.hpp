@@ -23,6 +23,8 @@ class ExploreProcess {
     std::string const& address() const { return address_; }
     std::string said() const { return content_of(output_ / "stdout"); }
     int port() const;
+    /// Of the process.
+    pid_t number() const { return process_; }
     /// "/TOKEN/"
     std::string home() const;
     /// As Ctrl-C does; returns the exit code, or -1 if it ended otherwise.

@@ -723,4 +723,54 @@ TEST_CASE("The configurations of this project load", "[config]") {
     CHECK(files >= 6);
 }
 
+TEST_CASE("A map takes the entries of those that << names, its own first", "[config][yaml]") {
+    std::string const base =
+        "x-base: &base {raster_cores: 3, window: 60}\nx-other: &other {window: 70, clock_mhz: 150}\n";
+    LoadedConfig config = loaded(base + "accelerator:\n  <<: *base\n");
+    CHECK(accelerator_of(config.config).raster_cores == 3);
+    CHECK(accelerator_of(config.config).window == 60);
+    config = loaded(base + "accelerator:\n  <<: *base\n  raster_cores: 5\n");
+    CHECK(accelerator_of(config.config).raster_cores == 5);
+    config = loaded(base + "accelerator:\n  raster_cores: 5\n  <<: [*other, *base]\n");
+    CHECK(accelerator_of(config.config).raster_cores == 5);
+    CHECK(accelerator_of(config.config).window == 70);
+    CHECK(accelerator_of(config.config).clock_mhz == 150);
+    config = loaded("accelerator: {<<: {<<: {window: 40, raster_cores: 2}, window: 50}}\n");
+    CHECK(accelerator_of(config.config).window == 50);
+    CHECK(accelerator_of(config.config).raster_cores == 2);
+    config = loaded("x-a: &a {window: 50}\nx-b: &b {<<: *a, raster_cores: 2}\naccelerator: {<<: *b}\n");
+    CHECK(accelerator_of(config.config).window == 50);
+    config = loaded("<<: {accelerator: {window: 50}}\n");
+    CHECK(accelerator_of(config.config).window == 50);
+}
+
+TEST_CASE("<< takes maps and lists of maps, and faults in them are where they stand", "[config][yaml][errors]") {
+    CHECK(file_error("accelerator:\n  <<: 3\n").find("test.yaml:2: << with something else than a map") == 0);
+    CHECK(file_error("accelerator:\n  <<: [{window: 3}, 4]\n").find("test.yaml:2: << with something else") == 0);
+    CHECK(file_error("x-a: &a\n  window: x\naccelerator:\n  <<: *a\n").find("test.yaml:2: accelerator.window = x,") ==
+          0);
+    CHECK(file_error("accelerator: {\"<<\": {window: 3}}\n").find("unknown key") != std::string::npos);
+    CHECK(file_error("x-a: &a x\naccelerator:\n  window: *a\n") ==
+          "test.yaml:3: accelerator.window = x (in line 1), expected an integer from 1 to 4096");
+}
+
+TEST_CASE("A key at the top may hold something for aliases alone", "[config][yaml]") {
+    for (std::string const holder : {"x: &m\n  max_triangles: 100\n", "x-m: {max_triangles: 100}\n", ".m: [3]\n",
+                                     "sizes: &m 3\n", "nothing: &m\n", "list: &m [1, 2]\n"}) {
+        CAPTURE(holder);
+        CHECK(file_error(holder + "accelerator: {raster_cores: 2}\n") == "(no error)");
+    }
+    CHECK(file_error("x: {max_triangles: 100}\n").find("test.yaml:1: x: unknown key") == 0);
+    CHECK(file_error("acelerator: &a {raster_cores: 2}\n").find("did you mean accelerator") != std::string::npos);
+    CHECK(file_error("accelerator: {x-m: &m 3}\n").find("test.yaml:1: accelerator.x-m: unknown key") == 0);
+    CHECK(file_error("accelerator: {raster_cores: &cores 2, window: *cores}\n") == "(no error)");
+}
+
+TEST_CASE("What cannot be seen in a value can be seen in the message", "[config][errors]") {
+    CHECK(file_error("accelerator: {raster_cores: 2\xC2\xA0}\n").find("= 2\\u00a0, expected") != std::string::npos);
+    CHECK(file_error("accelerator: {\xEF\xBB\xBFwindow: 2}\n").find("accelerator.\\ufeffwindow: unknown key") !=
+          std::string::npos);
+    CHECK(file_error("accelerator: {window: \"6\\e[0m\"}\n").find("= \"6\\x1b[0m\", expected") != std::string::npos);
+}
+
 }  // namespace config_test

@@ -1,5 +1,7 @@
 #include "dataflow/base/printable.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -33,6 +35,12 @@ std::string escape(char32_t code) {
     return code <= 0xFFFF ? fmt::format("\\u{:04x}", number) : fmt::format("\\U{:08x}", number);
 }
 
+/// Blanks that are none to a reader of files, and letters without a picture.
+bool is_seen(char32_t code) {
+    constexpr std::array<char32_t, 8> none{0xA0, 0xAD, 0x200B, 0x200C, 0x200D, 0x202F, 0x2060, 0xFEFF};
+    return is_printable(code) && std::find(none.begin(), none.end(), code) == none.end();
+}
+
 bool is_layout(char32_t code) { return code == '\n' || code == '\t'; }
 
 std::string escaped(std::string_view text, bool keeps_layout) {
@@ -42,7 +50,7 @@ std::string escaped(std::string_view text, bool keeps_layout) {
         Utf8Character const character = first_character(text);
         if (!character.is_valid)
             result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
-        else if (is_printable(character.code) || (keeps_layout && is_layout(character.code)))
+        else if (is_seen(character.code) || (keeps_layout && is_layout(character.code)))
             result += text.substr(0, character.bytes);
         else
             result += escape(character.code);

@@ -5,8 +5,8 @@
 namespace dataflow {
 
 /// Text from outside as it may stand on one line of a terminal or a page: valid UTF-8 without anything that moves the
-/// cursor, changes colours or the order of reading. Such characters, and bytes that are no UTF-8, are escaped: \n,
-/// \x1b, \u202e. A text without them stays as it is.
+/// cursor, changes colours or the order of reading, or cannot be seen (a no-break space). Such characters, and bytes
+/// that are no UTF-8, are escaped: \n, \x1b, \u202e. A text without them stays as it is.
 std::string printable(std::string_view text);
 
 /// The same of a text of several lines: line ends and tabs stay.

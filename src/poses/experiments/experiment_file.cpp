@@ -40,12 +40,12 @@ class ExperimentReader {
         return experiment_;
     }
 
-  private:
     static Names const& top_names() {
         static Names const names{"format", "version", "base", "set", "seed", "scenes", "methods"};
         return names;
     }
 
+  private:
     void reject(MapEntry const& entry, std::string const& expected) {
         faults_.push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
     }
@@ -229,7 +229,7 @@ class ExperimentReader {
 }  // namespace
 
 Experiment read_experiment_file(std::filesystem::path const& path) {
-    return ExperimentReader(path).experiment(load_document(path, "an experiment file"));
+    return ExperimentReader(path).experiment(load_document(path, "an experiment file", ExperimentReader::top_names()));
 }
 
 }  // namespace faster::experiments

@@ -109,7 +109,8 @@ std::vector<std::string> apply_value(Key const& key, std::string const& value, s
 }  // namespace
 
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded) {
-    return FileReader(path, KeySource::file, loaded).read(load_document(path));
+    return FileReader(path, KeySource::file, loaded)
+        .read(load_document(path, "a configuration file", names_in_section("")));
 }
 
 std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded) {

@@ -75,11 +75,13 @@ class Reader {
     }
 
     void expected(YAML::Node const& node, std::string const& what) const {
-        faults_.push_back({line_, name_, shown(node), "expected " + what});
+        int const stands_in = line_of(node, line_);
+        std::string const where = stands_in < line_ ? fmt::format(" (in line {})", stands_in) : "";  // for an alias
+        faults_.push_back({line_, name_, shown(node) + where, "expected " + what});
     }
 
     Reader element(std::size_t index, YAML::Node const& node) const {
-        return {fmt::format("{}[{}]", name_, index), line_of(node, line_), folder_, faults_};
+        return {fmt::format("{}[{}]", name_, index), std::max(line_of(node, line_), line_), folder_, faults_};
     }
 
     std::optional<KeyValue> boolean(Key const& key, YAML::Node const& node) const {

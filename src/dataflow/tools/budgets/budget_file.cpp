@@ -322,7 +322,8 @@ class BudgetReader {
 }  // namespace
 
 Budget read_budget(std::filesystem::path const& file, BaselineNeed need) {
-    return BudgetReader(file, need).read(load_document(file, "a budget file"));
+    return BudgetReader(file, need)
+        .read(load_document(file, "a budget file", {budget_keys.begin(), budget_keys.end()}));
 }
 
 }  // namespace dataflow::budgets

@@ -133,7 +133,7 @@ class SweepReader {
 }  // namespace
 
 Sweep read_sweep_file(std::filesystem::path const& path) {
-    return SweepReader(path).sweep(load_document(path, "a sweep file"));
+    return SweepReader(path).sweep(load_document(path, "a sweep file", {keys.begin(), keys.end()}));
 }
 
 }  // namespace dataflow::sweeps

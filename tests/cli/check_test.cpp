@@ -3,6 +3,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -338,6 +339,31 @@ TEST_CASE("All shipped budgets together are quick", "[resources]") {
     }
     CAPTURE(fastest);
     CHECK((is_instrumented || fastest < 8));  // docs/performance.md: below 2 s
+}
+
+TEST_CASE("Every test case of JUnit has a class and a name that no other has") {
+    TempFolder const folder;
+    for (char const* const sub : {"a", "b", "c"})
+        fs::create_directory(folder / sub);
+    std::string const text = budget("  total_cycles: {max: baseline}\n  milliseconds: {max: baseline}\n");
+    for (char const* const file : {"a/budget.yaml", "b/budget.yaml", "c/budget.yaml", "c/budget.yml", "other.yaml"})
+        folder.write(file, text);
+    check(folder, {"a/budget.yaml", "./b/budget.yaml", "other.yaml", "--junit", "j.xml"});
+    std::string const xml = content_of(folder / "j.xml");
+    CHECK_THAT(xml, Contains("classname=\"a/budget\" name=\"total_cycles: ") && Contains("classname=\"b/budget\"") &&
+                        Contains("classname=\"other\"") && Contains("<testsuite name=\"a/budget\" "));
+    check(folder, {"a/budget.yaml", "c/budget.yaml", "c/budget.yml", "--junit", "j.xml"});
+    for (std::string const& one : {xml, content_of(folder / "j.xml")}) {
+        std::set<std::string> names;
+        std::size_t cases = 0;
+        for (std::size_t at = one.find("<testcase"); at != std::string::npos; at = one.find("<testcase", at + 1)) {
+            names.insert(one.substr(at, one.find(" time=", at) - at));
+            ++cases;
+        }
+        CAPTURE(one);
+        CHECK(cases == 6);
+        CHECK(names.size() == 6);
+    }
 }
 
 }  // namespace check_test

@@ -1,6 +1,12 @@
 #include "dataflow/tools/budgets/check_files.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/json.hpp"
@@ -97,24 +103,54 @@ std::string failed_limit(CheckResult const& result, Verdict const& verdict) {
                        xml_text(breach_text(verdict.limit, verdict.tightest)), xml_text(text + since_baseline(result)));
 }
 
-std::string limit_case(CheckResult const& result, Verdict const& verdict) {
-    std::string const head =
-        fmt::format("    <testcase classname=\"{}\" name=\"{}: {}\" time=\"0\"", xml_text(result.name),
-                    xml_text(verdict.limit.figure), xml_text(verdict.limit.text()));
+using Texts = std::vector<std::string>;
+
+bool are_unique(Texts const& texts) { return std::set<std::string>(texts.begin(), texts.end()).size() == texts.size(); }
+
+/// CI services keep one of several test cases of one class and name. The name of a budget is that of its file; where
+/// several have it, the file's path as it was given.
+Texts class_names(std::vector<CheckResult> const& results) {
+    std::map<std::string, Texts> files_of_name;
+    for (CheckResult const& result : results)
+        files_of_name[result.name].push_back(
+            std::filesystem::path(result.file).lexically_normal().replace_extension().string());
+    Texts names;
+    for (CheckResult const& result : results) {
+        Texts const& files = files_of_name[result.name];
+        std::filesystem::path path = std::filesystem::path(result.file).lexically_normal();
+        if (are_unique(files))
+            path.replace_extension();
+        names.push_back(files.size() == 1 ? result.name : path.string());
+    }
+    return names;
+}
+
+std::string case_name(Verdict const& verdict) { return verdict.limit.figure + ": " + verdict.limit.text(); }
+
+/// A figure may have two limits that read alike, as total_cycles and as milliseconds.
+std::string unique_case_name(Verdict const& verdict, CheckResult const& result) {
+    auto const reads_alike = [&](Verdict const& other) { return case_name(other) == case_name(verdict); };
+    bool const is_unique = std::count_if(result.verdicts.begin(), result.verdicts.end(), reads_alike) == 1;
+    return is_unique ? case_name(verdict) : fmt::format("{} (line {})", case_name(verdict), verdict.limit.line);
+}
+
+std::string limit_case(CheckResult const& result, std::string const& name, Verdict const& verdict) {
+    std::string const head = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml_text(name),
+                                         xml_text(unique_case_name(verdict, result)));
     if (verdict.breaches.empty())
         return head + "/>\n";
     return head + ">\n" + failed_limit(result, verdict) + "    </testcase>\n";
 }
 
 /// Of a run that has no figures.
-std::string simulation_case(CheckResult const& result) {
+std::string simulation_case(CheckResult const& result, std::string const& name) {
     bool const deadlocked = result.status == CheckResult::Status::deadlocked;
     std::string const tag = deadlocked ? "failure" : "error";
     std::string const text = deadlocked ? result.message + since_baseline(result) : result.message;
     return fmt::format(
         "    <testcase classname=\"{}\" name=\"simulation\" time=\"{:.3f}\">\n"
         "      <{} type=\"{}\" message=\"{}\">{}</{}>\n    </testcase>\n",
-        xml_text(result.name), result.seconds, tag, name_of(result.status),
+        xml_text(name), result.seconds, tag, name_of(result.status),
         xml_text(result.message.substr(0, result.message.find('\n'))), xml_text(text), tag);
 }
 
@@ -141,13 +177,13 @@ std::string attributes(Counts const& counts, double seconds) {
                        counts.errors, seconds);
 }
 
-std::string suite(CheckResult const& result) {
-    std::string text = fmt::format("  <testsuite name=\"{}\" file=\"{}\" {}>\n", xml_text(result.name),
-                                   xml_text(result.file), attributes(counts_of(result), result.seconds));
+std::string suite(CheckResult const& result, std::string const& name) {
+    std::string text = fmt::format("  <testsuite name=\"{}\" file=\"{}\" {}>\n", xml_text(name), xml_text(result.file),
+                                   attributes(counts_of(result), result.seconds));
     for (Verdict const& verdict : result.verdicts)
-        text += limit_case(result, verdict);
+        text += limit_case(result, name, verdict);
     if (result.verdicts.empty())
-        text += simulation_case(result);
+        text += simulation_case(result, name);
     return text + "  </testsuite>\n";
 }
 
@@ -169,11 +205,13 @@ std::string junit_xml(std::vector<CheckResult> const& results) {
     Counts all;
     double seconds = 0;
     std::string suites;
-    for (CheckResult const& result : results) {
+    Texts const names = class_names(results);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        CheckResult const& result = results[i];
         Counts const counts = counts_of(result);
         all = {all.tests + counts.tests, all.failures + counts.failures, all.errors + counts.errors};
         seconds += result.seconds;
-        suites += suite(result);
+        suites += suite(result, names[i]);
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"faster-sim check\" {}>\n{}"

@@ -464,6 +464,16 @@ TEST_CASE("A whole waveform says beforehand how large it will be", "[vcd][fst]")
         CHECK(announced_bytes(result.out, file) > bytes / 2);
         CHECK(announced_bytes(result.out, file) < bytes * 2);
     }
+    for (Words const& window : {Words{"--vcd-samples", "1-2"}, Words{"--vcd-samples", "1"},
+                                Words{"--vcd-from", "60000", "--vcd-to", "250000"}}) {
+        Words words{"--vcd", "b.vcd"};
+        words.insert(words.end(), window.begin(), window.end());
+        CommandResult const part = waves.run("edge_heavy", words);
+        auto const bytes = static_cast<double>(std::filesystem::file_size(waves.path() / "b.vcd"));
+        CAPTURE(window, bytes, part.out);
+        CHECK(announced_bytes(part.out, "b.vcd") > bytes / 2);
+        CHECK(announced_bytes(part.out, "b.vcd") < bytes * 2);
+    }
     CHECK(waves.run("edge_heavy", {"--vcd", "b.vcd", "--vcd-to", "50"}).out.find("about") == std::string::npos);
 }
 
@@ -475,6 +485,12 @@ TEST_CASE("A waveform of more than 2 GB has to be forced", "[vcd]") {
         folder.path());
     check_bad_input(result, {"--vcd a.vcd", "GB", "--vcd-samples", "--force"});
     CHECK_FALSE(std::filesystem::exists(folder / "a.vcd"));
+    for (Words const& window : {Words{"--vcd-samples", "0-619"}, Words{"--vcd-samples", "10-500"},
+                                Words{"--vcd-from", "1"}, Words{"--vcd-to", "18446744073709551615"}}) {
+        Words words{"run", FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml", "--fst", "a.fst", "--vcd", "a.vcd"};
+        words.insert(words.end(), window.begin(), window.end());
+        check_bad_input(run_command(FASTER_SIM_BINARY, words, folder.path()), {"--vcd a.vcd", "GB", "--force"});
+    }
 }
 
 TEST_CASE("A run that gets stuck still leaves its waveform", "[vcd]") {

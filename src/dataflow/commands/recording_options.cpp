@@ -43,22 +43,6 @@ RecordingWindow::Samples parse_range(char const* option, std::string const& text
     return range;
 }
 
-RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
-    RecordingWindow window;
-    window.cores = cores_recorded(request, machine);
-    if (!request.vcd_samples.empty()) {
-        if (request.vcd_from || request.vcd_to)
-            throw InputError("--vcd-samples: expected it without --vcd-from and --vcd-to");
-        window.samples = parse_range("--vcd-samples", request.vcd_samples, samples);
-    }
-    window.from = request.vcd_from.value_or(0);
-    window.to = request.vcd_to;
-    if (window.to && *window.to < window.from)
-        throw InputError(
-            fmt::format("--vcd-to {}: expected a cycle not before --vcd-from {}", *window.to, window.from));
-    return window;
-}
-
 /// Before the work whose results would be lost. Pipes and devices are refused.
 void require_regular(std::string const& file) {
     if (!file.empty())
@@ -200,6 +184,22 @@ std::vector<std::size_t> parse_numbers(char const* option, std::string const& te
 std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine) {
     std::string const cores = request.vcd_cores.empty() ? fmt::format("0-{}", machine.cores - 1) : request.vcd_cores;
     return parse_numbers("--vcd-cores", cores, machine.cores);
+}
+
+RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
+    RecordingWindow window;
+    window.cores = cores_recorded(request, machine);
+    if (!request.vcd_samples.empty()) {
+        if (request.vcd_from || request.vcd_to)
+            throw InputError("--vcd-samples: expected it without --vcd-from and --vcd-to");
+        window.samples = parse_range("--vcd-samples", request.vcd_samples, samples);
+    }
+    window.from = request.vcd_from.value_or(0);
+    window.to = request.vcd_to;
+    if (window.to && *window.to < window.from)
+        throw InputError(
+            fmt::format("--vcd-to {}: expected a cycle not before --vcd-from {}", *window.to, window.from));
+    return window;
 }
 
 std::vector<double> write_waveform_files(RecordingRequest const& request, Machine const& machine,

@@ -29,7 +29,6 @@ struct RecordingRequest {
     std::int64_t timeline_samples = 2;
 
     bool has_waveform() const { return !vcd.empty() || !fst.empty(); }
-    bool has_window() const { return vcd_from || vcd_to || !vcd_samples.empty(); }
 };
 
 void add_recording_options(CLI::App& command, RecordingRequest& request);
@@ -39,6 +38,9 @@ std::vector<std::size_t> parse_numbers(char const* option, std::string const& te
 
 /// The cores of which a waveform is wanted. Errors: InputError for cores that there are not.
 std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine const& machine);
+/// The part of the run that it wants. Throws InputError.
+recording::RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine,
+                                           std::size_t samples);
 
 /// Writes the waveform's files. Returns how long they are, in bytes: of the VCD first.
 std::vector<double> write_waveform_files(RecordingRequest const& request, Machine const& machine,

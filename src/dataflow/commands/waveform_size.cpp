@@ -29,9 +29,32 @@ struct Trial {
     bool is_stuck = false;  ///< all cores end there
 };
 
-/// Of the first core.
-std::size_t samples_to_try(Machine const& machine, std::size_t samples) {
-    return std::min(samples_tried, share_of(0, machine.cores, samples).count);
+constexpr double surely_small_cycles = 100'000;  ///< of all cores: about 200 MB if all signals change in all of them
+
+using recording::RecordingWindow;
+
+/// Of a core's samples those that are wanted.
+std::size_t wanted_of(CoreShare const& share, RecordingWindow const& window) {
+    if (!window.samples)
+        return share.count;
+    std::size_t const first = std::max(share.first, window.samples->first);
+    std::size_t const end = std::min(share.first + share.count, window.samples->last + 1);
+    return end > first ? end - first : 0;
+}
+
+/// Of the first core, and no more than are wanted.
+std::size_t samples_to_try(Machine const& machine, RecordingWindow const& window, std::size_t samples) {
+    std::size_t most = 1;
+    for (std::size_t const core : window.cores)
+        most = std::max(most, wanted_of(share_of(core, machine.cores, samples), window));
+    return std::min({samples_tried, most, share_of(0, machine.cores, samples).count});
+}
+
+bool is_surely_small(RecordingWindow const& window) {
+    if (!window.to)
+        return false;
+    double const cycles = static_cast<double>(*window.to) - static_cast<double>(window.from) + 1;
+    return cycles * static_cast<double>(window.cores.size()) <= surely_small_cycles;
 }
 
 Trial try_samples(RecordingRequest request, Machine const& machine, std::size_t samples,
@@ -72,13 +95,24 @@ struct Scale {
     double cycles = 0;
 };
 
-Scale scale_of(Trial const& trial, RecordingRequest const& request, Machine const& machine, std::size_t samples) {
+/// How many times the trial a core's window is. A window in cycles is as many of the trial's as the core, whose samples
+/// take as long as those that were tried, has of it.
+double times_of(Trial const& trial, RecordingWindow const& window, double wanted_samples, double tried_samples) {
+    double const all = trial.is_stuck ? 1 : wanted_samples / tried_samples;
+    auto const cycles = static_cast<double>(std::max<Cycles>(trial.cycles, 1));
+    double const from = static_cast<double>(window.from) / cycles;
+    double const to = window.to ? (static_cast<double>(*window.to) + 1) / cycles : all;
+    return std::max(0.0, std::min(to, all) - from);
+}
+
+Scale scale_of(Trial const& trial, RecordingWindow const& window, Machine const& machine, std::size_t samples) {
     Scale scale;
-    auto const tried = static_cast<double>(samples_to_try(machine, samples));
-    for (std::size_t const core : cores_recorded(request, machine)) {
-        double const times = static_cast<double>(share_of(core, machine.cores, samples).count) / tried;
-        scale.samples += trial.is_stuck ? 1 : times;
-        scale.cycles = trial.is_stuck ? 1 : std::max(scale.cycles, times);
+    auto const tried = static_cast<double>(samples_to_try(machine, window, samples));
+    for (std::size_t const core : window.cores) {
+        auto const wanted = static_cast<double>(wanted_of(share_of(core, machine.cores, samples), window));
+        double const times = times_of(trial, window, wanted, tried);
+        scale.samples += times;
+        scale.cycles = std::max(scale.cycles, times);
     }
     return scale;
 }
@@ -102,7 +136,7 @@ std::string text_of(double bytes) {
 void require_small(char const* option, std::string const& file, double bytes) {
     if (bytes > largest_bytes)
         throw InputError(
-            fmt::format("{} {}: would be about {}, expected at most {}: a window (--vcd-samples, or "
+            fmt::format("{} {}: would be about {}, expected at most {}: a smaller window (--vcd-samples, or "
                         "--vcd-from and --vcd-to), fewer --vcd-cores or --vcd-modules, or --force",
                         option, file, text_of(bytes), text_of(largest_bytes)));
 }
@@ -113,10 +147,13 @@ std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Ma
                                              std::size_t samples, SimulateDesign const& simulate) {
     if (samples == 0)
         return std::nullopt;
+    RecordingWindow const window = waveform_window(request, machine, samples);
+    if (is_surely_small(window))
+        return std::nullopt;
     processes::Task task;
     task.time_limit_s = time_limit_s;
     task.work = [&] {
-        Trial const trial = try_samples(request, machine, samples_to_try(machine, samples), simulate);
+        Trial const trial = try_samples(request, machine, samples_to_try(machine, window, samples), simulate);
         return fmt::format("{} {} {} {}", trial.cycles, trial.size.vcd_bytes, trial.size.fst_bytes,
                            trial.is_stuck ? 1 : 0);
     };
@@ -126,12 +163,12 @@ std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Ma
     std::istringstream words(outcome.output);
     if (!(words >> trial.cycles >> trial.size.vcd_bytes >> trial.size.fst_bytes >> trial.is_stuck))
         return std::nullopt;
-    return scaled(trial, scale_of(trial, request, machine, samples), machine);
+    return scaled(trial, scale_of(trial, window, machine, samples), machine);
 }
 
 void announce_waveform(RecordingRequest const& request, Machine const& machine, std::size_t samples, bool force,
                        SimulateDesign const& simulate) {
-    if (!request.has_waveform() || request.has_window())
+    if (!request.has_waveform())
         return;
     std::optional<WaveformSize> const size = size_of_waveform(request, machine, samples, simulate);
     if (!size)

@@ -16,13 +16,14 @@ struct WaveformSize {
 /// A run with these options.
 using SimulateDesign = std::function<RunStatistics(SimulationOptions const& options)>;
 
-/// The size of a whole run's waveform, right within a factor of two, before the run is made: its first samples are
-/// simulated and recorded by a process of their own. `simulate`: the run, in that process. None if that process fails.
+/// The size of the waveform, right within a factor of two, before the run is made: its first samples are
+/// simulated and recorded by a process of their own. `simulate`: the run, in that process. None if that process fails,
+/// and for a window of so few cycles that it cannot be large. Throws InputError for a window that is none.
 std::optional<WaveformSize> size_of_waveform(RecordingRequest const& request, Machine const& machine,
                                              std::size_t samples, SimulateDesign const& simulate);
 
-/// Says how large the waveform will be, if the request asks for one without a window. Throws InputError if that is more
-/// than 2 GB, unless `force`.
+/// Says how large the waveform will be, if the request asks for one. Throws InputError if that is more than 2 GB,
+/// unless `force`.
 void announce_waveform(RecordingRequest const& request, Machine const& machine, std::size_t samples, bool force,
                        SimulateDesign const& simulate);
 

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <limits>
 #include <random>
 
 #include "dataflow/run/events/event_file.hpp"
@@ -376,6 +377,25 @@ TEST_CASE("A bound is a whole number of cycles, percent above", "[sizing]") {
     CHECK(bound_within(0.1, 3000) == 3003);
     CHECK(bound_within(7, 100) == 107);
     CHECK(bound_within(1, 99) == 99);
+}
+
+TEST_CASE("Bounds with which a search would never end or prove nonsense are refused before it begins") {
+    Case const small = random_case(1);
+    double const nothing = std::numeric_limits<double>::quiet_NaN();
+    double const endless = std::numeric_limits<double>::infinity();
+    for (double const within : {-1.0, -1e-9, nothing, endless, -endless, 1.1e6}) {
+        SizingOptions options;
+        options.within_percent = within;
+        CHECK_THROWS_WITH(small.size(options), Catch::Contains("within_percent = ") && Catch::Contains("from 0 to"));
+    }
+    for (double const luts : {0.0, -1.0, nothing, endless}) {
+        SizingOptions options;
+        options.weights.luts_per_ramb36 = luts;
+        CHECK_THROWS_WITH(small.size(options), Catch::Contains("luts_per_ramb36 = "));
+    }
+    SizingOptions options;
+    options.front_points = most_front_points + 1;
+    CHECK_THROWS_WITH(small.size(options), Catch::Contains("front_points = 1001"));
 }
 
 }  // namespace dataflow::sizing::sizing_test

@@ -81,6 +81,13 @@ class PackageTest(unittest.TestCase):
         with self.assertRaises(faster_sim.InputError):
             self.events.whatif_matrix([{"workload.samples.count": 3}])
 
+    def test_bounds_without_sense_are_refused_before_the_search(self) -> None:
+        for within in (-1, float("nan"), float("inf"), -0.001, 1e7):
+            with self.assertRaisesRegex(faster_sim.InputError, "within_percent = .*, expected a number from 0 to"):
+                self.events.size_fifos(within)
+        with self.assertRaisesRegex(faster_sim.InputError, "front_points = 1001, expected"):
+            self.events.size_fifos(5, front_points=1001)
+
     def test_sensitivities_and_sizes_are_those_of_the_tool(self) -> None:
         program = os.environ["FASTER_SIM"]
         folder = self.folder / "sizes"

@@ -42,7 +42,8 @@ struct SizeFifosRequest {
     bool force = false;  ///< however long it takes, whatever memory there is
 };
 
-io::FolderKind const sizing_folder{"sizing", "sizing.json", {"pareto.csv", "depths.yaml", "sizing.html"}};
+io::FolderKind const sizing_folder{
+    "sizing", "sizing.json", {"pareto.csv", "depths.yaml", "sizing.html"}, "faster-sizing"};
 
 sizing::SizingOptions options_of(SizeFifosRequest const& request) {
     sizing::SizingOptions options;
@@ -119,7 +120,7 @@ Subcommand size_fifos_command() {
                                 "How much longer than with unbounded FIFOs, in per cent")
                     ->required()
                     ->type_name("PERCENT")
-                    ->check(number_in(0, 1e6));
+                    ->check(number_in(0, sizing::most_within_percent));
                 command
                     .add_option("--out", request->out,
                                 "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
@@ -128,13 +129,13 @@ Subcommand size_fifos_command() {
                     .add_option("--ramb36-luts", request->luts_per_ramb36,
                                 "LUTs that a block RAM of 36 Kbit is worth (300.53)")
                     ->type_name("LUTS")
-                    ->check(number_in(0.01, 1e6));
+                    ->check(number_in(sizing::least_luts_of_ramb36, sizing::most_luts_of_ramb36));
                 command
                     .add_option("--points", request->front_points,
                                 "Bounds at which cost is weighed against cycles; 0: none")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(CLI::Range(0, 1000));
+                    ->check(CLI::Range(0U, sizing::most_front_points));
                 add_jobs(command, request->jobs, "Threads");
                 add_overrides(command, request->overrides);
                 add_force(command, request->force);

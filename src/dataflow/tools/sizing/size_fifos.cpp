@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/design.hpp"
 
 namespace dataflow::sizing {
@@ -83,6 +85,17 @@ Found or_configured(Found const& found, RepairedSearch& search, CoreTimes& times
 
 }  // namespace
 
+void require_sense(SizingOptions const& options) {
+    auto const require = [](char const* name, double value, double least, double most) {
+        if (!(value >= least && value <= most))  // not a number is in no range
+            throw InputError(
+                fmt::format("size_fifos: {} = {}, expected a number from {} to {}", name, value, least, most));
+    };
+    require("within_percent", options.within_percent, 0, most_within_percent);
+    require("luts_per_ramb36", options.weights.luts_per_ramb36, least_luts_of_ramb36, most_luts_of_ramb36);
+    require("front_points", options.front_points, 0, most_front_points);
+}
+
 Cycles bound_within(double percent, Cycles unbounded_cycles) {
     constexpr double rounding = 1e-6;  // a whole number of cycles is one, however the percentage is rounded
     return unbounded_cycles +
@@ -91,6 +104,7 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
 
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
+    require_sense(options);
     Machine const machine = machine_of(config);
     FifoFrame const frame(machine, options.weights);
     CoreTimes times(run, machine, options.before_retiming);

@@ -8,6 +8,10 @@
 
 namespace dataflow::sizing {
 
+constexpr double most_within_percent = 1e6;
+constexpr double least_luts_of_ramb36 = 0.01, most_luts_of_ramb36 = 1e6;
+constexpr unsigned most_front_points = 1000;
+
 struct SizingOptions {
     double within_percent = 0;  ///< of what unbounded FIFOs take, more
     CostWeights weights;
@@ -45,11 +49,14 @@ struct Sizing {
     std::size_t retimed_cores = 0;
 };
 
+/// Throws InputError for bounds and weights with which a search would never end, or prove nonsense: whoever asks.
+void require_sense(SizingOptions const& options);
+
 /// How much `bound` is: percent of the cycles of unbounded FIFOs, more than those.
 Cycles bound_within(double percent, Cycles unbounded_cycles);
 
-/// `config`: of the recorded run, or with other retiming_keys(). `progress` is told how many of how many steps are
-/// done.
+/// `config`: of the recorded run, or with other retiming_keys(). Throws as require_sense(). `progress` is told how many
+/// of how many steps are done.
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 

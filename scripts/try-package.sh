@@ -5,11 +5,13 @@
 set -euo pipefail
 package="$(realpath "$1")"
 mirror="${2:-}"
-root="$(mktemp -d)"
-chmod 755 "$root" # Debian's programs give up being root
-trap 'umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$root"' EXIT
+work="$(mktemp -d)" # only root may enter: what is written by the names below is nobody else's
+root="$work/root" log="$work/log"
+mkdir -m 755 "$root"
+trap 'umount "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'tail -n 20 "$log" >&2' ERR
 
-debootstrap --variant=minbase bookworm "$root" $mirror >"$root.log"
+debootstrap --variant=minbase bookworm "$root" $mirror >"$log"
 # What the host's apt was told of proxies and mirrors holds here too.
 cp /etc/resolv.conf "$root/etc/" 2>/dev/null || true
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
@@ -18,8 +20,8 @@ cp "$package" "$root/faster-sim.deb"
 inside() {
     chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"
 }
-inside apt-get update -q >>"$root.log"
-inside apt-get install -q -y --no-install-recommends /faster-sim.deb python3 python3-numpy man-db >>"$root.log"
+inside apt-get update -q >>"$log"
+inside apt-get install -q -y --no-install-recommends /faster-sim.deb python3 python3-numpy man-db >>"$log"
 
 start=$SECONDS
 inside faster-sim run /usr/share/faster-sim/configs/faster_zcu102.yaml --out /tmp/main --events /tmp/main.events | sed -n 1,2p
@@ -28,6 +30,6 @@ inside faster-sim whatif /tmp/main.events --set accelerator.raster_cores=8 | sed
 inside python3 -c 'import faster_sim; print(faster_sim.load_events("/tmp/main.events").whatif(accelerator__raster_cores=8).total_cycles)'
 inside man faster-sim-run | grep 'faster-sim-run - Simulate'
 inside test -e /usr/include/faster-sim/dataflow/core/machine/machine.hpp
-inside apt-get purge -q -y faster-sim >>"$root.log"
+inside apt-get purge -q -y faster-sim >>"$log"
 inside test ! -e /usr/share/faster-sim
 echo "try-package: installed, ran, removed without a trace"

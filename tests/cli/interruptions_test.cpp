@@ -115,6 +115,8 @@ void check_repeat(WritingScene const& scene, TempFolder const& folder, std::mt19
     CHECK(scene.complaint_after_repeat(folder.path()) == "");
 }
 
+constexpr double second_after_s = 0.25;
+
 /// A call of the system that is to fail, or before which the process is to be killed.
 struct Fault {
     std::string call;
@@ -154,7 +156,8 @@ std::map<std::string, Words> const& errors_of_calls() {
                                                      {"clone3", {"EAGAIN"}},
                                                      {"pipe2", {"EMFILE"}},
                                                      {"pipe", {"EMFILE"}},
-                                                     {"signalfd4", {"EMFILE"}},
+                                                     {"eventfd2", {"EMFILE"}},
+                                                     {"chmod", {"EPERM"}},
                                                      {"getdents64", {"EIO"}}};
     return errors;
 }
@@ -269,22 +272,31 @@ TEST_CASE("Interruptions at random moments leave the older results or the new on
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     Scenes scenes(chosen_commands());
     constexpr std::array<int, 5> signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGKILL};
-    unsigned long stopped = 0;
+    unsigned long stopped = 0, sent_twice = 0;
+    std::map<std::string, std::pair<unsigned long, unsigned long>> stopped_of;  // of a command: how often, of how often
     for (unsigned long i = 0; i < count; ++i) {
         WritingScene const& scene = scenes.at((seed + i) % scenes.count());  // every command in turn
         int const signal = signals.at(random() % signals.size());
         double const delay = std::uniform_real_distribution<double>(0, 1.1 * scene.seconds())(random);
         TempFolder const folder;
         scene.lay_out(folder.path());
-        int const ended_by =
-            interrupted_command(FASTER_SIM_BINARY, scene.command().words, folder.path(), delay, signal);
-        CAPTURE(scene.command().name, signal, delay, ended_by);
+        bool const is_sent_twice = signal != SIGKILL && random() % 8 == 0;
+        CAPTURE(scene.command().name, signal, delay, is_sent_twice);
+        int const ended_by = interrupted_command(FASTER_SIM_BINARY, scene.command().words, folder.path(), delay, signal,
+                                                 is_sent_twice ? second_after_s : 0);
+        CAPTURE(ended_by);
         CHECK((ended_by == 0 || ended_by == signal));
         stopped += ended_by != 0 ? 1 : 0;
-        CHECK(scene.complaint(folder.path(), signal == SIGKILL) == "");
+        sent_twice += is_sent_twice ? 1 : 0;
+        auto& [stopped_here, sent_here] = stopped_of[scene.command().name];
+        stopped_here += ended_by != 0 ? 1 : 0;
+        ++sent_here;
+        CHECK(scene.complaint(folder.path(), signal == SIGKILL || is_sent_twice) == "");
         check_repeat(scene, folder, random);
     }
-    std::cout << stopped << " of " << count << " commands were stopped\n";
+    for (auto const& [name, counts] : stopped_of)
+        std::cout << name << ": " << counts.first << " of " << counts.second << " stopped\n";
+    std::cout << stopped << " of " << count << " commands were stopped, " << sent_twice << " got the signal twice\n";
     CHECK(stopped > count / 4);
 }
 

@@ -112,6 +112,12 @@ TEST_CASE("A mesh in millimetres is told, as are samples that draw nothing, and 
     CHECK("faster-sim: warning: " + warnings[0].get<std::string>() == lines[0]);
     CHECK_THAT(workspace.text("large.html"), Contains("looks like millimetres"));
 
+    Words recorded = box_is;
+    recorded.insert(recorded.end(), {"--events", "events"});
+    CHECK(workspace.run(recorded).exit_code == 0);
+    require_done(run_command(FASTER_SIM_BINARY, {"whatif", "events", "--out", "whatif"}, workspace.folder().path()));
+    CHECK(workspace.summary("whatif")["warnings"] == warnings);
+
     Words small = box_is;
     small.insert(small.end(), {"--set", "workload.mesh_files.scale=0.001", "--out", "small"});
     require_done(workspace.run(small));

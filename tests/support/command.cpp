@@ -65,6 +65,16 @@ pid_t start(Words const& words, std::filesystem::path const& folder, std::string
     return child;
 }
 
+bool ends_within_a_minute(pid_t child, int& status) {
+    auto const end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (waitpid(child, &status, WNOHANG) != child) {
+        if (std::chrono::steady_clock::now() > end)
+            return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
+
 }  // namespace
 
 CommandResult run_command(std::string const& program, std::vector<std::string> const& arguments,
@@ -90,12 +100,19 @@ CommandResult run_command(std::string const& program, std::vector<std::string> c
 }
 
 int interrupted_command(std::string const& program, std::vector<std::string> const& arguments,
-                        std::filesystem::path const& folder, double delay_s, int signal) {
+                        std::filesystem::path const& folder, double delay_s, int signal, double again_after_s) {
     pid_t const child = start(Words(program, arguments), folder, "/dev/null", "/dev/null");
     std::this_thread::sleep_for(std::chrono::duration<double>(delay_s));
     kill(child, signal);
+    if (again_after_s > 0) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(again_after_s));
+        kill(child, signal);
+    }
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    if (!ends_within_a_minute(child, status)) {
+        kill(child, SIGKILL);
+        waitpid(child, &status, 0);
+        throw std::runtime_error(arguments.front() + ": goes on a minute after signal " + std::to_string(signal));
     }
     return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "dataflow/base/csv_cell.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/utf8.hpp"
@@ -11,6 +12,7 @@
 
 namespace printable_test {
 
+using faster::csv_cell;
 using faster::first_bad_byte;
 using faster::InputError;
 using faster::message_line;
@@ -76,6 +78,25 @@ TEST_CASE("A megabyte of a name is like nothing, and that is found out at once")
     auto const start = std::chrono::steady_clock::now();
     CHECK(faster::nearest_name(name, std::vector<std::string>(1000, "window")).empty());
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+}
+
+TEST_CASE("Blanks that are none and letters without a picture are escaped") {
+    CHECK(printable("a\xC2\xA0"
+                    "b\xE2\x80\x8B"
+                    "c\xEF\xBB\xBF") == "a\\u00a0b\\u200bc\\ufeff");
+    CHECK_FALSE(
+        first_bad_byte("a\xC2\xA0"
+                       "b"));  // a file may have them
+}
+
+TEST_CASE("A cell of a table is no formula to a spreadsheet") {
+    CHECK(csv_cell("=cmd|' /C calc'!A0") == "'=cmd|' /C calc'!A0");
+    CHECK(csv_cell("=HYPERLINK(\"x\",1)") == "\"'=HYPERLINK(\"\"x\"\",1)\"");
+    CHECK(csv_cell("@sum(1)") == "'@sum(1)");
+    CHECK(csv_cell("+cmd") == "'+cmd");
+    CHECK(csv_cell("-2+cmd") == "'-2+cmd");
+    for (std::string const plain : {"", "-5", "+1e-3", "-0.25", "a=b", "5", "cmd", "-inf"})
+        CHECK(csv_cell(plain) == plain);
 }
 
 }  // namespace printable_test

@@ -5,6 +5,9 @@
 #include <string>
 #include <unistd.h>
 
+#include "dataflow/base/program_name.hpp"
+#include "dataflow/commands/say.hpp"
+
 namespace dataflow {
 
 namespace {
@@ -20,8 +23,11 @@ std::string duration_text(std::uint64_t seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(char const* what, std::uint64_t already_done)
-    : what_(what), already_done_(already_done), visible_(isatty(STDOUT_FILENO) != 0) {}
+ProgressLine::ProgressLine(char const* what, std::uint64_t already_done, std::chrono::milliseconds between_lines)
+    : what_(what),
+      already_done_(already_done),
+      visible_(isatty(STDOUT_FILENO) != 0),
+      between_(visible_ ? std::chrono::milliseconds(100) : between_lines) {}
 
 ProgressLine::~ProgressLine() {
     if (shown_)
@@ -29,10 +35,16 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(std::uint64_t done, std::uint64_t all) {
-    constexpr std::chrono::milliseconds between{100};
-    if (!visible_ || HostClock::now() - last_ < between)
+    if (HostClock::now() - last_ < between_)
         return;
     last_ = HostClock::now();
+    if (visible_)
+        show_on_terminal(done, all);
+    else
+        warn("{}: {} of {} {}{}\n", program_name(), done, all, what_, time_left(done, all));
+}
+
+void ProgressLine::show_on_terminal(std::uint64_t done, std::uint64_t all) {
     shown_ = true;
     constexpr std::uint64_t width = 40;
     std::uint64_t const filled = done * width / all;

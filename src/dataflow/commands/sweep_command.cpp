@@ -14,6 +14,7 @@
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/sweeper.hpp"
 #include "dataflow/run/config/plain_text.hpp"
@@ -120,8 +121,16 @@ sweeps::Shard shard_of(std::string const& text) {
 std::vector<sweeps::PointIdentity> identities_of(sweeps::Sweep const& sweep) {
     sweeps::Identifier identifier;
     std::vector<sweeps::PointIdentity> identities;
-    for (std::size_t i = 0; i < sweep.points(); ++i)
+    constexpr std::size_t many = 10'000;  // take seconds
+    if (sweep.points() >= many) {
+        say("{} points: their configurations are read first\n", sweep.points());
+        finish_saying();
+    }
+    ProgressLine progress("points read");
+    for (std::size_t i = 0; i < sweep.points(); ++i) {
         identities.push_back(identifier.identity(sweep.configuration(i).config));
+        progress.show(i + 1, sweep.points());
+    }
     return identities;
 }
 

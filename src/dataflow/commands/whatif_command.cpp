@@ -8,6 +8,7 @@
 
 #include "dataflow/base/files/output_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/json.hpp"
 #include "dataflow/commands/command_paths.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
@@ -56,6 +57,12 @@ runs::Comparison with_recorded(std::string const& name, events::EventFile const&
                          runs::run_record("whatif", summary, run.samples));
 }
 
+/// What looks like a mistake of the workload does so with any timing.
+std::vector<std::string> recorded_warnings(events::EventFile const& recorded) {
+    Json const summary = Json::parse(recorded.summary);
+    return summary.value("warnings", std::vector<std::string>());
+}
+
 int retime_one(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& changed,
                report::HostTime host) {
     CommandPaths paths;
@@ -66,7 +73,8 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     Machine const machine = machine_of(changed.config);
     announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
     auto const start = std::chrono::steady_clock::now();
-    RunStatistics const run = replay::retime(recorded.run, machine);
+    RunStatistics run = replay::retime(recorded.run, machine);
+    run.warnings = recorded_warnings(recorded);
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
         warn("{}", report::deadlock_report(run));

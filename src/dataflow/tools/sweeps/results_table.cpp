@@ -42,7 +42,7 @@ std::vector<std::string> const& result_columns() {
 std::string results_csv(Manifest const& manifest, Results const& results) {
     std::string text = "point";
     for (std::string const& column : manifest.columns)
-        text += "," + column;
+        text += "," + csv_cell(column);
     for (std::size_t i = 1; i < result_columns().size(); ++i)
         text += "," + result_columns()[i];
     text += "\n";

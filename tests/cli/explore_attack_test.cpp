@@ -7,11 +7,13 @@
 #include <fstream>
 #include <httplib.h>
 #include <netinet/in.h>
+#include <optional>
 #include <poll.h>
 #include <string>
 #include <sys/socket.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include "faster/dataflow_names.hpp"

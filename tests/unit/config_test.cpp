@@ -727,17 +727,17 @@ TEST_CASE("A map takes the entries of those that << names, its own first", "[con
     std::string const base =
         "x-base: &base {raster_cores: 3, window: 60}\nx-other: &other {window: 70, clock_mhz: 150}\n";
     LoadedConfig config = loaded(base + "accelerator:\n  <<: *base\n");
-    CHECK(accelerator_of(config.config).raster_cores == 3);
+    CHECK(accelerator_of(config.config).cores == 3);
     CHECK(accelerator_of(config.config).window == 60);
     config = loaded(base + "accelerator:\n  <<: *base\n  raster_cores: 5\n");
-    CHECK(accelerator_of(config.config).raster_cores == 5);
+    CHECK(accelerator_of(config.config).cores == 5);
     config = loaded(base + "accelerator:\n  raster_cores: 5\n  <<: [*other, *base]\n");
-    CHECK(accelerator_of(config.config).raster_cores == 5);
+    CHECK(accelerator_of(config.config).cores == 5);
     CHECK(accelerator_of(config.config).window == 70);
     CHECK(accelerator_of(config.config).clock_mhz == 150);
     config = loaded("accelerator: {<<: {<<: {window: 40, raster_cores: 2}, window: 50}}\n");
     CHECK(accelerator_of(config.config).window == 50);
-    CHECK(accelerator_of(config.config).raster_cores == 2);
+    CHECK(accelerator_of(config.config).cores == 2);
     config = loaded("x-a: &a {window: 50}\nx-b: &b {<<: *a, raster_cores: 2}\naccelerator: {<<: *b}\n");
     CHECK(accelerator_of(config.config).window == 50);
     config = loaded("<<: {accelerator: {window: 50}}\n");

@@ -18,7 +18,7 @@
 #include "dataflow/tools/sweeps/sweep_file.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/depth_image.hpp"
-#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/files/mesh_import.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/trace.hpp"
 #include "faster/workload/pose_list.hpp"
@@ -120,9 +120,7 @@ void read_bop_folder(std::string_view bytes) {
 
 template <std::size_t place> void read_mesh(std::string_view bytes) {
     constexpr char const* names[] = {"mesh.obj", "mesh.ply", "mesh.stl", "mesh.off"};
-    files::MeshLimits limits;
-    limits.seconds = 1;
-    files::load_mesh(file_of(names[place], bytes), limits);
+    files::import_mesh(file_of(names[place], bytes));
 }
 
 }  // namespace

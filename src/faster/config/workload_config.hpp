@@ -55,8 +55,7 @@ struct SamplesConfig {
     std::string poses;  ///< table of poses, which replaces all the above; empty: draw them
 };
 
-/// How mesh files are read, and what that may take; `workload.mesh_files.*`. A damaged one may keep the library that
-/// reads it busy without end.
+/// How mesh files are read, and what that may take; `workload.mesh_files.*`.
 struct MeshFilesConfig {
     double time_limit_s = 10;
     std::uint64_t memory_limit_mib = 1024;

@@ -78,7 +78,7 @@ Mesh mesh_of(fs::path const& path, MeshLimits const& limits, Outcome const& outc
     if (outcome.kind == Outcome::Kind::crashed && outcome.signal == SIGKILL)
         throw HostError(path.string() + ": cannot be read (the process that reads it was killed)");
     if (outcome.kind == Outcome::Kind::crashed)
-        fail_reading(path, fmt::format("the library that reads it crashed: {}", strsignal(outcome.signal)));
+        fail_reading(path, fmt::format("the process that reads it crashed: {}", strsignal(outcome.signal)));
     std::string_view const output = outcome.output;
     if (outcome.kind == Outcome::Kind::done && !output.empty()) {
         if (output.front() == reply_complaint)
@@ -89,7 +89,7 @@ Mesh mesh_of(fs::path const& path, MeshLimits const& limits, Outcome const& outc
         if (auto mesh = output.front() == reply_mesh ? mesh_from_bytes(output.substr(1)) : std::nullopt)
             return std::move(*mesh);
     }
-    fail_reading(path, "the library that reads it failed");
+    fail_reading(path, "the process that reads it failed");
 }
 
 }  // namespace

@@ -35,17 +35,15 @@ struct MeshLimits {
     std::uint64_t file_bytes() const { return file_mib << 20U; }
 };
 
-/// The triangles of a mesh file (obj, ply, stl, off) in file order: all its parts in one mesh, polygons cut into
-/// triangles, points and lines left out, axes and units as they are (metres expected). Vertices of exactly equal
+/// The triangles of a mesh file (obj, ply, stl, off) in file order: all its parts in one mesh, polygons and strips cut
+/// into triangles, points and lines left out, axes and units as they are (metres expected). Vertices of exactly equal
 /// position are joined, vertices without a triangle dropped. Triangles without area and open or self-touching surfaces
-/// are kept: they are the rasterizer's to cope with. Positions are read in single precision, as assimp does, which also
-/// takes a vertex index beyond the end of an OFF file for the last vertex.
+/// are kept: they are the rasterizer's to cope with. Positions are kept in single precision.
 ///
-/// A process of its own reads it, since assimp may crash, hang or take all memory on damaged files; see MeshLimits.
-/// Call it while the program has one thread only.
+/// A process of its own reads it, which keeps to MeshLimits. Call it while the program has one thread only.
 ///
-/// Throws InputError: missing file, unknown or unreadable format, no triangles, a coordinate that is not finite, a
-/// limit exceeded.
+/// Throws InputError: missing file, unknown or unreadable format, a surface that is not read (free forms), no
+/// triangles, a coordinate that is not finite, a limit exceeded.
 Mesh load_mesh(std::filesystem::path const& path, MeshLimits const& limits = {});
 
 /// The same of several, `jobs` at once.

@@ -1,0 +1,135 @@
+#include "faster/workload/files/mesh_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "faster/dataflow_names.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/workload/files/polygon_cutter.hpp"
+
+namespace faster::files {
+namespace {
+
+/// Gives equal points equal indices, in order of first appearance. Only exactly equal points are joined: any tolerance
+/// would collapse meshes of small scale.
+class VertexJoiner {
+  public:
+    /// Appends each new point to `vertices`, which must be empty and outlive the joiner.
+    explicit VertexJoiner(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
+
+    std::uint32_t index_of(Eigen::Vector3d const& point) {
+        Eigen::Vector3d const key = point + Eigen::Vector3d::Zero();  // -0 becomes 0: equal, but of other bits
+        auto const [entry, is_new] = indices_.try_emplace(key, static_cast<std::uint32_t>(vertices_.size()));
+        if (is_new)
+            vertices_.push_back(point);
+        return entry->second;
+    }
+
+  private:
+    struct Hash {
+        std::size_t operator()(Eigen::Vector3d const& point) const {
+            std::uint64_t hash = 0;
+            for (double const coordinate : {point.x(), point.y(), point.z()}) {
+                std::uint64_t bits = 0;
+                std::memcpy(&bits, &coordinate, sizeof bits);
+                hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
+                hash ^= hash >> 32;
+            }
+            return static_cast<std::size_t>(hash);
+        }
+    };
+
+    std::vector<Eigen::Vector3d>& vertices_;
+    std::unordered_map<Eigen::Vector3d, std::uint32_t, Hash> indices_;
+};
+
+/// Rotates triangles that begin where the one before begins. The two of a quadrilateral begin at one corner, which is
+/// the opposite one if need be.
+class Beginnings {
+  public:
+    /// `vertices`: which vertex each corner is; none: corners are their own.
+    explicit Beginnings(std::vector<std::uint32_t> const* vertices) : vertices_(vertices) {}
+
+    void part(std::vector<CornerTriple>& triples) {
+        if (triples.size() == 2) {
+            if (begins_as_last(triples[0])) {
+                std::rotate(triples[0].begin(), triples[0].begin() + 2, triples[0].end());
+                std::rotate(triples[1].begin(), triples[1].begin() + 1, triples[1].end());
+            }
+            last_ = beginning(triples[0]);
+            return;
+        }
+        for (CornerTriple& triple : triples) {
+            if (begins_as_last(triple))
+                std::rotate(triple.begin(), triple.begin() + 2, triple.end());
+            last_ = beginning(triple);
+        }
+    }
+
+  private:
+    std::size_t beginning(CornerTriple const& triple) const {
+        return vertices_ == nullptr ? triple[0] : (*vertices_)[triple[0]];
+    }
+    bool begins_as_last(CornerTriple const& triple) const { return beginning(triple) == last_; }
+
+    std::vector<std::uint32_t> const* vertices_;
+    std::size_t last_ = std::numeric_limits<std::size_t>::max();
+};
+
+bool is_finite_float(double value) { return std::abs(value) <= double{std::numeric_limits<float>::max()}; }
+
+}  // namespace
+
+void MeshBuilder::add_vertex(Eigen::Vector3d const& vertex, Place const& place) {
+    if (!is_finite_float(vertex.x()) || !is_finite_float(vertex.y()) || !is_finite_float(vertex.z()))
+        throw InputError(fmt::format("{}: vertex {} (counted from 0) is ({}, {}, {}), expected finite coordinates",
+                                     place(), vertices_.size(), vertex.x(), vertex.y(), vertex.z()));
+    if (vertices_.size() >= std::numeric_limits<std::uint32_t>::max())
+        throw InputError(fmt::format("{}: another vertex, expected less than 2^32", place()));
+    vertices_.emplace_back(vertex.cast<float>());
+}
+
+void MeshBuilder::add_polygon(std::vector<std::uint32_t> const& corners) {
+    if (corners.size() >= 3)
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
+    has_more_than_triangles_ |= corners.size() > 3;
+    ends_.push_back(corners_.size());
+}
+
+Mesh MeshBuilder::mesh() const {
+    Mesh mesh;
+    VertexJoiner joiner(mesh.vertices);
+    Beginnings beginnings(shares_vertices_ ? &corners_ : nullptr);
+    bool const has_beginnings = has_more_than_triangles_ || !shares_vertices_;
+    std::vector<Eigen::Vector3d> points;
+    std::size_t begin = 0;
+    for (std::size_t const end : ends_) {
+        std::size_t const first = std::exchange(begin, end);
+        if (end == first)
+            continue;
+        points.clear();
+        for (std::size_t corner = first; corner < end; ++corner)
+            points.push_back(position(corner));
+        std::vector<CornerTriple> triples = cut_polygon(points);
+        for (CornerTriple& triple : triples)
+            for (std::size_t& corner : triple)
+                corner += first;
+        if (has_beginnings)
+            beginnings.part(triples);
+        for (CornerTriple const& triple : triples)
+            mesh.faces.push_back({joiner.index_of(position(triple[0])), joiner.index_of(position(triple[1])),
+                                  joiner.index_of(position(triple[2]))});
+    }
+    return mesh;
+}
+
+Eigen::Vector3d MeshBuilder::position(std::size_t corner) const {
+    return vertices_.at(corners_[corner]).cast<double>();
+}
+
+}  // namespace faster::files

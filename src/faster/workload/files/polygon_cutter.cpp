@@ -1,0 +1,141 @@
+#include "faster/workload/files/polygon_cutter.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace faster::files {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// Newell's: its length is twice the area of a flat polygon.
+Eigen::Vector3d mean_normal(std::vector<Eigen::Vector3d> const& corners) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        normal += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    return normal;
+}
+
+/// Without the coordinate along which the normal is longest, so that the corners run counter-clockwise. No coordinate
+/// is rounded.
+Points shadow(std::vector<Eigen::Vector3d> const& corners) {
+    Eigen::Vector3d const normal = mean_normal(corners);
+    Eigen::Vector3d const size = normal.cwiseAbs();
+    int dropped = 2;
+    if (size.x() > size.y())
+        dropped = size.x() > size.z() ? 0 : 2;
+    else if (size.y() > size.z())
+        dropped = 1;
+    int first = (dropped + 1) % 3, second = (dropped + 2) % 3;
+    if (normal[dropped] < 0)
+        std::swap(first, second);
+    Points points;
+    points.reserve(corners.size());
+    for (Eigen::Vector3d const& corner : corners)
+        points.emplace_back(corner[first], corner[second]);
+    return points;
+}
+
+/// Twice the area of a triangle; positive if it runs counter-clockwise.
+double turn(Eigen::Vector2d const& a, Eigen::Vector2d const& b, Eigen::Vector2d const& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// Cuts off one corner after the other. Polygons that break the rules of outlines have no ears at some point: the rules
+/// are then relaxed for one cut, so that every polygon ends.
+class EarCutter {
+  public:
+    explicit EarCutter(Points points) : points_(std::move(points)), next_(points_.size()), previous_(points_.size()) {
+        std::size_t const n = points_.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            next_[i] = (i + 1) % n;
+            previous_[i] = (i + n - 1) % n;
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            if (turn(points_[previous_[i]], points_[i], points_[next_[i]]) < 0)
+                concave_.push_back(i);
+    }
+
+    std::vector<CornerTriple> triangles() {
+        std::vector<CornerTriple> cut;
+        std::size_t left = points_.size(), corner = 0, refused = 0;
+        auto rule = Rule::clear;
+        while (left > 3) {
+            if (may_go(corner, rule)) {
+                cut.push_back({previous_[corner], corner, next_[corner]});
+                next_[previous_[corner]] = next_[corner];
+                previous_[next_[corner]] = previous_[corner];
+                --left;
+                refused = 0;
+                rule = Rule::clear;
+            } else if (++refused == left) {
+                refused = 0;
+                rule = rule == Rule::clear ? Rule::touched : rule == Rule::touched ? Rule::convex : Rule::any;
+            }
+            corner = next_[corner];
+        }
+        CornerTriple last{corner, next_[corner], previous_[corner]};
+        std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());
+        cut.push_back(last);
+        return cut;
+    }
+
+  private:
+    /// Which corners may go.
+    enum class Rule {
+        clear,    ///< those whose triangle has no other corner inside or on its sides, and straight ones
+        touched,  ///< those whose triangle has none inside
+        convex,   ///< any convex one
+        any
+    };
+
+    bool may_go(std::size_t corner, Rule rule) const {
+        Eigen::Vector2d const &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
+        double const turned = turn(a, b, c);
+        if (rule == Rule::any || turned == 0)
+            return true;
+        if (turned < 0)
+            return false;
+        return rule == Rule::convex || std::none_of(concave_.begin(), concave_.end(), [&](std::size_t other) {
+                   Eigen::Vector2d const& point = points_[other];
+                   if (point == a || point == b || point == c)
+                       return false;
+                   double const nearest = std::min({turn(a, b, point), turn(b, c, point), turn(c, a, point)});
+                   return rule == Rule::clear ? nearest >= 0 : nearest > 0;
+               });
+    }
+
+    Points points_;
+    std::vector<std::size_t> next_, previous_;
+    std::vector<std::size_t> concave_;  ///< at first: cutting makes no corner concave
+};
+
+double angle_between(Eigen::Vector3d const& a, Eigen::Vector3d const& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// At a concave corner the two sides are more than a half turn apart, measured across the diagonal.
+std::vector<CornerTriple> cut_quadrilateral(std::vector<Eigen::Vector3d> const& corners) {
+    constexpr double half_turn = 3.14159266;  // a little more: straight corners are not concave, however they round
+    std::size_t start = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+        auto const side = [&](std::size_t steps) -> Eigen::Vector3d { return corners[(i + steps) % 4] - corners[i]; };
+        if (angle_between(side(1), side(2)) + angle_between(side(2), side(3)) > half_turn)
+            start = i;
+    }
+    return {{start, (start + 1) % 4, (start + 2) % 4}, {start, (start + 2) % 4, (start + 3) % 4}};
+}
+
+}  // namespace
+
+std::vector<CornerTriple> cut_polygon(std::vector<Eigen::Vector3d> const& corners) {
+    if (corners.size() == 3)
+        return {{0, 1, 2}};
+    if (corners.size() == 4)
+        return cut_quadrilateral(corners);
+    return EarCutter(shadow(corners)).triangles();
+}
+
+}  // namespace faster::files

@@ -88,6 +88,7 @@ struct Point {
     std::string architecture;  ///< names for the table
     std::string workload;
     LoadedConfig loaded;
+    bool says_warnings = false;  ///< of the workload, which other points have as well
 };
 
 std::string name_of(std::string const& file) { return std::filesystem::path(file).stem().string(); }
@@ -148,7 +149,8 @@ std::vector<Point> points_of(CompareArchitecturesRequest const& request) {
         std::vector<std::string> settings = settings_of(architecture);
         settings.insert(settings.end(), request.overrides.begin(), request.overrides.end());
         for (std::string const& workload : request.workloads)
-            points.push_back({name_of(architecture), name_of(workload), load_config(workload, settings)});
+            points.push_back({name_of(architecture), name_of(workload), load_config(workload, settings),
+                              &architecture == &architectures.front()});
     }
     return points;
 }
@@ -179,6 +181,8 @@ report::ArchitectureRow measured(Point const& point, CompareArchitecturesRequest
     auto const judged_samples = static_cast<std::size_t>(request.judged_samples);
     LoadedConfig loaded = point.loaded;
     Stimulus const stimulus = load_stimulus(loaded);
+    if (point.says_warnings)
+        say_warnings(stimulus_warnings(stimulus, workload_of(loaded.config)));
     if (!request.force)
         require_feasible(loaded, stimulus);
     AcceleratorConfig const& config = accelerator_of(loaded.config);

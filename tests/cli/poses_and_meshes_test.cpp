@@ -104,7 +104,7 @@ TEST_CASE("A mesh in millimetres is told, as are samples that draw nothing, and 
     Words const lines = lines_of(result.err);
     REQUIRE(lines.size() == 2);
     CHECK(lines[0] ==
-          "faster-sim: warning: box.off: is 60 m long, which looks like millimetres; expected less than 10 m "
+          "faster-sim: warning: box.off: is 60 m long, which looks like millimetres; expected less than 3 m "
           "(workload.mesh_files.scale: 0.001 reads millimetres)");
     CHECK_THAT(lines[1], Contains("warning: 3 of 3 samples draw no pixel, the first is sample 0"));
     Json const warnings = workspace.summary("large")["warnings"];

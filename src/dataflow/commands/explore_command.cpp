@@ -59,6 +59,7 @@ std::unique_ptr<Recorded> record(ExploreRequest const& request) {
     auto recorded = std::make_unique<Recorded>();
     recorded->loaded = load_config(request.input, request.overrides);
     auto const workload = simulated_design().load_workload(recorded->loaded);
+    say_warnings(workload->warnings());
     announce(size_of_run(recorded->loaded.config, machine_of(recorded->loaded.config), *workload), request.force);
     ProgressLine progress("samples");
     SimulationOptions options;

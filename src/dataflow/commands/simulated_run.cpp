@@ -1,5 +1,6 @@
 #include "dataflow/commands/simulated_run.hpp"
 
+#include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
 
@@ -14,6 +15,7 @@ RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOp
 
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options) {
     auto const workload = simulated_design().load_workload(loaded);
+    say_warnings(workload->warnings());
     return simulate(loaded.config, *workload, options);
 }
 

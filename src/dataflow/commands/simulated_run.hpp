@@ -9,7 +9,7 @@ namespace dataflow {
 /// kernel elaborates once. Throws InputError if there is too little memory for it.
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options = {});
 
-/// The same of a configuration whose workload is not wanted otherwise.
+/// The same of a configuration whose workload is not wanted otherwise; says what is to be warned of in it.
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options = {});
 
 }  // namespace dataflow

@@ -79,7 +79,10 @@ SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t ind
                          std::string const& table) {
     std::string const place = place_of(index, table);
     Eigen::Vector3d const& origin = pose.translation;
-    require_in_front(origin.z(), place, table.empty() ? " (reduce workload.samples.translation_sigma_m)" : "");
+    std::string const hint = table.empty()    ? " (reduce workload.samples.translation_sigma_m)"
+                             : origin.z() < 0 ? " (the camera looks along z)"
+                                              : " (t_m is in metres, t in millimetres)";
+    require_in_front(origin.z(), place, hint);
     SampleInput sample;
     sample.centre_row = centre_pixel(camera.fy * origin.y() / origin.z() + camera.cy, place);
     sample.centre_col = centre_pixel(camera.fx * origin.x() / origin.z() + camera.cx, place);

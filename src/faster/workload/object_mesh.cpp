@@ -89,14 +89,18 @@ double longest_side_m(Mesh const& mesh) {
 }
 
 std::string size_warning(Mesh const& mesh, std::string const& file) {
-    constexpr double suspicious_m = 10;
+    constexpr double smallest_m = 0.005, largest_m = 3, too_large_for_centimetres_m = 10;
     double const side_m = longest_side_m(mesh);
-    if (side_m < suspicious_m)
+    if (side_m >= smallest_m && side_m < largest_m)
         return {};
+    if (side_m < smallest_m)
+        return fmt::format("{}: is {:.4g} m long; expected at least {} m (workload.mesh_files.scale: 1 reads metres)",
+                           file, side_m, smallest_m);
+    bool const is_in_mm = side_m >= too_large_for_centimetres_m;
     return fmt::format(
-        "{}: is {:.4g} m long, which looks like millimetres; expected less than {} m "
-        "(workload.mesh_files.scale: 0.001 reads millimetres)",
-        file, side_m, suspicious_m);
+        "{}: is {:.4g} m long, which looks like {}; expected less than {} m (workload.mesh_files.scale: {} reads {})",
+        file, side_m, is_in_mm ? "millimetres" : "centimetres", largest_m, is_in_mm ? "0.001" : "0.01",
+        is_in_mm ? "millimetres" : "centimetres");
 }
 
 bool is_mesh_file(std::string const& name) {

@@ -11,7 +11,8 @@ namespace faster::workload {
 double longest_side_m(Mesh const& mesh);
 
 /// What is wrong with the size of the object of a mesh file, for people; empty if nothing is. A camera of 3 m range
-/// sees objects that are hand-sized: one of 10 m is one of 1 cm at least whose file is in millimetres.
+/// sees objects that are hand-sized: one of 10 m is one of 1 cm at least whose file is in millimetres, one of 3 m is
+/// one of 3 cm in centimetres, and one of less than 5 mm is too small to be seen.
 std::string size_warning(Mesh const& mesh, std::string const& file);
 
 /// The mesh of an object: a mesh file if `name` has a '/' or the extension of a mesh format, else a built-in class.

@@ -4,7 +4,7 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/workload/build_stimulus.hpp"
 #include "faster/workload/files/trace.hpp"
-#include "faster/workload/object_mesh.hpp"
+#include "faster/workload/input_warnings.hpp"
 
 namespace faster {
 
@@ -23,10 +23,9 @@ Stimulus load_stimulus(LoadedConfig& loaded) {
 }
 
 std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadConfig const& config) {
-    if (!config.trace.empty() || !workload::is_mesh_file(config.target.object))
+    if (!config.trace.empty())
         return {};
-    std::string const warning = workload::size_warning(stimulus.posed.mesh, config.target.object);
-    return warning.empty() ? std::vector<std::string>{} : std::vector<std::string>{warning};
+    return workload::input_warnings(config, stimulus.posed.mesh, stimulus.posed.poses);
 }
 
 }  // namespace faster

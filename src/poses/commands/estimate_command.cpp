@@ -16,6 +16,7 @@
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/recording_options.hpp"
+#include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/load_config.hpp"
 #include "faster/config/enum_names.hpp"
@@ -24,6 +25,7 @@
 #include "faster/workload/build_stimulus.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/trace.hpp"
+#include "faster/workload/input_warnings.hpp"
 #include "modules/vertex_transform/explicit_triangles.hpp"
 #include "poses/bop/pose_results.hpp"
 #include "poses/commands/estimate_pictures.hpp"
@@ -104,6 +106,13 @@ class EstimateRun {
           loaded_(loaded),
           jobs_(jobs_or_host_cores(request.jobs)),
           scene_(request.bop.folder.empty() ? configured_scene(loaded) : bop_scene(loaded, request.bop)) {}
+
+    /// Of a configured scene: a dataset says its units itself.
+    std::vector<std::string> warnings() const {
+        if (!request_.bop.folder.empty())
+            return {};
+        return workload::input_warnings(workload_of(loaded_.config), scene_.observed.posed.mesh, {*scene_.truth});
+    }
 
     WorkSize size() const {
         WorkSize size;
@@ -287,6 +296,7 @@ int estimate_pose(EstimateRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, estimate_folder);
     EstimateRun run(request, loaded);
+    say_warnings(run.warnings());
     announce(run.size(), request.force);
     try {
         run.find_pose();

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 #include "faster/workload/files/polygon_cutter.hpp"
 
 namespace faster::files {

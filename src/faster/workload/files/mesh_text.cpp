@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::files {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/printable.hpp"
+#include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_text.hpp"
 
 namespace faster::files {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/printable.hpp"
+#include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_readers.hpp"
 #include "faster/workload/files/mesh_text.hpp"
 

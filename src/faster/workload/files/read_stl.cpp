@@ -3,10 +3,10 @@
 #include <cstring>
 #include <fmt/format.h>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/little_endian.hpp"
 #include "dataflow/base/printable.hpp"
+#include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_readers.hpp"
 #include "faster/workload/files/mesh_text.hpp"
 

@@ -2,6 +2,7 @@
 #include "dataflow/base/held_signals.hpp"
 
 #include <catch2/catch.hpp>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <functional>
@@ -161,6 +162,23 @@ TEST_CASE("A signal that came while none was held back any more does not count f
     });
     process.send(SIGTERM);
     CHECK(process.ended_by(std::chrono::seconds(5)) == 0);
+}
+
+TEST_CASE("Who lets signals through leaves the error of the system that is yet to be told", "[signals]") {
+    SignalWatch const watch;  // has a descriptor, with nothing to be read
+    errno = ENOSPC;
+    watch.take();
+    CHECK(errno == ENOSPC);
+    TempFolder const folder;
+    Process process([&](fs::path const& begun) {
+        { SignalWatch const first; }
+        errno = ENOSPC;
+        { HeldSignals const held; }
+        folder.write(errno == ENOSPC ? "kept" : "lost", "");
+        say(begun);
+    });
+    CHECK(process.ended_by(std::chrono::seconds(5)) == 0);
+    CHECK(fs::exists(folder / "kept"));
 }
 
 TEST_CASE("Signals that the caller ignores stay ignored", "[signals]") {

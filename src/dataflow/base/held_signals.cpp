@@ -122,10 +122,12 @@ void give_up_if_interrupted() {
 }
 
 void forget_signal() {
+    int const error = errno;  // whoever unwinds has yet to say what went wrong
     state().signal = 0;
     std::uint64_t count = 0;
     if (int const descriptor = state().descriptor; descriptor >= 0) [[maybe_unused]]
         ssize_t const taken = read(descriptor, &count, sizeof count);
+    errno = error;
 }
 
 int descriptor_of_signals() {

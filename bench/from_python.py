@@ -1,11 +1,9 @@
 """100 re-timings of one sample: in the process of Python, and as programs."""
 
-import subprocess
 import tempfile
 import time
 
 import faster_sim
-from faster_sim import _program
 
 KEY = "accelerator.fifos.edge_token.depth"
 
@@ -19,6 +17,7 @@ def seconds_of(work) -> float:
 
 with tempfile.NamedTemporaryFile(suffix=".events") as file:
     events = faster_sim.record("configs/faster_zcu102.yaml", file.name, workload__samples__count=1)
+    program = faster_sim.Program()
     here = seconds_of(lambda depth: events.whatif({KEY: depth}))
-    programs = seconds_of(lambda depth: _program.call(["whatif", file.name, "--set", f"{KEY}={depth}"]))
+    programs = seconds_of(lambda depth: program.call("whatif", file.name, **{KEY: depth}))
 print(f"in process {here:.2f} s, as programs {programs:.2f} s, ratio {programs / here:.0f}")

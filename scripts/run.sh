@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the release preset and runs one configuration.
+# Installs what is missing, builds faster-sim and the package for Python (preset release), and runs one configuration.
 #   scripts/run.sh                     the main job, configs/faster_zcu102.yaml, into out/main
 #   scripts/run.sh CONFIG [OPTIONS]    another configuration, into out/<its name>; OPTIONS go to faster-sim run
 set -euo pipefail
@@ -32,6 +32,6 @@ fi
 bash "$root/scripts/setup.sh"
 cd "$root"
 cmake --preset release
-cmake --build --preset release --target faster-sim
+cmake --build --preset release --target faster-sim faster_python
 cd - >/dev/null # paths among OPTIONS are the caller's
 exec "$root/build/release/bin/faster-sim" run "$config" --out "$out" --report "$out/report.html" --images 6 "$@"

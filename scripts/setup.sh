@@ -3,20 +3,21 @@
 #   scripts/setup.sh             what building, testing and running need
 #   scripts/setup.sh --package   also what makes a .deb with man pages
 #   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
-#                                and Yosys for what the register-transfer twin takes
+#                                Yosys for what the register-transfer twin takes, matplotlib and pandas for tests of the
+#                                package for Python, and lintian
 set -euo pipefail
 
 packages=(
     g++ cmake ninja-build ccache pkg-config git
     libsystemc-dev libeigen3-dev libopencv-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
     nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev libnanoflann-dev libjs-chart.js libzstd-dev libpng-dev zlib1g-dev
-    python3-dev python3-numpy pybind11-dev libboost-dev libcpp-httplib-dev graphviz verilator
+    python3-dev python3-numpy python3-venv python3-setuptools python3-wheel pybind11-dev libboost-dev libcpp-httplib-dev graphviz verilator
 )
 
 for argument in "$@"; do
     case "$argument" in
         --package) packages+=(dpkg-dev help2man) ;;
-        --dev) packages+=(clang-format clang-tidy chromium strace yosys) ;;
+        --dev) packages+=(clang-format clang-tidy chromium strace yosys python3-matplotlib python3-pandas lintian) ;;
         -h | --help)
             echo "usage: setup.sh [--package] [--dev]"
             exit 0

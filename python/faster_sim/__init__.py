@@ -1,4 +1,4 @@
-"""Cycles of the FASTER accelerator before HLS: run it, record it, re-time what was recorded.
+"""Cycles of a dataflow design before HLS: run it, record it, re-time what was recorded.
 
     >>> import faster_sim
     >>> events = faster_sim.record("configs/banana.yaml", "banana.events")
@@ -8,11 +8,14 @@ Keys are those of the configuration (`faster-sim keys`). docs/python.md teaches 
 """
 
 from faster_sim._core import InputError, commit as __commit__, version as __version__
-from faster_sim._events import Events, load_events, record
-from faster_sim._program import ProgramError
-from faster_sim._results import Result, to_pandas
-from faster_sim._run import run, sweep
+from faster_sim._errors import DeadlockError, ProgramError
+from faster_sim._events import Events
+from faster_sim._results import Answer, Check, Result
+from faster_sim._run import Program, check, compare, estimate, evaluate, load_events, record, run, sweep
+from faster_sim._tables import Table, to_pandas
 
-__all__ = ["Events", "InputError", "ProgramError", "Result", "load_events", "record", "run", "sweep", "to_pandas"]
+__all__ = ["Answer", "Check", "DeadlockError", "Events", "InputError", "Program", "ProgramError", "Result", "Table", "check",
+           "compare", "estimate", "evaluate", "load_events", "record", "run", "sweep", "to_pandas"]
 
 InputError.__module__ = __name__  # where users know it from
+DeadlockError.__module__ = __name__

@@ -216,6 +216,8 @@ PYBIND11_MODULE(_core, module) {
     module.attr("version") = made_by().version;
     module.attr("commit") = made_by().commit;
     py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+    module.def(
+        "recording_program", [](std::string const& path) { return events::recording_program(path); }, py::arg("path"));
     py::class_<Retimed>(module, "Retimed")
         .def_property_readonly("total_cycles", &Retimed::total_cycles)
         .def_property_readonly("milliseconds", &Retimed::milliseconds)

@@ -1,61 +1,103 @@
-"""The program `faster-sim`, in which simulations run: SystemC elaborates one design per process."""
+"""The programs in which simulations run: SystemC elaborates one design per process."""
 
 import os
 import pty
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO, Callable, Mapping, Optional, Sequence
+from typing import Callable, Iterator, Optional, Sequence, Union
 
-from faster_sim._core import InputError
+from faster_sim._errors import InputError, ProgramError
 
 Progress = Callable[[int, int], object]
 """Told how much of how much is done. What it raises ends the work."""
 
+Path_ = Union[str, "os.PathLike[str]"]
+
+DEFAULT = "faster-sim"
 EXIT_DONE, EXIT_FAILED_CHECK, EXIT_BAD_INPUT, EXIT_DEADLOCK = range(4)
+_PROGRESS_LINE = re.compile(rb"\r\[[^\r\n]*\x1b\[K|\r\x1b\[K")
 
 
-class ProgramError(RuntimeError):
-    """`faster-sim` is missing, or ended as it never should."""
+@dataclass(frozen=True)
+class Ended:
+    """What became of a command."""
+
+    code: int
+    printed: str
+    errors: str
 
 
-def overrides(values: Mapping[str, object]) -> list[str]:
-    """As --set has them. "__" stands for "." in names that are written as Python's keyword arguments."""
-    return [f"{key.replace('__', '.')}={_as_yaml(value)}" for key, value in values.items()]
+def find(program: Path_) -> str:
+    """A path, or a name: of the program in $FASTER_SIM, beside it, in the build or wheel that this package is of, or in
+    $PATH."""
+    name = os.fspath(program)
+    if os.sep in name:
+        return name
+    places = list(_places(name))
+    for place in places:
+        if os.access(place, os.X_OK) and not os.path.isdir(place):
+            return place
+    raise ProgramError(f"no program {name} in $PATH, expected one there; Program(path) takes a path" if name != DEFAULT
+                       else "no program faster-sim in $FASTER_SIM or $PATH")
 
 
-def settings(values: Mapping[str, object]) -> list[str]:
-    """The same as options of the program."""
-    return [word for override in overrides(values) for word in ("--set", override)]
+def _places(name: str) -> Iterator[str]:
+    chosen = os.environ.get("FASTER_SIM")
+    if chosen:
+        yield chosen if name == DEFAULT else str(Path(chosen).absolute().parent / name)
+    package = Path(__file__).absolute().parent
+    yield str(package / "bin" / name)
+    yield str(package.parents[1] / "bin" / name)
+    in_path = shutil.which(name)
+    if in_path:
+        yield in_path
 
 
-def call(arguments: Sequence[str], progress: Optional[Progress] = None) -> tuple[int, str]:
-    """The exit code and what was said on stderr. Raises InputError with the program's line, where the input is bad."""
-    with tempfile.TemporaryFile() as errors:
-        code = _call([_find(), *arguments], errors, progress)
-        errors.seek(0)
-        said = errors.read().decode(errors="replace").strip()
+def call(program: Path_, arguments: Sequence[str], progress: Optional[Progress] = None) -> Ended:
+    """Raises InputError with the program's line, where the input is bad. A failed check and a deadlock are for the caller."""
+    found = find(program)
+    with tempfile.TemporaryFile() as errors, tempfile.TemporaryFile() as output:
+        code = _call([found, *arguments], output, errors, progress)
+        ended = Ended(code, _read(output), _read(errors))
+    said = ended.errors.strip()
     if code == EXIT_BAD_INPUT:
-        raise InputError(said.removeprefix("faster-sim: "))
-    if code not in (EXIT_DONE, EXIT_DEADLOCK):
-        raise ProgramError(f"faster-sim ended with exit code {code}: {said}")
-    return code, said
+        raise InputError(said.removeprefix(Path(found).name + ": "))
+    if code not in (EXIT_DONE, EXIT_FAILED_CHECK, EXIT_DEADLOCK):
+        raise ProgramError(f"{Path(found).name} ended with exit code {code}: {said}")
+    return ended
 
 
-def _call(words: Sequence[str], errors: BinaryIO, progress: Optional[Progress]) -> int:
-    terminal, end = pty.openpty() if progress else (None, subprocess.DEVNULL)  # only a terminal is shown progress
+def main() -> None:
+    """The command `faster-sim` of an installed wheel."""
+    found = str(Path(__file__).absolute().parent / "bin" / DEFAULT)
+    os.execv(found, [DEFAULT, *sys.argv[1:]])
+
+
+def _read(file: object) -> str:
+    file.seek(0)  # type: ignore[attr-defined]
+    content: bytes = _PROGRESS_LINE.sub(b"", file.read()).replace(b"\r\n", b"\n")  # type: ignore[attr-defined]
+    return content.decode(errors="replace")
+
+
+def _call(words: Sequence[str], output: object, errors: object, progress: Optional[Progress]) -> int:
+    terminal, end = pty.openpty() if progress else (None, output)  # only a terminal is shown progress
     try:
-        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=end, stderr=errors)
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=end, stderr=errors)  # type: ignore[call-overload]
+    except OSError as error:
+        raise ProgramError(f"{words[0]}: {error.strerror}, expected a program that can be run") from None
     finally:
         if terminal is not None:
-            os.close(end)
+            os.close(end)  # type: ignore[arg-type]
     with process:
         try:
-            if terminal is not None:
-                _follow(terminal, progress)
-            return process.wait()
+            if terminal is not None and progress is not None:
+                _follow(terminal, output, progress)
+            return int(process.wait())
         except BaseException:
             process.terminate()  # then it clears away what is half-written
             raise
@@ -64,28 +106,12 @@ def _call(words: Sequence[str], errors: BinaryIO, progress: Optional[Progress]) 
                 os.close(terminal)
 
 
-def _follow(terminal: int, progress: Progress) -> None:
+def _follow(terminal: int, output: object, progress: Progress) -> None:
     while True:
         try:
             shown = os.read(terminal, 4096)
         except OSError:  # nobody writes any more
             return
+        output.write(shown)  # type: ignore[attr-defined]
         for done, of_all in re.findall(rb"\] (\d+)/(\d+) ", shown):
             progress(int(done), int(of_all))
-
-
-def _find() -> str:
-    """$FASTER_SIM, the program of the build that this package is of, or the one of $PATH."""
-    beside = Path(__file__).absolute().parents[2] / "bin" / "faster-sim"
-    for place in (os.environ.get("FASTER_SIM"), str(beside), shutil.which("faster-sim")):
-        if place and os.access(place, os.X_OK):
-            return place
-    raise ProgramError("no program faster-sim in $FASTER_SIM or $PATH")
-
-
-def _as_yaml(value: object) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(_as_yaml, value)) + "]"
-    return str(value)

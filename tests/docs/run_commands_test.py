@@ -32,8 +32,12 @@ FAILS_ON_PURPOSE = {  # what the page shows ends with this exit code
 
 # What a script does once it has installed and built.
 INSTEAD = {
+    "/usr/bin/python3": "PYTHONPATH=$PWD/build/release/python /usr/bin/python3 -c 'import faster_sim; print(faster_sim.__version__)'",
     "bash scripts/run.sh": "build/release/bin/faster-sim run configs/faster_zcu102.yaml --out out/main",
 }
+
+# What scripts/run.sh leaves besides; pages may count on nothing else.
+BUILT_BY_RUN = re.search(r"cmake --build --preset release --target (.*)", (SOURCE / "scripts" / "run.sh").read_text(encoding="utf-8")).group(1).split()
 
 # Part of a command: why it is not run.
 NOT_RUN = {
@@ -53,8 +57,6 @@ NOT_RUN = {
     "[latency]": "a measurement",
     "faster-sim explore": "serves until it is interrupted; tests/cli/explore_test.cpp",
     "gtkwave": "a program with a window",
-    "/usr/bin/python3": "interactive; python.the_package_does_what_the_program_does runs the page",
-    "export PYTHONPATH": "for the line behind it",
     "parallel ": "GNU parallel, which the project does not install; tests/cli/sweep_test.cpp has shards",
     "sbatch ": "wants a cluster; tests/cluster/slurm_test.sh",
     "sweep merge": "merges what the line before it made, on a cluster or by GNU parallel",
@@ -113,6 +115,8 @@ class Page:
         for preset in ("release", "ci"):
             (self.folder / "build" / preset).mkdir(parents=True)
             (self.folder / "build" / preset / "bin").symlink_to(BINARIES)
+            if "faster_python" in BUILT_BY_RUN:
+                (self.folder / "build" / preset / "python").symlink_to(BINARIES.parent / "python")
         where = self.folder
         for block in self.blocks:
             if block.file:

@@ -42,6 +42,7 @@ class Reader {
             Json const header = frame_at(opening_bytes, header_bytes_, most_header_bytes, "header");
             if (index.at("header_checksum") != header_checksum_)
                 fail("its header does not belong to its index, expected both from one run");
+            require_own(header);
             read_configuration(header.at("configuration"), file.loaded);
             read_machine(header.at("machine"), machine_of(file.loaded.config), file.run);
             read_samples(index.at("samples"), file);
@@ -56,11 +57,29 @@ class Reader {
         return file;
     }
 
+    std::string program() {
+        read_opening();
+        read_closing();
+        try {
+            return frame_at(opening_bytes, header_bytes_, most_header_bytes, "header").value("program", program_name());
+        } catch (Json::exception const& error) {
+            fail_version(error.what());
+        }
+    }
+
   private:
     [[noreturn]] void fail(std::string const& what) const { throw InputError(path_.string() + ": " + what); }
     [[noreturn]] void fail_version(std::string const& what) const {
         fail(fmt::format(
             "is not as this faster-sim writes it ({}), expected a file of the same version; record it anew", what));
+    }
+
+    void require_own(Json const& header) const {
+        std::string const program = header.value("program", program_name());
+        if (program != program_name())
+            fail(
+                fmt::format("was recorded by {0}, which alone knows its design, expected a file of {1}; use {0} for it",
+                            program, program_name()));
     }
 
     std::string bytes_at(std::uint64_t at, std::uint64_t count) {
@@ -116,6 +135,8 @@ class Reader {
         RunConfig const defaults;
         Keys const keys = figure_keys();
         for (Key const& key : keys) {
+            if (!values.contains(key.name()))
+                throw std::invalid_argument("it has no key " + key.name());
             Json const& value = values.at(key.name());
             std::string const text = value.is_string() ? value.get<std::string>() : value.dump();
             for (std::string const& complaint : apply_override(key.name() + "=" + text, loaded))
@@ -169,6 +190,7 @@ std::string header_of(RunConfig const& config, replay::RecordedRun const& run, s
     Json header;
     header["format"] = "faster-events";
     header["version"] = format_version;
+    header["program"] = program_name();
     if (!function.empty())
         header["function"] = function;
     header["configuration"] = configuration_json(config);
@@ -207,6 +229,8 @@ void put(std::string_view bytes, std::ostream& stream) {
 }  // namespace
 
 EventFile read_event_file(std::filesystem::path const& path) { return Reader(path).read(); }
+
+std::string recording_program(std::filesystem::path const& path) { return Reader(path).program(); }
 
 void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
                       RunStatistics const& statistics, std::string const& summary, std::string const& function) {

@@ -28,4 +28,7 @@ void write_event_file(io::OutputFile const& file, RunConfig const& config, repla
 /// file, of another version, cut off or damaged.
 EventFile read_event_file(std::filesystem::path const& path);
 
+/// The program that wrote an event file, the only one that knows its design. Throws InputError for what is none.
+std::string recording_program(std::filesystem::path const& path);
+
 }  // namespace dataflow::events

@@ -23,6 +23,24 @@ Json configuration_json(std::vector<ResolvedKey> const& keys) {
     return object;
 }
 
+/// Which module writes each FIFO of a core, and which reads it.
+Json dataflow_json(Machine const& machine) {
+    Json rows = Json::array();
+    for (MachineFifo const& fifo : machine.fifos)
+        if (fifo.is_present)
+            rows.push_back({{"fifo", fifo.name},
+                            {"from", machine.processes[fifo.writer].name},
+                            {"to", machine.processes[fifo.reader].name}});
+    return rows;
+}
+
+/// What was done until nothing could move.
+Json partial_json(RunStatistics const& run) {
+    return {{"samples", run.samples.size()},
+            {"fifos", json_table(fifo_columns, fifo_rows(run))},
+            {"loops", json_table(loop_columns, loop_rows(run))}};
+}
+
 }  // namespace
 
 std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host,
@@ -40,6 +58,7 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
     summary["fifos"] = json_table(fifo_columns, fifo_rows(run));
     summary["brams"] = json_table(memory_columns, memory_rows(run));
     summary["loops"] = json_table(loop_columns, loop_rows(run));
+    summary["dataflow"] = dataflow_json(run.machine);
     if (Json hazards = hazards_json(run); !hazards.empty())
         summary["hazards"] = std::move(hazards);
     if (run.memory)
@@ -91,6 +110,7 @@ std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStati
     summary["format"] = "faster-summary";
     summary["version"] = 1;
     summary["deadlock"] = deadlock_json(run);
+    summary["partial"] = partial_json(run);
     summary["configuration"] = configuration_json(keys);
     if (!made_by.is_null())
         summary["made_by"] = made_by;

@@ -22,7 +22,8 @@ std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics con
 /// Who waits for whom in a run that got stuck.
 Json deadlock_json(RunStatistics const& run);
 
-/// summary.json of a run that got stuck: who waits for whom, and the configuration. It has no results.
+/// summary.json of a run that got stuck: who waits for whom, and the configuration. Its figures are
+/// those until then.
 std::string deadlock_summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run,
                                   Json const& made_by = {});
 

@@ -1,6 +1,18 @@
 # `cmake --build --preset release --target package` makes a .deb: the tool with its man pages and the completion of bash,
 # configurations, the package for Python, and the kernel's headers and libraries. Called last: it packs what is installed.
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md NOTICE packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# What Debian's tools read; CHANGELOG.md says what changed.
+set(faster_contact "The faster-sim authors <maintainers@faster-sim.invalid>")
+string(TIMESTAMP faster_date "%a, %d %b %Y 00:00:00 +0000" UTC)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/changelog CONTENT
+"faster-sim (${PROJECT_VERSION}) unstable; urgency=medium
+
+  * CHANGELOG.md says what changed.
+
+ -- ${faster_contact}  ${faster_date}
+")
+install(CODE "execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/packaging/changelog OUTPUT_FILE ${PROJECT_BINARY_DIR}/packaging/changelog.gz COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${PROJECT_BINARY_DIR}/packaging/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN changes EXCLUDE)
 install(FILES scripts/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME faster-sim)
 
@@ -14,8 +26,13 @@ endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME faster-sim)
-set(CPACK_PACKAGE_CONTACT "the faster-sim authors")
+set(CPACK_PACKAGE_CONTACT "${faster_contact}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "cycle-accurate simulator of dataflow designs for FPGAs
+ Simulates FASTER, an accelerator that scores hypotheses of an object's
+ pose against a depth image, and any design of pipelined loops, FIFOs and
+ block RAMs: how many cycles it takes, where they go, and what a change
+ would buy.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

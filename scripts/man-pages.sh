@@ -14,6 +14,7 @@ page() {
     summary="$("$@" --help | head -n 1)"
     help2man --no-info --no-discard-stderr --section 1 --name "$summary" --version-string "$name $("$program" --version)" \
         --manual "faster-sim" --output "$folder/$name.1" "$*"
+    gzip -9nf "$folder/$name.1"
 }
 
 mapfile -t commands < <("$program" --help | awk '/^Subcommands:/ { within = 1; next } within && NF { print $1 }')

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utf8cpp/utf8.h>
 
 namespace dataflow {
 
@@ -12,38 +13,16 @@ struct CodeRange {
     bool holds(char32_t code) const { return code >= first && code <= last; }
 };
 
-/// Bytes of the character that starts with `lead`; 0 if none does. C0, C1 and F5 upwards never occur.
-std::size_t length_of(unsigned char lead) {
-    if (lead < 0x80)
-        return 1;
-    if (lead >= 0xC2 && lead <= 0xDF)
-        return 2;
-    if (lead >= 0xE0 && lead <= 0xEF)
-        return 3;
-    return lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
-}
-
-/// Excludes overlong forms, surrogates and code points beyond 10FFFF.
-bool is_in_shortest_form(char32_t code, std::size_t bytes) {
-    constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
-    return code >= least[bytes] && code <= 0x10FFFF && !CodeRange{0xD800, 0xDFFF}.holds(code);
-}
-
 }  // namespace
 
 Utf8Character first_character(std::string_view text) {
-    auto const lead = static_cast<unsigned char>(text.front());
-    std::size_t const length = length_of(lead);
-    if (length == 0 || length > text.size())
+    auto end = text.begin();
+    try {
+        char32_t const code = utf8::next(end, text.end());
+        return {static_cast<std::size_t>(end - text.begin()), code, true};
+    } catch (utf8::exception const&) {
         return {};
-    char32_t code = length == 1 ? lead : lead & (0x7FU >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        auto const byte = static_cast<unsigned char>(text[i]);
-        if ((byte & 0xC0U) != 0x80U)
-            return {};
-        code = code << 6U | (byte & 0x3FU);
     }
-    return is_in_shortest_form(code, length) ? Utf8Character{length, code, true} : Utf8Character{};
 }
 
 bool is_printable(char32_t code) {

@@ -1,7 +1,6 @@
 #include "faster/workload/files/png_codec.hpp"
 
 #include <algorithm>
-#include <array>
 #include <csetjmp>
 #include <new>
 #include <png.h>
@@ -25,25 +24,8 @@ std::uint32_t big_endian_at(std::string_view bytes, std::size_t position) {
            byte_at(bytes, position + 3);
 }
 
-std::array<std::uint32_t, 256> crc_table() {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t index = 0; index < table.size(); ++index) {
-        std::uint32_t value = index;
-        for (int bit = 0; bit < 8; ++bit) {
-            value = (value & 1) != 0 ? 0xEDB88320U ^ (value >> 1) : value >> 1;
-        }
-        table[index] = value;
-    }
-    return table;
-}
-
-std::uint32_t crc32(std::string_view bytes) {
-    static std::array<std::uint32_t, 256> const table = crc_table();
-    std::uint32_t value = 0xFFFFFFFFU;
-    for (std::size_t position = 0; position < bytes.size(); ++position) {
-        value = table[(value ^ byte_at(bytes, position)) & 0xFF] ^ (value >> 8);
-    }
-    return ~value;
+std::uint32_t crc_of(std::string_view bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<Bytef const*>(bytes.data()), bytes.size()));
 }
 
 PngHeader parse_header(std::string_view data) {
@@ -200,7 +182,7 @@ PngCheck check_png(std::string_view file) {
         std::size_t const data_bytes = big_endian_at(file, 0);
         std::string_view const type_and_data = file.substr(length_bytes, type_bytes + data_bytes);
         std::string_view const type = type_and_data.substr(0, type_bytes);
-        if (crc32(type_and_data) != big_endian_at(file, length_bytes + type_bytes + data_bytes) ||
+        if (crc_of(type_and_data) != big_endian_at(file, length_bytes + type_bytes + data_bytes) ||
             first != (type == "IHDR") || (first && data_bytes != header_bytes)) {
             return {check.header, "is a damaged PNG file"};
         }

@@ -44,7 +44,8 @@ class Program:
     def record(self, config: Path_, path: Path_, *, progress: Optional[Progress] = None, **more: object) -> Events:
         """Runs a configuration and keeps its events in a file. One that gets stuck raises DeadlockError; what was in the file
         stays there."""
-        self.run(config, progress=progress, events=os.fspath(path), **more)
+        options: dict[str, Any] = {**more, "events": os.fspath(path)}
+        self.run(config, progress=progress, **options)
         return self.load_events(path)
 
     def load_events(self, path: Path_) -> Events:
@@ -65,7 +66,7 @@ class Program:
         """Checks budgets; `check["limits"]` has a row per limit. A broken one raises nothing: the answer is false."""
         with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
             file = Path(temporary) / "check.json"
-            words = ["check", *map(os.fspath, budgets), "--json", str(file), *_values.words(more)]
+            words = ["check", *(os.fspath(one) for one in budgets), "--json", str(file), *_values.words(more)]
             ended = _program.call(self.path, words, progress)
             found = json.loads(file.read_text(encoding="utf-8"))
         return Check(found, {"limits": _limits(found)}, ended.printed)
@@ -89,12 +90,12 @@ class Program:
     def evaluate(self, *results: Path_, dataset: Path_, out: Optional[Path_] = None, progress: Optional[Progress] = None,
                  **more: object) -> Answer:
         """Judges files of results against a dataset of BOP; tables `scores`, `errors`, `curves`."""
-        words = ["evaluate", *map(os.fspath, results), os.fspath(dataset)]
+        words = ["evaluate", *(os.fspath(one) for one in results), os.fspath(dataset)]
         return self._answer(words, "evaluation.json", ["scores", "errors", "curves"], out, progress, more)
 
     def call(self, command: str, *words: Path_, progress: Optional[Progress] = None, **more: object) -> str:
         """Any command, as in a shell: call("record", "a.yaml", out="trace"). Returns what it printed."""
-        return self._done([command, *map(os.fspath, words), *_values.words(more)], progress).printed
+        return self._done([command, *(os.fspath(one) for one in words), *_values.words(more)], progress).printed
 
     def _done(self, words: list[str], progress: Optional[Progress]) -> _program.Ended:
         ended = _program.call(self.path, words, progress)

@@ -42,8 +42,6 @@ BUILT_BY_RUN = re.search(r"cmake --build --preset release --target (.*)", (SOURC
 # Part of a command: why it is not run.
 NOT_RUN = {
     "scripts/setup.sh": "installs packages",
-    "pip install": "installs a package; tests/python/wheel_test.sh does it in an environment of its own",
-    "scripts/release.sh": "makes a tag",
     "scripts/test.sh": "installs packages, builds and runs all tests, this one too",
     "apt install": "installs packages",
     "cmake ": "builds; scripts/check-changes.sh and package.a_project_guards_its_own_design do what these pages show",

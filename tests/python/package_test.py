@@ -13,6 +13,7 @@ import tempfile
 import threading
 import time
 import unittest
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy
@@ -153,8 +154,8 @@ class PackageTest(unittest.TestCase):
             self.events.size_fifos(5, jobs=-1)
 
     def test_events_go_to_other_processes(self) -> None:
-        with multiprocessing.get_context("spawn").Pool(1) as pool:
-            totals = pool.map(total_of, [(self.events, depth) for depth in (1, 16)])
+        with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+            totals = list(pool.map(total_of, [(self.events, depth) for depth in (1, 16)]))
         self.assertEqual(totals, [self.events.whatif({DEPTH: depth}).total_cycles for depth in (1, 16)])
         result = self.events.whatif()
         self.assertEqual(pickle.loads(pickle.dumps(result)).samples.tolist(), result.samples.tolist())

@@ -36,9 +36,9 @@ cmake --build --preset "$preset" --target faster-sim faster_python
 (cd "build/$preset" && cpack -G DEB -B "$PWD/packages")
 cp "build/$preset/packages/faster-sim_${version}_"*.deb "$out"
 lintian --fail-on error "$out"/*.deb || fail "lintian found errors in the package"
-FASTER_BUILD="build/$preset" /usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$out" .
+FASTER_BUILD="build/$preset" "${PYTHON:-/usr/bin/python3}" -m pip wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$out" .
 git archive --format=tar.gz --prefix="faster-sim-$version/" -o "$out/faster-sim-$version.tar.gz" HEAD
 awk -v head="## $version " 'index($0, "## ") == 1 { within = index($0, head) == 1; next } within' CHANGELOG.md >"$out/NOTES.md"
 (cd "$out" && sha256sum -- *.deb *.whl *.tar.gz >SHA256SUMS)
 git tag -a "v$version" -F "$out/NOTES.md" --cleanup=verbatim
-echo "release: $(ls "$out" | paste -sd ' ') in $out, tag v$version on $(git rev-parse --short HEAD); to publish: git push origin HEAD v$version"
+echo "release: $out has package, wheel, archive, SHA256SUMS and NOTES.md; tag v$version on $(git rev-parse --short HEAD); to publish: git push origin HEAD v$version"

@@ -234,7 +234,10 @@ TEST_CASE("Several meshes are read at once, and the first bad one is named", "[m
     CHECK(meshes[0].faces.size() == 1);
     CHECK(meshes[1].faces.size() == 4);
     auto const bad = folder.write("c.obj", "f 1 2 3\n");
-    CHECK_THAT(input_error_text([&] { faster::files::load_meshes({one, bad, two}, {}, 2); }), Contains("c.obj:1: face 0"));
+    CHECK_THAT(input_error_text([&] {
+                   faster::files::load_meshes({one, bad, two}, {}, 2);
+               }),
+               Contains("c.obj:1: face 0"));
 }
 
 TEST_CASE("A mesh comes whole from one process to another, or not at all", "[mesh_file]") {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "faster/dataflow_names.hpp"
 #include "dataflow/base/portable_math.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace polygon_cutter_test {
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
+#include "faster/config/workload_config.hpp"
 #include "faster/data/camera.hpp"
 #include "faster/data/mesh.hpp"
-#include "faster/config/workload_config.hpp"
 #include "faster/workload/depth_image.hpp"
 
 namespace faster::workload {

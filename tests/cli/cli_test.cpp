@@ -455,8 +455,8 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {}, {"subcommand"});
     check_refused(workspace, {"fly"},
                   {"unknown command fly",
-                   "run, check, record, explore, whatif, sensitivities, size-fifos, compare, compare-architectures, "
-                   "cosim, sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
+                   "run, check, record, explore, whatif, sensitivities, size-fifos, compare, cosim, "
+                   "sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});

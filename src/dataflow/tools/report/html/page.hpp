@@ -8,7 +8,5 @@ extern char const* const report_page;
 extern char const* const deadlock_page;
 /// The same of a sizing of FIFOs: page/sizing.html.
 extern char const* const sizing_page;
-/// The same of architectures side by side: page/architectures.html.
-extern char const* const architectures_page;
 
 }  // namespace dataflow::report

@@ -19,10 +19,10 @@ namespace dataflow {
 class DataflowCore;
 class FifoChannel;
 
-/// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says
-/// what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes
-/// the SystemC kernel along before every access; in `decoupled` it notes the operations and lets the core's timing
-/// catch up later. The cycles are the same: both run through timing::ProcessTiming.
+/// The local time of one process, in cycles; the only way a module lets time pass (docs/timing-model.md#vocabulary).
+/// The module says what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at
+/// once and takes the SystemC kernel along before every access; in `decoupled` it notes the operations and lets the
+/// core's timing catch up later. The cycles are the same: both run through timing::ProcessTiming.
 class ProcessClock {
   public:
     /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.

@@ -8,7 +8,7 @@
 
 namespace faster::reference {
 
-/// Brings one mesh into the image, pose after pose (SPEC section 2, vertex transform), keeping its buffers between
+/// Brings one mesh into the image, pose after pose (docs/function.md#vertex-transform), keeping its buffers between
 /// them. The mesh is held by reference; its faces must index into its vertices.
 class VertexTransform {
   public:

@@ -12,7 +12,7 @@ namespace faster {
 namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 
-/// A read takes a cycle, and what is written depends on it (SYSTEM.md section 9).
+/// A read takes a cycle, and what is written depends on it (docs/timing-model.md#hazards).
 MemoryStages token_stages(char const* map, std::uint64_t reads, std::uint64_t writes) {
     return {map, 2, 3, reads, writes};
 }

@@ -26,7 +26,7 @@ namespace faster {
 ///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
 ///   out   depth_full_out  the drawn one and its region, instead of result_out
 ///   time  a step each instead of loops `extract` and `sweep`
-/// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
+/// Source: thesis 4.1.3 and A.3; docs/function.md#inlierunit, docs/timing-model.md#sources-of-time.
 class InlierUnit : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};

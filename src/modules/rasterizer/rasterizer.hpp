@@ -30,7 +30,8 @@ namespace faster {
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel, group or edge flush
 ///   per iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce
 ///   triangles
-/// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3; setup_overlap and the scans but zigzag: this project.
+/// Source: thesis 4.1.1, 5.1 and A.1; docs/function.md#rasterizer, docs/timing-model.md#sources-of-time; setup_overlap
+/// and the scans but zigzag: this project.
 class Rasterizer : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};

@@ -65,7 +65,7 @@ struct MachineFifo {
     /// Tokens that it is built for: behind a pipeline that squeezes, those of the pipeline as well.
     std::uint64_t tokens() const { return depth + tokens_of_pipeline(); }
     std::uint64_t tokens_of_pipeline() const { return flushes && when_full == WhenFull::squeeze ? write_latency : 0; }
-    /// As the timing sees it (SPEC section 3, FIFO).
+    /// As the timing sees it (docs/timing-model.md#fifos).
     timing::FifoShape shape() const;
 };
 

@@ -6,7 +6,8 @@
 
 namespace faster::io {
 
-/// The content of `trace.yaml`: the shape of a stimulus trace and the names of its other files (SPEC section 4).
+/// The content of `trace.yaml`: the shape of a stimulus trace and the names of its other files
+/// (docs/formats.md#stimulus-trace).
 struct TraceManifest {
     static constexpr char const* format = "faster-trace";
     static constexpr int version = 1;

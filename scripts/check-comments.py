@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that texts lead somewhere and stand alone:
-  - a page and heading that a comment or a page names (docs/PAGE.md#heading) are there, and so are files in backticks;
+  - a page and heading that a comment or a page names are there, and so are files in backticks;
   - no comment begins with a word that needs the comment before it ("The same ...");
   - pages that are not in the repository are not named.
 It takes a second. Exit code 1 if it found something."""
@@ -22,7 +22,7 @@ UNKNOWN_PAGE = re.compile(r"\b(SPEC|SYSTEM|KERNEL)\b(?!\s+(PUBLIC|ON|PRIVATE|INT
 REFERENCE = re.compile(r"(?<![\w/.-])((?:docs|configs|traces)/[\w/-]+\.md)(?:#([\w-]+))?")
 LINK = re.compile(r"\]\(([^)\s:]*?)(?:#([^)\s]*))?\)")
 NAMED_FILE = re.compile(r"`([\w./-]+\.(?:hpp|cpp|sv|sh|py|cmake|js))`")
-NAMED_FOLDER_FILE = re.compile(r"`((?:configs|traces|docs|examples|scripts|tests)/[\w./-]+\.\w+)`")
+NAMED_PATH = re.compile(r"`((?:src|configs|traces|docs|examples|scripts|tests|rtl|cmake|bench|fuzz|python)/[\w./-]*)`")
 COMMENT = {".cpp": "//", ".hpp": "//", ".js": "//", ".sv": "//"}
 
 # Files that a reader is to write, or that a build makes.
@@ -110,7 +110,10 @@ def check_page(complaints: Complaints, name: str, lines: list[str], files: froze
                 check_target(complaints, name, number, (page.parent / target).resolve() if target else page, heading)
         if name == "CHANGELOG.md":  # which names what is gone
             continue
-        for file in NAMED_FILE.findall(line) + NAMED_FOLDER_FILE.findall(line):
+        for path in NAMED_PATH.findall(line):
+            if "NNNN" not in path and not (ROOT / path).exists():
+                complaints.add(name, number, f"no path {path}")
+        for file in NAMED_FILE.findall(line):
             if file not in MADE and not any(known == file or known.endswith("/" + file) for known in files):
                 complaints.add(name, number, f"no file {file}")
 

@@ -9,7 +9,7 @@ namespace dataflow {
 /// kernel elaborates once. Throws InputError if there is too little memory for it.
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options = {});
 
-/// The same of a configuration whose workload is not wanted otherwise.
+/// The figures of a run of a configuration, whose workload is made for it and is not wanted otherwise.
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options = {});
 
 }  // namespace dataflow

@@ -34,7 +34,7 @@ class VertexTransform {
     std::vector<TriangleCode> triangles_;
 };
 
-/// The same for a single pose.
+/// Brings a mesh into the image in a single pose.
 std::vector<TriangleCode> transform(Mesh const& mesh, Pose const& pose, Camera const& camera,
                                     FractionBits const& fraction);
 

@@ -45,7 +45,7 @@ class ZigzagScan {
     explicit ZigzagScan(TriangleSetup const& setup);
     bool done() const { return row_ > bottom_; }
     ScanLine next_line();
-    /// The same line, for those who do not care for the order of its pixels.
+    /// The next line, for those who do not care for the order of its pixels.
     CoveredRun next_run();
 
     int row() const { return row_; }  ///< of the next line

@@ -75,7 +75,7 @@ template <class Line> struct FifoRules {
             largest = ++m;
         return std::max<std::uint64_t>(largest, 1);  // a token stays for a cycle at least (Lf >= 1)
     }
-    /// Likewise by the read in a cycle. `readable_at(i)`: the i-th cycle of readable from that read on.
+    /// `largest`, raised by the read in a cycle. `readable_at(i)`: the i-th cycle of readable from that read on.
     template <class ReadableAt>
     std::uint64_t raised_by_read(std::uint64_t largest, Time cycle, std::uint64_t known, ReadableAt readable_at) const {
         while (largest < capacity && largest < known && readable_at(largest) < cycle + read_latency)

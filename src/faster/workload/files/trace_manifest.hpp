@@ -29,7 +29,7 @@ struct TraceManifest {
 /// and fraction bits that contradict each other.
 TraceManifest read_manifest(std::filesystem::path const& path);
 
-/// The same, as text.
+/// The text of trace.yaml.
 std::string manifest_text(TraceManifest const& manifest);
 
 }  // namespace faster::io

@@ -31,7 +31,7 @@ Image<Mark> fitted_to_terminal(Image<Mark> const& marks, int height, int width);
 /// in '\n' and not in blanks.
 std::string plain_text(Image<Mark> const& marks);
 
-/// The same in half-blocks with 24-bit colours (ANSI escape sequences, UTF-8).
+/// Two marks per character in half-blocks with 24-bit colours (ANSI escape sequences, UTF-8).
 std::string coloured_text(Image<Mark> const& marks);
 
 }  // namespace faster::pictures

@@ -4,7 +4,7 @@
 
 namespace dataflow {
 
-/// Something the user handed us (configuration, mesh, image, trace, flag) is unusable. `what()` is one line that names
+/// Something the user handed us (configuration, image, trace, flag) is unusable. `what()` is one line that names
 /// the file, line or key, what was found and what was expected. The binary exits with code 2 on it
 /// (docs/formats.md#exit-codes). Here, where every message passes, what came from outside is made fit to be printed:
 /// see message_line().

@@ -7,6 +7,5 @@ namespace faster {
 /// Each a command of faster-sim, with its options; those around poses are in poses/commands.
 Subcommand cosim_command();
 Subcommand record_command();
-Subcommand show_command();
 
 }  // namespace faster

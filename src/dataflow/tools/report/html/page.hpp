@@ -6,7 +6,5 @@ namespace dataflow::report {
 extern char const* const report_page;
 /// The page of a run that got stuck, without its data: page/deadlock.html.
 extern char const* const deadlock_page;
-/// The page of a sizing of FIFOs, without its data: page/sizing.html.
-extern char const* const sizing_page;
 
 }  // namespace dataflow::report

@@ -26,11 +26,9 @@ namespace faster {
 ///   - command_out: Triangle per drawn triangle, Fragment per covered pixel, End per sample
 ///   - fragment_depth_out: z sum of each fragment
 ///   - fragment_index_out: the pixel of each fragment in the window
-///   - edge_token_out (flow faster): object and edge pixels, with algorithm threshold pixels near an edge; End per
-///   sample
-///   - region_out (sweep_region touched): first and last pixel of the box that the sample can have changed. They also
-///   go
-///     to fragment_index_out and edge_token_out, after End
+///   - edge_token_out (flow faster): object and edge pixels (algorithm threshold: pixels near an edge), and End
+///   - region_out (sweep_region touched): first and last pixel of the box that the sample can have changed; both also
+///     follow End in fragment_index_out and edge_token_out
 ///
 /// With several lanes, fragment_depth_out, fragment_index_out and edge_token_out carry groups: the covered pixels of
 /// `lanes` adjacent ones.

@@ -49,9 +49,6 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
-    /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
-    void hold(bool holds) { holds_ = holds; }
-
     /// Gives cycles to what can have them once some processes, a bit each, have got tokens from memory; with or without
     /// an automaton.
     void resume(ProcessMask processes);
@@ -145,7 +142,6 @@ class CoreTiming {
     bool follows_ = false;  ///< the script at hand
     Lead lead_;
     bool started_ = false;
-    bool holds_ = false;
 };
 
 }  // namespace dataflow::timing

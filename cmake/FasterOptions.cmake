@@ -1,5 +1,5 @@
 # Compiler flags of every target of ours, on one INTERFACE target. No -march=native and no -ffast-math: both move
-# floating-point results, and with them the bit-exact vertex transform.
+# floating-point results, and with them the bit-exact vertex transform (docs/function.md#vertex-transform).
 # Who uses the installed libraries gets the headers and the language standard alone.
 add_library(faster_options INTERFACE)
 target_include_directories(faster_options INTERFACE

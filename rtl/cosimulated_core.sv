@@ -1,6 +1,6 @@
 // A raster core for a simulation in which everything can be set while it runs: keys in, accesses to FIFOs out. FIFOs are
-// numbered as in fifos.csv, loops as in the table of SPEC section 3. What the keys mean is worked out here, from the
-// rules of SPEC section 3 and SYSTEM.md section 5.
+// numbered as in fifos.csv, loops as in docs/timing-model.md#sources-of-time. What the keys mean is worked out here, from the
+// rules of docs/timing-model.md.
 module cosimulated_core (
     input  logic               clock,
     input  logic               reset,

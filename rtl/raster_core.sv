@@ -1,4 +1,4 @@
-// One raster core (SPEC section 1): eight processes and the FIFOs between them. Wiring only. `NAME_in` is the token that
+// One raster core (docs/architecture.md#the-machine): eight processes and the FIFOs between them. Wiring only. `NAME_in` is the token that
 // is written to FIFO NAME in a cycle with `NAME_write`, `NAME_out` the one that is read in a cycle with `NAME_read`.
 module raster_core #(
     parameter int EDGE_BITS = 36,  // of an edge value and of an area

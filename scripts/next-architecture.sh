@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The tables of docs/next-architecture.md: designs on the ZCU102's memory, what each step buys, how sure the memory's figures
-# have to be. Prints Markdown; takes some minutes.
+# The tables of docs/next-architecture.md behind the first, which configs/sweeps/own_designs.yaml makes: what each step buys,
+# how sure the memory's figures have to be. Prints Markdown; takes some minutes.
 #   scripts/next-architecture.sh [FASTER_SIM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,15 +10,6 @@ source scripts/class-table.sh
 accelerator() { printf 'accelerator.%s\n' "$@"; }
 
 axi=accelerator.memory.model=axi
-ideal=accelerator.memory.model=ideal
-designs=(faster fpga_grip inner_border double_buffers next next_double_buffers next_zcu102)
-for memory in $axi $ideal; do
-    header "Designs, $memory"
-    for design in "${designs[@]}"; do
-        row "$design" "$memory" "accelerator.architecture=$design"
-    done
-done
-
 header "Steps, each added to those above, $axi"
 always=($axi)
 row "faster"

@@ -37,6 +37,7 @@ bash scripts/setup.sh "${setup_options[@]}"
 
 # What takes seconds comes first.
 bash scripts/check-layers.sh
+python3 scripts/check-comments.py
 if command -v clang-format >/dev/null; then
     bash scripts/check-format.sh
 elif [[ "${CI:-}" == true ]]; then

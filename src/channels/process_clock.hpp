@@ -19,10 +19,10 @@ namespace dataflow {
 class DataflowCore;
 class FifoChannel;
 
-/// The local time of one process, in cycles; the only way a module lets time pass (SPEC section 3). The module says
-/// what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at once and takes
-/// the SystemC kernel along before every access; in `decoupled` it notes the operations and lets the core's timing
-/// catch up later. The cycles are the same: both run through timing::ProcessTiming.
+/// The local time of one process, in cycles; the only way a module lets time pass (docs/timing-model.md#vocabulary).
+/// The module says what it does - advance, step, pipelined loop -, the clock decides when. In `lockstep` it does so at
+/// once and takes the SystemC kernel along before every access; in `decoupled` it notes the operations and lets the
+/// core's timing catch up later. The cycles are the same: both run through timing::ProcessTiming.
 class ProcessClock {
   public:
     /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.
@@ -144,8 +144,8 @@ class ProcessClock {
         leave_loop();
     }
 
-    /// The same for a loop that reads a FIFO in a later stage (FifoEnd::taken): each iteration reads one token of it,
-    /// in that stage. `take` is called with the iteration's number when it has got there, and takes the token.
+    /// A loop that reads a FIFO in a later stage (FifoEnd::taken): each iteration reads one token of it, in that stage.
+    /// `take` is called with the iteration's number when it has got there, and takes the token.
     template <class Body, class Take>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, FifoChannel& late_fifo, Take take,
                   SourceSite site = SourceSite::here()) {
@@ -165,7 +165,7 @@ class ProcessClock {
     bool uses_memory() const { return timing_.stream() != nullptr; }
     /// The process's port to the external memory, for an iteration that takes a token, or none if the memory is ideal.
     timing::Ports memory_port() const;
-    /// The same as an access of a step.
+    /// Takes a token from the memory as an access of a step; nothing if the memory is ideal.
     void access_memory() {
         if (uses_memory())
             access(memory_port());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
@@ -12,14 +11,7 @@
 namespace dataflow {
 
 namespace {
-/// A waveform and a critical path are told by the cores that keep the time, and so are cores that share a memory.
-Taping::Timing timing_of_taping(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
-    bool const asks_cores = accelerator.engine() == Engine::lockstep || accelerator.memory() != nullptr ||
-                            options.critical_path || !options.recordings.empty();
-    return asks_cores ? Taping::Timing::by_cores : Taping::Timing::from_tape;
-}
-
-/// From cores that have kept the time.
+/// Of a run that has come to its end, or is stuck.
 RunStatistics collect_from(DataflowAccelerator& accelerator) {
     std::vector<std::vector<Counters>> results;
     std::vector<replay::FinishedCore> cores;
@@ -31,20 +23,6 @@ RunStatistics collect_from(DataflowAccelerator& accelerator) {
         cores.push_back({core->share(), core->timing(), results.back().data()});
     }
     return replay::collect(cores, accelerator.machine(), accelerator.memory(), accelerator.loaded());
-}
-
-/// Of a run that has come to its end, or is stuck.
-RunStatistics statistics_of(DataflowAccelerator& accelerator, Taping* taping) {
-    bool const from_tape = taping != nullptr && taping->timing() == Taping::Timing::from_tape;
-    if (from_tape) {
-        taping->finish();
-        if (std::optional<RunStatistics> run = taping->statistics())
-            return *std::move(run);
-    }
-    RunStatistics run = collect_from(accelerator);
-    if (taping != nullptr && !from_tape)
-        taping->finish();
-    return run;
 }
 
 CriticalPath path_through(DataflowAccelerator const& accelerator) {
@@ -94,13 +72,15 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     Recordings recordings(accelerator, options.recordings);
     std::unique_ptr<Taping> taping;
     if (options.recorded != nullptr)
-        taping = std::make_unique<Taping>(accelerator, *options.recorded, timing_of_taping(accelerator, options));
+        taping = std::make_unique<Taping>(accelerator, *options.recorded);
     accelerator.run();
     if (accelerator.is_left()) {
         recordings.finish(latest_of(accelerator));
         return {};
     }
-    RunStatistics run = statistics_of(accelerator, taping.get());
+    RunStatistics run = collect_from(accelerator);
+    if (taping)
+        taping->finish();
     if (options.critical_path && !run.deadlocked())
         run.critical_path = path_through(accelerator);
     for (std::size_t i = 0; i < run.cores.size(); ++i)

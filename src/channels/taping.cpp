@@ -3,19 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "dataflow/run/replay/plain_reader.hpp"
-#include "dataflow/run/replay/replay.hpp"
-
 namespace dataflow {
-
-namespace {
-replay::TapeWriter::Timed timed_cores(DataflowAccelerator const& accelerator) {
-    replay::TapeWriter::Timed timed{&accelerator.machine(), {}};
-    for (auto const& core : accelerator.cores())
-        timed.shares.push_back(core->share());
-    return timed;
-}
-}  // namespace
 
 std::vector<Counters> all_results(DataflowCore const& core) {
     std::vector<Counters> results;
@@ -24,13 +12,11 @@ std::vector<Counters> all_results(DataflowCore const& core) {
     return results;
 }
 
-Taping::Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run, Timing timing)
+Taping::Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run)
     : accelerator_(accelerator),
-      timing_(timing),
       run_(run),
       tapes_(accelerator.cores().size()),
-      writer_(run, accelerator.machine().lead, accelerator.machine().process_places(),
-              timing == Timing::from_tape ? timed_cores(accelerator) : replay::TapeWriter::Timed()) {
+      writer_(run, accelerator.machine().lead, accelerator.machine().process_places()) {
     if (accelerator.memory() != nullptr)
         tape_memory();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
@@ -59,19 +45,11 @@ void Taping::start(std::size_t core) {
     timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
     tapes_[core].logs.resize(timing.processes().size());
     tapes_[core].begun.resize(timing.processes().size());
-    timing.hold(timing_ == Timing::from_tape);
     for (std::size_t i = 0; i < timing.processes().size(); ++i)
-        if (timing_ == Timing::by_cores)
-            timing.process(i).add_tape(tapes_[core].logs[i]);
+        timing.process(i).add_tape(tapes_[core].logs[i]);
     if (core == 0)
         run_.blueprint = timing.blank_copy();
     taking_part_ = modules_of(accelerator_.machine()).size();
-}
-
-/// Where a process says what it does, for the tape alone.
-timing::OperationLog& Taping::log_of(std::size_t core, std::size_t process) {
-    return timing_ == Timing::by_cores ? tapes_[core].logs[process]
-                                       : accelerator_.cores()[core]->timing().process(process).log();
 }
 
 void Taping::begin_sample(std::size_t core, std::size_t process) {
@@ -88,7 +66,7 @@ std::size_t Taping::take_log(std::size_t core, std::size_t process) {
         tape.open.emplace_back(tape.logs.size());
         tape.left.push_back(0);
     }
-    timing::OperationLog& log = log_of(core, process);
+    timing::OperationLog& log = tape.logs[process];
     tape.open[at][process].assign(log.begin(), log.begin() + log.pending());
     log.clear();
     return at;
@@ -132,7 +110,7 @@ void Taping::keep_unfinished() {
 }
 
 void Taping::finish() {
-    bool const is_stuck = timing_ == Timing::by_cores && !is_done();
+    bool const is_stuck = !is_done();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         for (std::size_t process = 0; process < tapes_[core].logs.size(); ++process)
             if (tapes_[core].begun[process] > 0)
@@ -151,32 +129,6 @@ void Taping::finish() {
 bool Taping::is_done() const {
     return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(),
                        [](auto const& core) { return core->results() == core->share().count; });
-}
-
-std::optional<RunStatistics> Taping::statistics() {
-    if (is_done())
-        if (std::optional<RunStatistics> run = writer_.statistics())
-            return run;
-    tell_cores();
-    return std::nullopt;
-}
-
-/// What only the tape knows: the samples that all processes have left, and what some have done for later ones.
-void Taping::tell_cores() {
-    replay::PlainReader reader(run_, accelerator_.machine().lead);
-    for (std::size_t core = 0; core < tapes_.size(); ++core) {
-        timing::CoreTiming& timing = accelerator_.cores()[core]->timing();
-        CoreShare const share = accelerator_.cores()[core]->share();
-        timing.hold(false);
-        replay::NoScripts const no_scripts;
-        replay::Replay replay(
-            no_scripts, [&reader](std::size_t sample) { return reader.read(sample); }, share, timing,
-            accelerator_.machine().lead);
-        replay.go_on_to(share.first + tapes_[core].done);
-        for (replay::SampleOperations const& open : tapes_[core].open)
-            for (std::size_t process = 0; process < open.size(); ++process)
-                replay::append_sample(open[process], timing.process(process).log());
-    }
 }
 
 }  // namespace dataflow

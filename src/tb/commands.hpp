@@ -5,9 +5,7 @@
 namespace faster {
 
 /// Each a command of faster-sim, with its options; those around poses are in poses/commands.
-Subcommand compare_architectures_command();
 Subcommand cosim_command();
 Subcommand record_command();
-Subcommand show_command();
 
 }  // namespace faster

@@ -8,6 +8,7 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
+#include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"

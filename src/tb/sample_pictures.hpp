@@ -12,7 +12,8 @@
 
 namespace faster {
 
-/// Keeps what the first samples of a run left in the maps, and writes it as pictures (SPEC section 4, images).
+/// Keeps what the first samples of a run left in the maps, and writes it as pictures
+/// (docs/formats.md#images-with---images-k).
 class SamplePictures : public SampleProbe {
   public:
     /// Keeps samples below `count`.

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
@@ -130,6 +131,57 @@ TEST_CASE("The presets of faster rasterizers run, with fewer iterations or loops
     CHECK(iterations(flattened, "fragment") == 1 + 15);
     for (nlohmann::json const& faster : {overlap, early, spans, flattened})
         CHECK(faster["total_cycles"] < thesis["total_cycles"]);
+}
+
+/// Cycles of presets on classes, by preset and class; `samples` of each.
+std::map<std::string, std::map<std::string, std::uint64_t>> swept(std::string const& presets,
+                                                                  std::vector<std::string> const& classes,
+                                                                  int samples) {
+    TempFolder const folder;
+    std::string files;
+    for (std::string const& name : classes)
+        files += FASTER_SOURCE_DIR "/configs/" + name + ".yaml, ";
+    folder.write("sweep.yaml",
+                 "format: faster-sweep\nversion: 1\nset: {workload.samples.count: " + std::to_string(samples) +
+                     "}\ndimensions:\n  - {key: accelerator.architecture, values: [" + presets +
+                     "]}\n  - {overlay: class, files: [" + files + "]}\n");
+    require_done(run_command(FASTER_SIM_BINARY, {"sweep", "sweep.yaml", "--out", "out"}, folder.path()));
+    std::map<std::string, std::map<std::string, std::uint64_t>> cycles;
+    std::vector<std::string> const lines = lines_of(content_of(folder / "out" / "results.csv"));
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        std::vector<std::string> const cells = cells_of(lines[i]);
+        REQUIRE(cells.at(3) == "done");
+        cycles[cells.at(1)][fs::path(cells.at(2)).stem().string()] = std::stoull(cells.at(4));
+    }
+    return cycles;
+}
+
+TEST_CASE("Our own designs take a twentieth of the time on all five classes", "[architectures]") {
+    std::vector<std::string> const classes{"potted_meat_can", "banana", "mustard_bottle", "cracker_box",
+                                           "tomato_soup_can"};
+    auto cycles = swept("faster, next, next_double_buffers", classes, 60);
+    for (std::string const& name : classes) {
+        CAPTURE(name, cycles["faster"][name], cycles["next"][name], cycles["next_double_buffers"][name]);
+        REQUIRE(cycles["next"][name] > 0);
+        CHECK(20 * cycles["next"][name] <= cycles["faster"][name]);
+        CHECK(20 * cycles["next_double_buffers"][name] <= cycles["faster"][name]);
+        CHECK(cycles["next_double_buffers"][name] <=
+              cycles["next"][name] * 104 / 100);  // of so few samples, the last sweep counts
+    }
+}
+
+TEST_CASE("Our own design takes a sixteenth of the time with the memory of the board", "[architectures]") {
+    auto cycles = swept("faster, next_zcu102", {"cracker_box"}, 240);
+    CAPTURE(cycles["faster"]["cracker_box"], cycles["next_zcu102"]["cracker_box"]);
+    REQUIRE(cycles["next_zcu102"]["cracker_box"] > 0);
+    CHECK(16 * cycles["next_zcu102"]["cracker_box"] <= cycles["faster"]["cracker_box"]);
+}
+
+TEST_CASE("The shipped sweep over architectures has every preset", "[architectures]") {
+    fs::path const source = FASTER_SOURCE_DIR;
+    std::string const sweep = content_of(source / "configs/sweeps/architectures.yaml");
+    for (auto const& entry : fs::directory_iterator(source / "configs/architectures"))
+        CHECK_THAT(sweep, Catch::Matches("[^]*[\\[ ]" + entry.path().stem().string() + "[,\\]][^]*"));
 }
 
 }  // namespace architectures_test

@@ -455,8 +455,8 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {}, {"subcommand"});
     check_refused(workspace, {"fly"},
                   {"unknown command fly",
-                   "run, check, record, explore, whatif, sensitivities, size-fifos, compare, compare-architectures, "
-                   "cosim, sweep, edge-quality, grip, estimate, evaluate, experiment, show, keys"});
+                   "run, check, record, explore, whatif, sensitivities, size-fifos, compare, cosim, "
+                   "sweep, edge-quality, grip, estimate, evaluate, experiment, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});
@@ -471,8 +471,7 @@ TEST_CASE("A negative number of pictures is refused in one line") {
 
 TEST_CASE("Help, version and keys go to stdout") {
     Workspace const workspace;
-    for (Words const& arguments :
-         {Words{"--help"}, Words{"run", "--help"}, Words{"show", "--help"}, Words{"--version"}, Words{"keys"}}) {
+    for (Words const& arguments : {Words{"--help"}, Words{"run", "--help"}, Words{"--version"}, Words{"keys"}}) {
         CommandResult const result = workspace(arguments);
         require_done(result);
         CHECK_FALSE(result.out.empty());

@@ -76,8 +76,6 @@ TEST_CASE("An output onto what is read is refused") {
     workspace.check_refused({"check", "b.yaml", "--json", "b.yaml"}, {"--json b.yaml", read});
     workspace.check_refused({"check", "b.yaml", "--junit", "config.yaml"}, {"--junit config.yaml", read});
     workspace.check_refused({"check", "--init", "config.yaml", "--out", "config.yaml"}, {"is there already"});
-    workspace.check_refused({"compare-architectures", "faster", "--workloads", "config.yaml", "--csv", "config.yaml"},
-                            {read});
 }
 
 TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {

@@ -54,8 +54,6 @@ TEST_CASE("Whatever computes for hours asks whether that is meant, before it com
          {{"record", "config.yaml", "--out", "t", "--set", "workload.samples.count=1000000"}, " of memory, of which "},
          {{"edge-quality", "--poses", "100000"}, " edge maps: about "},
          {{"experiment", "experiment.yaml", "--out", "out", "-j", "1"}, "2 estimates: about "},
-         {{"compare-architectures", "faster", "--workloads", "config.yaml", "--set", samples, "--set", lockstep},
-          "1000000 samples, about "},
          {{"explore", "config.yaml", "--set", samples, "--set", lockstep, "--set", window},
           "1000000 samples, about "}}));
     CAPTURE(words);

@@ -200,7 +200,7 @@ class Simulation {
     Outcome outcome_;
 };
 
-// The same by the timing.
+// The programs as the timing sees them.
 
 LoopShape shape_of(Program const& program, Segment const& loop) {
     LoopShape shape;

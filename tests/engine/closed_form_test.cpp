@@ -17,7 +17,7 @@ ProcessStatistics const& process_of(RunStatistics const& run, ModuleId id) {
     return run.cores.at(0).processes[index_of(id)];
 }
 
-TEST_CASE("The engines pass the contract's own check", "[closed_form]") {
+TEST_CASE("The engines take what the case by hand takes", "[closed_form]") {
     Engine const engine = either_engine();
     for (int const samples : {1, 2, 3}) {
         CAPTURE(engine, samples);
@@ -173,7 +173,7 @@ TEST_CASE("A command FIFO of depth 1 alone is slow but goes on", "[closed_form]"
     CHECK(run.total_cycles == twin.total_cycles);
     CHECK(run.total_cycles > of_depth_2);
 
-    config.fifo(FifoId::fragment_depth).depth = 1;  // all three, as the contract has it
+    config.fifo(FifoId::fragment_depth).depth = 1;  // all three are shallow
     config.fifo(FifoId::fragment_index).depth = 1;
     TwinResult const stuck_twin = run_twin(config, stimulus);
     RunStatistics const stuck = run_forked(config, stimulus, engine).statistics;

@@ -98,7 +98,7 @@ TEST_CASE("Results do not depend on the swept region, whatever the machine", "[s
 }
 
 TEST_CASE("FIFOs of depth 1 do not lock a touched sweep", "[sweep_region]") {
-    // But for those that carry fragments: their reader takes a command ahead (SPEC section 3).
+    // But for those that carry fragments: their reader takes a command ahead (docs/timing-model.md#sources-of-time).
     RandomStimulusOptions work;
     work.window = {4, 24};
     work.samples = {2, 6};

@@ -7,7 +7,7 @@
 
 namespace faster::testing {
 
-/// Of a sample's result, in the order of its row in samples.csv (SPEC section 4).
+/// Of a sample's result, in the order of its row in samples.csv (docs/formats.md#samplescsv-one-row-per-sample).
 constexpr std::array<char const*, 5> counter_names{"valid_raster", "valid_depth", "inlier", "valid_edge",
                                                    "edge_inlier"};
 

@@ -67,7 +67,7 @@ class FifoModel {
     }
 
   private:
-    /// SYSTEM.md section 5: what HLS makes a shift register of.
+    /// docs/timing-model.md#fifos: what HLS makes a shift register of.
     static bool is_small(FifoConfig const& config) {
         return config.depth <= 2 || (config.rules != FifoGeneration::spec && config.depth * config.bits <= 1024);
     }
@@ -292,7 +292,7 @@ std::uint64_t most_in_a_bank(std::vector<Word> const& words, PartitionConfig con
     return most;
 }
 
-/// What SPEC section 3 says of one loop before anything runs.
+/// What docs/timing-model.md says of one loop before anything runs.
 struct LoopRules {
     Cycles ii = 1;
     Cycles port_conflicts_per_iteration = 0;
@@ -454,10 +454,11 @@ class ProcessModel {
     /// Does what it can do in this cycle.
     ///
     /// A step that cannot happen now charges this cycle to the first of its accesses, in program order, that is not
-    /// legal now. That is the rule of SPEC section 3: access j moves T from the latest of the step's arrival and
-    /// e_1..e_(j-1) to its own earliest legal cycle e_j, if that is later, and is charged the cycles between. So a
-    /// cycle c belongs to the j with e_i <= c for all i < j and e_j > c: all accesses before j are legal at c (once
-    /// legal, an access of this process stays so: nobody else can take its token or its place), and j is not.
+    /// legal now. That is the rule of docs/timing-model.md#fifos: access j moves T from the latest of the step's
+    /// arrival and e_1..e_(j-1) to its own earliest legal cycle e_j, if that is later, and is charged the cycles
+    /// between. So a cycle c belongs to the j with e_i <= c for all i < j and e_j > c: all accesses before j are legal
+    /// at c (once legal, an access of this process stays so: nobody else can take its token or its place), and j is
+    /// not.
     void run_cycle(Cycles cycle) {
         while (!is_finished() && local_time_ <= cycle) {
             arrive();

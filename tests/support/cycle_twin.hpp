@@ -63,11 +63,11 @@ struct TwinResult {
     std::uint64_t controller_ps = 0;                             ///< spent serving
 };
 
-/// The oracle of the timing contract (SPEC section 3): lets cycle 0, 1, 2, ... pass and has every process of a core
-/// attempt its current step in each. Slow and plain on purpose; shares nothing with the engine but the configuration
-/// and stimulus structs. Window and fraction bits are the stimulus's, as for a trace. Throws std::invalid_argument on a
-/// stimulus with a posed mesh (it has no vertex transform) and on a write latency beyond the end of its loop.
-/// With memory `axi` all cores go through the same cycles.
+/// The oracle of docs/timing-model.md: lets cycle 0, 1, 2, ... pass and has every process of a
+/// core attempt its current step in each. Slow and plain on purpose; shares nothing with the engine but the
+/// configuration and stimulus structs. Window and fraction bits are the stimulus's, as for a trace. Throws
+/// std::invalid_argument on a stimulus with a posed mesh (it has no vertex transform) and on a write latency beyond the
+/// end of its loop. With memory `axi` all cores go through the same cycles.
 TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus);
 /// With this memory instead of the configuration's.
 TwinResult run_twin(AcceleratorConfig const& config, Stimulus const& stimulus, TwinMemory const& memory);

@@ -5,9 +5,9 @@
 
 namespace faster::testing {
 
-// The parts of a raster core by the names of SPEC section 1, in the row order of the output files (SPEC section 4): the
-// tests' own list, which knows nothing of the modules' descriptions. A part's number is the same whatever parts a
-// configuration has.
+// The parts of a raster core by the names of docs/architecture.md#the-machine, in the row order of the output files
+// (docs/formats.md#output-of-a-run): the tests' own list, which knows nothing of the modules' descriptions. A part's
+// number is the same whatever parts a configuration has.
 
 /// What all kinds of parts are alike in.
 template <class Kind> struct PartId {
@@ -89,8 +89,8 @@ constexpr std::array<FifoId, fifo_count> fifo_ids{
     FifoId::valid_depth,   FifoId::map_full,       FifoId::map_free,
     FifoId::depth_full,    FifoId::depth_free};
 
-/// Pipelined loops, in the order of SPEC section 3. As a string: the loop whose keys `accelerator.loops.MODULE.LOOP.*`
-/// time it. A loop keeps its keys when it moves to a process of its own.
+/// Pipelined loops, in the order of docs/timing-model.md#sources-of-time. As a string: the loop whose keys
+/// `accelerator.loops.MODULE.LOOP.*` time it. A loop keeps its keys when it moves to a process of its own.
 struct LoopId : PartId<LoopId> {
     ModuleId module;
     char const* keys = "";  ///< MODULE.LOOP

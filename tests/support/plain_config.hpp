@@ -11,8 +11,8 @@
 
 namespace faster::testing {
 
-// What a configuration asks of its parts, as plain values: what its settings say, or else the default of SPEC section
-// 3, which the tests state themselves.
+// What a configuration asks of its parts, as plain values: what its settings say, or else the default of
+// docs/timing-model.md, which the tests state themselves.
 
 struct FifoConfig {
     std::uint64_t depth = 2;  ///< tokens; HLS default
@@ -77,7 +77,8 @@ struct DependenceConfig {
     bool waits = false;
 };
 
-/// SYSTEM.md section 9; in a pipeline too short for the stages, both are as much earlier as the write has to be.
+/// docs/timing-model.md#hazards; in a pipeline too short for the stages, both are as much earlier as the write has to
+/// be.
 inline DependenceConfig dependence_of(AcceleratorConfig const& config, LoopId loop, BramId bram) {
     bool const is_fragment = loop == LoopId::fragment;
     std::string const name =

@@ -38,12 +38,13 @@ struct RandomStimulusOptions {
     IntRange samples{0, 12};
     IntRange triangles{0, 20};          ///< per sample
     std::optional<TriangleKind> kind;   ///< all triangles of this kind; otherwise mixed
-    bool random_fraction_bits = false;  ///< otherwise the defaults of SPEC section 2
+    bool random_fraction_bits = false;  ///< otherwise the defaults of docs/function.md#formats
     bool share_triangles = true;        ///< now and then a sample reuses the triangles of the one before
 };
 
-/// A trace (no posed mesh), valid by SPEC section 4 and reproducible: equal seeds and options give equal stimuli with
-/// every compiler. Depths are drawn around one distance per stimulus, so that depth tests go both ways.
+/// A trace (no posed mesh), valid by docs/formats.md#stimulus-trace and reproducible: equal seeds and options give
+/// equal stimuli with every compiler. Depths are drawn around one distance per stimulus, so that depth tests go both
+/// ways.
 Stimulus random_stimulus(std::uint64_t seed, RandomStimulusOptions const& options = {});
 
 struct RandomConfigOptions {

@@ -5,8 +5,8 @@
 
 namespace faster::testing {
 
-/// Wires of a token of each FIFO, added up from the formats of SPEC section 2 and what the token says: the tests' own
-/// table, for the twin's FIFOs. Where a configuration does not have the FIFO, as if it had.
+/// Wires of a token of each FIFO, added up from the formats of docs/function.md#formats and what the token says: the
+/// tests' own table, for the twin's FIFOs. Where a configuration does not have the FIFO, as if it had.
 inline unsigned token_bits(FifoId id, AcceleratorConfig const& config) {
     auto const digits = [](unsigned long long most) {
         unsigned bits = 0;

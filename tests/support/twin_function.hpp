@@ -56,7 +56,7 @@ struct TwinRegion {
     std::size_t end_col = 0;
 };
 
-/// The function of SPEC section 2 for one sample, from triangle codes to counters, with the counts that decide the
+/// The function of docs/function.md for one sample, from triangle codes to counters, with the counts that decide the
 /// control flow of section 3.
 struct TwinSampleFunction {
     std::vector<TwinTriangle> triangles;

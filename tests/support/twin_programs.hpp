@@ -23,7 +23,7 @@ struct TwinAccess {
     FifoId fifo = FifoId::vertex;
 };
 
-/// One line of the process table of SPEC section 3, in one of two shapes:
+/// One line of the table of docs/timing-model.md#sources-of-time, in one of two shapes:
 ///  - a step (`loop` empty): `accesses` happen together, then `advance` cycles pass. A mere `T += n` has no accesses.
 ///  - a pipelined loop: iteration i makes accesses[k] if bit k of iterations[i] is set. At least one iteration.
 struct TwinState {
@@ -50,7 +50,7 @@ struct TwinState {
 using TwinProgram = std::vector<TwinState>;
 
 /// What every process of a core does for one sample. Data decide only which states there are, never when they happen,
-/// so the whole function of SPEC section 2 is computed before the first cycle.
+/// so the whole function of docs/function.md is computed before the first cycle.
 struct TwinSamplePrograms {
     std::array<TwinProgram, module_count> programs;  ///< [ModuleId]
     SampleCounters counters;

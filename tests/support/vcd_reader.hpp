@@ -31,7 +31,7 @@ struct Vcd {
 };
 
 Vcd read_vcd(std::filesystem::path const& file, std::uint64_t ticks_per_cycle);
-/// The same of an FST, by GTKWave's code.
+/// Reads an FST, by GTKWave's code.
 Vcd read_fst(std::filesystem::path const& file, std::uint64_t ticks_per_cycle);
 
 }  // namespace faster::test

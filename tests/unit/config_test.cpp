@@ -117,7 +117,7 @@ TEST_CASE("An empty configuration is the default machine", "[config]") {
     CHECK(values_of(config.config) == values_of(RunConfig{}));
 }
 
-TEST_CASE("The defaults are those of the thesis and SPEC section 3", "[config]") {
+TEST_CASE("The defaults are those of the thesis and of docs/timing-model.md", "[config]") {
     RunConfig const config = loaded("").config;
     CHECK(accelerator_of(config).cores == 10);
     CHECK(accelerator_of(config).window == 200);

@@ -60,7 +60,7 @@ TwinFifo const& fifo_of(TwinResult const& result, FifoId id) { return result.fif
 TwinLoop const& loop_of(TwinResult const& result, LoopId id) { return result.loops.at(0)[index_of(id)]; }
 TwinProcess const& process_of(TwinResult const& result, ModuleId id) { return result.processes.at(0)[index_of(id)]; }
 
-TEST_CASE("The twin passes the contract's own check", "[cycle_twin]") {
+TEST_CASE("The twin takes what the case by hand takes", "[cycle_twin]") {
     CHECK(run_twin(one_core(), empty_stimulus(200, 1)).total_cycles == 160015);
     CHECK(run_twin(one_core(), empty_stimulus(200, 2)).total_cycles == 160015 + 160010);
     CHECK(run_twin(one_core(), empty_stimulus(200, 3)).total_cycles == 160015 + 2 * 160010);

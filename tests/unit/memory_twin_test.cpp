@@ -275,7 +275,7 @@ TEST_CASE("Granules are those that a burst touches, not those that it would fill
 TEST_CASE("Tokens across bursts do not deadlock with one outstanding burst", "[memory_twin]") {
     TwinMemory memory;
     memory.outstanding = 1;
-    // As above: the first burst is done with its beat in 48, since no token ends in it; the next is asked for in 49.
+    // The first burst is done with its beat in 48, since no token ends in it; the next is asked for in 49.
     Bench bench(memory);
     Stream const& stream = bench.add(0, tokens_of(35, 8, 250));
     bench.run();
@@ -395,7 +395,7 @@ TEST_CASE("The load is a stream per port", "[memory_twin]") {
     // Two copies on two ports: the other's burst has 2 granules, begins 8888 ps later, and comes in 50.
     memory.observation_copies = 2;
     CHECK(load_cycles(memory, 200, stimulus, 2) == 56);
-    // The same port: both copies listen.
+    // One port: both copies listen.
     memory.ports = 1;
     CHECK(load_cycles(memory, 200, stimulus, 2) == 54);
     // 24 bytes of mesh before: 2 beats, 48 and 49; then 50 .. 54.

@@ -286,7 +286,7 @@ TEST_CASE("The last object's second iteration runs only with flush_last", "[refe
 }
 
 TEST_CASE("Any further token lets the last object's second iteration run, even one outside", "[reference][scorer]") {
-    // The same triangle, then one from (8,8) on: all its tokens lie outside the window of 6 px.
+    // A triangle at (1,1), then one from (8,8) on: all its tokens lie outside the window of 6 px.
     TriangleCode const first{{vertex(16, 16), vertex(16, 32), vertex(31, 16)}};
     TriangleCode const outside{{vertex(128, 128), vertex(128, 160), vertex(160, 128)}};
     Stimulus stimulus = square(20, {first, outside});

@@ -88,7 +88,7 @@ TEST_CASE("A window without triangles behind a memory, cycle for cycle", "[memor
     CHECK(result.controller_ps == 6 * 4444);
 }
 
-TEST_CASE("The contract's own check does not feel a memory that nothing limits", "[memory_twin]") {
+TEST_CASE("The case by hand does not feel a memory that nothing limits", "[memory_twin]") {
     // docs/memory-model.md: InlierUnit clears for longer than header and first row take.
     for (std::size_t samples = 1; samples <= 2; ++samples) {
         Cycles const ideal = 160015 + (samples - 1) * 160010;

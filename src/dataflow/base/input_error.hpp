@@ -4,9 +4,10 @@
 
 namespace dataflow {
 
-/// Something the user handed us (configuration, mesh, image, trace, flag) is unusable. `what()` is one line that names
-/// the file, line or key, what was found and what was expected. The binary exits with code 2 on it (SPEC section 4).
-/// Here, where every message passes, what came from outside is made fit to be printed: see message_line().
+/// Something the user handed us (configuration, image, trace, flag) is unusable. `what()` is one line that names
+/// the file, line or key, what was found and what was expected. The binary exits with code 2 on it
+/// (docs/formats.md#exit-codes). Here, where every message passes, what came from outside is made fit to be printed:
+/// see message_line().
 class InputError : public std::runtime_error {
   public:
     explicit InputError(std::string const& message);

@@ -9,7 +9,7 @@ namespace dataflow {
 /// that are no UTF-8, are escaped: \n, \x1b, \u202e. A text without them stays as it is.
 std::string printable(std::string_view text);
 
-/// The same of a text of several lines: line ends and tabs stay.
+/// A text of several lines as it may stand on a terminal or a page: as printable(), but line ends and tabs stay.
 std::string printable_lines(std::string_view text);
 
 /// A name or a value from outside for a message: printable(), and cut after 80 characters or so.

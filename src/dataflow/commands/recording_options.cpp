@@ -49,7 +49,7 @@ void require_regular(std::string const& file) {
         io::OutputFile const probe(file);
 }
 
-/// The same, but for pipes and devices.
+/// A file that can be written; pipes and devices are taken as they are.
 void require_writable(std::string const& file) {
     if (!io::is_device(file))
         require_regular(file);

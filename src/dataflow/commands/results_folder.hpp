@@ -9,7 +9,7 @@
 
 namespace dataflow {
 
-/// The output folder of `run --out` and `whatif --out` (SPEC section 4).
+/// The output folder of `run --out` and `whatif --out` (docs/formats.md#output-of-a-run).
 class ResultsFolder {
   public:
     /// Throws InputError if it cannot be written: before the work whose results would be lost.

@@ -15,7 +15,7 @@ template <class... Arguments> void say(fmt::format_string<Arguments...> format, 
     say_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-/// The same to stderr, where a failure has nobody to be told to.
+/// Prints to stderr, where a failure has nobody to be told to.
 void warn_text(std::string_view text);
 
 template <class... Arguments> void warn(fmt::format_string<Arguments...> format, Arguments&&... arguments) {

@@ -9,7 +9,8 @@ namespace dataflow {
 /// kernel elaborates once. Throws InputError if there is too little memory for it.
 RunStatistics simulate(RunConfig const& config, Workload& workload, SimulationOptions const& options = {});
 
-/// The same of a configuration whose workload is not wanted otherwise; says what is to be warned of in it.
+/// The figures of a run of a configuration, whose workload is made for it and is not wanted otherwise. Says what is to
+/// be warned of in it.
 RunStatistics simulate(LoadedConfig& loaded, SimulationOptions const& options = {});
 
 }  // namespace dataflow

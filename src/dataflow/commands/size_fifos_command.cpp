@@ -17,12 +17,9 @@
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/standard_commands.hpp"
 #include "dataflow/commands/work_size.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
 #include "dataflow/run/config/design.hpp"
-#include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/events/retimed_config.hpp"
-#include "dataflow/tools/report/html/sizing_html.hpp"
 #include "dataflow/tools/resources/fifo_cost.hpp"
 #include "dataflow/tools/sizing/sizing_files.hpp"
 
@@ -75,10 +72,7 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
     std::string const title =
         fmt::format("{} size-fifos {} --within {}", program_name(),
                     std::filesystem::path(request.events).filename().string(), request.within_percent);
-    std::string const json = sizing::sizing_json(sizing);
-    io::write_file(folder.path() / "sizing.json", json);
-    io::write_file(folder.path() / "sizing.html",
-                   report::sizing_html(title, configuration_hash(resolved_keys(sizing.config)), json));
+    io::write_file(folder.path() / "sizing.json", sizing::sizing_json(sizing));
     io::write_file(folder.path() / "pareto.csv", sizing::pareto_csv(sizing));
     io::write_file(folder.path() / "depths.yaml", sizing::depths_yaml(sizing, title));
     folder.commit();
@@ -122,8 +116,7 @@ Subcommand size_fifos_command() {
                     ->type_name("PERCENT")
                     ->check(number_in(0, sizing::most_within_percent));
                 command
-                    .add_option("--out", request->out,
-                                "Write depths.yaml, sizing.json, pareto.csv and sizing.html to this folder")
+                    .add_option("--out", request->out, "Write depths.yaml, sizing.json and pareto.csv to this folder")
                     ->type_name("DIR");
                 command
                     .add_option("--ramb36-luts", request->luts_per_ramb36,

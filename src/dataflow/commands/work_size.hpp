@@ -29,12 +29,12 @@ WorkSize size_of_retimings(std::string const& command, replay::RecordedRun const
 
 /// Throws InputError if the host has less memory available.
 void require_memory(WorkSize const& size);
-/// The same if it takes more than an hour.
+/// Throws InputError if the work takes more than an hour.
 void require_time(WorkSize const& size);
 /// Throws InputError as these do, unless `force`, and says how large it is if it takes more than a minute.
 void announce(WorkSize const& size, bool force);
 
-/// The same for about so many retimings, on all of the host's cores. One is made, to see how long it takes.
+/// Announces about so many retimings, on all of the host's cores. One is made, to see how long it takes.
 void announce_retimings(std::string const& command, replay::RecordedRun const& run, Machine const& machine,
                         double retimings, bool force);
 

@@ -21,7 +21,7 @@ static_assert(sizeof(FigureBlock) == 16 && std::is_trivial_v<FigureBlock>, "is c
 
 using FigureBlocks = std::vector<FigureBlock, Uninitialized<FigureBlock>>;
 
-/// The same of many transitions.
+/// The figures of many transitions, added up.
 struct FigureTotal {
     std::array<std::uint64_t, 3> sums{};
     std::uint64_t largest = 0;

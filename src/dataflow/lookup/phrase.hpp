@@ -45,7 +45,7 @@ class Phrase {
     std::uint32_t active() const { return active_; }
     /// Accesses of each anchor by the driver.
     Group::Lanes due() const { return due_; }
-    /// The same of what the supplier writes, if there is one.
+    /// Accesses of the anchor that the supplier writes; 0 without a supplier.
     std::uint32_t due_of_supplier(Group const& group) const {
         if (!group.has_supplier())
             return 0;

@@ -18,7 +18,7 @@ using StateWords = std::vector<StateWord>;
 /// Times further apart make no state.
 constexpr std::int64_t furthest_apart = std::int64_t{1} << 28;
 
-/// The same, wherever it is.
+/// The words of a state, wherever they are.
 struct StateView {
     StateWord const* words = nullptr;
     std::size_t size = 0;

@@ -13,7 +13,7 @@
 
 namespace faster {
 
-/// The machine: keys `accelerator.*`. Defaults are the thesis's final design as SPEC section 3 times it; those of
+/// The machine: keys `accelerator.*`. Defaults are the thesis's final design as docs/timing-model.md times it; those of
 /// FIFOs, loops and block RAMs stand in the modules' descriptions.
 struct AcceleratorConfig : MachineSettings {
     AcceleratorConfig() { cores = 10; }  ///< accelerator.raster_cores

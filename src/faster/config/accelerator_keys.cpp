@@ -16,7 +16,8 @@ constexpr IntegerRange cycles_range{1, 1'000'000};
 
 template <class Field> Key fraction_key(std::string const& name, std::string const& what, int max, Field field) {
     return Make::integer_key(
-        {"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "SPEC 2"}, {0, max}, field);
+        {"accelerator.fraction_bits." + name, "bits", "Fractional bits of " + what + ".", "docs/function.md"}, {0, max},
+        field);
 }
 
 void add_fraction_keys(Keys& keys) {
@@ -72,7 +73,7 @@ void add_edge_map_keys(Keys& keys) {
         {"accelerator.edge_map.flush_last", "",
          "Whether the edge map builder finishes its last object token even after the end "
          "token, which thesis A.2 does not.",
-         "SPEC 2"},
+         "docs/function.md"},
         [](auto& config) -> auto& { return config.accelerator.edge_map.flush_last; }));
     keys.push_back(clearing_key(
         "edge_map", "the maps", [](auto& config) -> auto& { return config.accelerator.edge_map.clearing; }));

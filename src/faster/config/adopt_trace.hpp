@@ -5,11 +5,11 @@
 
 namespace faster {
 
-/// A stimulus trace determines the size of image and window, and the fraction bits (SPEC section 4): its values replace
-/// those of the configuration. Throws InputError if an override explicitly asks for something else.
+/// A stimulus trace determines the size of image and window, and the fraction bits (docs/formats.md#stimulus-trace):
+/// its values replace those of the configuration. Throws InputError if an override explicitly asks for something else.
 void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction);
 
-/// The same of a table of poses, which determines how many samples there are.
+/// A table of poses determines how many samples there are. Throws InputError if an override says otherwise.
 void adopt_poses(LoadedConfig& loaded, std::size_t count);
 
 }  // namespace faster

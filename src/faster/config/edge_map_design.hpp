@@ -66,7 +66,7 @@ constexpr std::array<EdgeMapDesign, 6> edge_map_designs{{
      {2, 0},
      {3, 0},
      2},
-    // dual_map: SPEC section 3
+    // dual_map: docs/timing-model.md#initiation-interval
     {{1, 1},
      {map_touch::write_own, map_touch::write_own},
      {map_touch::write_vertical, map_touch::read_vertical},

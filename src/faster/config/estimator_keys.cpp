@@ -15,7 +15,7 @@ constexpr NumberRange share{0, 1};
 constexpr NumberRange above_zero{0, std::numeric_limits<double>::infinity(), true};
 constexpr NumberRange zero_or_more{0, std::numeric_limits<double>::infinity()};
 constexpr NumberRange angle{0, 180};
-constexpr char const* searched = "SYSTEM 7; value: docs/poses.md";
+constexpr char const* searched = "docs/poses.md";
 
 void add_loop_keys(Keys& keys) {
     keys.push_back(Make::choice_key(
@@ -27,15 +27,15 @@ void add_loop_keys(Keys& keys) {
         {"estimator.iterations", "iterations", "Iterations at most.", "thesis 4.2.1"}, {1, 100'000},
         [](auto& config) -> auto& { return config.estimator.iterations; }));
     keys.push_back(Make::number_key(
-        {"estimator.stop_weight", "", "The loop ends once the best weight reaches this.", "SYSTEM 7"}, zero_or_more,
-        [](auto& config) -> auto& { return config.estimator.stop_weight; }));
+        {"estimator.stop_weight", "", "The loop ends once the best weight reaches this.", "docs/poses.md"},
+        zero_or_more, [](auto& config) -> auto& { return config.estimator.stop_weight; }));
     keys.push_back(Make::number_key(
         {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", "this project"},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.least_weight; }));
     keys.push_back(Make::choice_key(
         {"estimator.estimate", "",
          "What the estimate is: the pose of the largest weight, or the weighted mean of the poses close to it.",
-         "SYSTEM 7"},
+         "docs/poses.md"},
         [](auto& config) -> auto& { return config.estimator.estimate; }));
     keys.push_back(Make::integer_key(
         {"estimator.seed", "", "Seed of all that the loop draws.", "this project"}, IntegerRange{},
@@ -92,7 +92,8 @@ void add_weight_keys(Keys& keys) {
 
 void add_resampling_keys(Keys& keys) {
     keys.push_back(Make::choice_key(
-        {"estimator.resampling.method", "", "How samples are drawn in proportion to weight^sharpness.", "SYSTEM 7"},
+        {"estimator.resampling.method", "", "How samples are drawn in proportion to weight^sharpness.",
+         "docs/poses.md"},
         [](auto& config) -> auto& { return config.estimator.resampling; }));
     keys.push_back(Make::number_key(
         {"estimator.resampling.sharpness", "", "Exponent of the weights.", searched}, {0, 1000},

@@ -7,7 +7,7 @@
 
 namespace faster {
 
-/// What no key of FASTER can say on its own, ready to print: see SPEC section 2 (fraction bits).
+/// What no key of FASTER can say on its own, ready to print: see docs/function.md#formats.
 std::vector<std::string> faster_complaints(LoadedConfig const& loaded);
 
 }  // namespace faster

@@ -10,7 +10,7 @@ namespace faster {
 /// rtl/resources.csv and rtl/timing.csv, byte by byte; scripts/synthesize.sh makes them.
 extern std::string_view const synthesized_units_csv;
 extern std::string_view const synthesized_paths_csv;
-/// The same, read.
+/// rtl/resources.csv as a table.
 inline ResourceTable const& synthesized_units() {
     static ResourceTable const table(synthesized_units_csv);
     return table;

@@ -86,7 +86,7 @@ void add_target_keys(Keys& keys) {
         {0, 10'000'000}, [](auto& config) -> auto& { return config.workload.max_triangles; }));
     keys.push_back(Make::make_key(
         {"workload.trace", "", "Folder of a stimulus trace that replaces the rest of the workload; empty for none.",
-         "SPEC 4"},
+         "docs/formats.md"},
         KeyKind::path, [](auto& config) -> auto& { return config.workload.trace; }));
     keys.push_back(Make::make_key(
         {"workload.pose.translation_m", "m", "Origin of the object in the camera frame.", "this project"},

@@ -4,8 +4,8 @@
 
 namespace faster {
 
-/// Number of fractional bits of each quantity; keys `accelerator.fraction_bits.*` (SPEC section 2). The widths are
-/// fixed (x, y: s16, z: u16, depth: u11): these numbers only move the binary point.
+/// Number of fractional bits of each quantity; keys `accelerator.fraction_bits.*` (docs/function.md#formats). The
+/// widths are fixed (x, y: s16, z: u16, depth: u11): these numbers only move the binary point.
 struct FractionBits {
     int vertex_xy = 4;         ///< vertex x, y [px], s16
     int vertex_z = 14;         ///< vertex z [m], u16
@@ -23,7 +23,7 @@ struct FractionBits {
 /// Depth code of "nothing drawn here", the largest u11 (thesis A.3: 3.99805).
 constexpr std::uint16_t far_depth_code = 2047;
 
-/// x = y of the vertices of a triangle that the rasterizer must reject (SPEC section 2, vertex transform).
+/// x = y of the vertices of a triangle that the rasterizer must reject (docs/function.md#vertex-transform).
 constexpr std::int16_t rejected_vertex_code = -32768;
 
 /// The code of `value` with `fraction_bits` bits after the point, 0 to 62, truncated towards minus infinity (HLS

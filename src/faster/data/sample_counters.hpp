@@ -8,7 +8,7 @@
 
 namespace faster {
 
-/// What a sample scores, and the token of `result` (SPEC section 2, InlierUnit). The counters do not wrap.
+/// What a sample scores, and the token of `result` (docs/function.md#inlierunit). The counters do not wrap.
 struct SampleCounters {
     std::uint64_t valid_raster = 0;
     std::uint64_t valid_depth = 0;

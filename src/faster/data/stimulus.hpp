@@ -25,7 +25,7 @@ struct PosedMesh {
     std::vector<Pose> poses;  ///< one per sample
 };
 
-/// Everything that determines what the machine computes (SPEC section 4, stimulus trace). The triangles come either as
+/// Everything that determines what the machine computes (docs/formats.md#stimulus-trace). The triangles come either as
 /// codes after the vertex transform (`triangles`, a trace) or as a mesh under a pose per sample (`posed`, not empty of
 /// poses): never both.
 struct Stimulus {

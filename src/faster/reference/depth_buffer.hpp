@@ -6,7 +6,7 @@
 
 namespace faster::reference {
 
-/// Fragment depths of one triangle after the other: z sums times area reciprocals (SPEC section 2).
+/// Fragment depths of one triangle after the other: z sums times area reciprocals (docs/function.md#formats).
 class FragmentDepth {
   public:
     /// Throws InputError if the fraction bits are negative or make the products wider than 127 bits.
@@ -37,7 +37,7 @@ class FragmentDepth {
     Uint128 wide_reciprocal_ = 0;
 };
 
-/// The depth buffer of one sample while its fragments come in (SPEC section 2, InlierUnit; thesis A.3). Works on a
+/// The depth buffer of one sample while its fragments come in (docs/function.md#inlierunit; thesis A.3). Works on a
 /// W x W buffer of the caller, which it fills with far. Rows and columns are those of the window and lie inside it.
 class DepthBuffer {
   public:

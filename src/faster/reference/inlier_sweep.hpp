@@ -13,7 +13,7 @@ struct WindowOffset {
     std::int64_t col = 0;
 };
 
-/// Offset of the W x W window around a sample: its centre - W / 2 (SPEC section 2, sample header).
+/// Offset of the W x W window around a sample: its centre - W / 2 (docs/function.md#samples-and-cores).
 WindowOffset window_offset(SampleInput const& sample, int window);
 
 /// The observed images as one window sees them, W x W.
@@ -29,8 +29,8 @@ void read_window(Stimulus const& stimulus, WindowOffset offset, ObservedWindow& 
 /// is drawn there, as it lies on its border (thesis 7.2).
 enum class EdgeDepth { of_neighbour, of_pixel };
 
-/// Compares what was drawn with what was observed, pixel by pixel without the border of the window (SPEC section 2,
-/// InlierUnit; thesis A.3). Adds to every counter but valid_raster. `maps` and `observed` are W x W.
+/// Compares what was drawn with what was observed, pixel by pixel without the border of the window (thesis A.3,
+/// docs/function.md#inlierunit). Adds to every counter but valid_raster. `maps` and `observed` are W x W.
 void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, EdgeDepth edge_depth,
            SampleCounters& counters);
 

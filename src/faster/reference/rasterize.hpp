@@ -105,7 +105,7 @@ void scan(TriangleCode const& triangle, PixelBounds const& bounds, int xy_fracti
     }
 }
 
-/// Draws one triangle into `sink` (SPEC section 2, rasterizer): `triangle(area code)`, then what scan() tells. Nothing
+/// Draws one triangle into `sink` (docs/function.md#rasterizer): `triangle(area code)`, then what scan() tells. Nothing
 /// at all if one of its corners is outside the image of width x height pixels or its area is not positive.
 template <class Tokens, class Sink>
 void rasterize(TriangleCode const& triangle, int width, int height, int xy_fraction_bits, Tokens& tokens, Sink& sink) {

@@ -12,8 +12,8 @@
 
 namespace faster::reference {
 
-/// Scores the samples of a stimulus in any order: everything of SPEC section 2, without any notion of time. Buffers are
-/// kept between samples. The stimulus is held by reference and must not change.
+/// Scores the samples of a stimulus in any order: everything of docs/function.md, without any notion of time. Buffers
+/// are kept between samples. The stimulus is held by reference and must not change.
 class Scorer {
   public:
     /// `edge_map`: the keys accelerator.edge_map.*. Throws InputError if the stimulus does not hang

@@ -8,7 +8,7 @@
 
 namespace faster::reference {
 
-/// Brings one mesh into the image, pose after pose (SPEC section 2, vertex transform), keeping its buffers between
+/// Brings one mesh into the image, pose after pose (docs/function.md#vertex-transform), keeping its buffers between
 /// them. The mesh is held by reference; its faces must index into its vertices.
 class VertexTransform {
   public:
@@ -34,7 +34,7 @@ class VertexTransform {
     std::vector<TriangleCode> triangles_;
 };
 
-/// The same for a single pose.
+/// Brings a mesh into the image in a single pose.
 std::vector<TriangleCode> transform(Mesh const& mesh, Pose const& pose, Camera const& camera,
                                     FractionBits const& fraction);
 

@@ -18,7 +18,7 @@
 namespace faster::workload {
 namespace {
 
-/// SPEC section 2, sample header.
+/// docs/function.md#samples-and-cores.
 constexpr double nearest_origin_m = 0.1;
 
 /// The table stands `table_height_m` below the camera's axis at the object's distance and slopes towards the camera.

@@ -10,10 +10,10 @@ namespace faster::workload {
 /// `config.trace` is not looked at. Throws InputError naming the key or file.
 Stimulus build_stimulus(WorkloadConfig const& config, int window, FractionBits const& fraction);
 
-/// The same without samples.
+/// What is observed, without samples: mesh, scene and edges.
 Stimulus build_observation(WorkloadConfig const& config, int window, FractionBits const& fraction);
 
-/// The same of a depth image at hand: of the workload, only the limit of triangles and the edges' keys matter.
+/// What is observed, of a depth image at hand: of the workload, only the limit of triangles and the edges' keys matter.
 Stimulus observed_stimulus(Mesh const& mesh, DepthImage const& depth, Camera const& camera,
                            WorkloadConfig const& config, int window, FractionBits const& fraction);
 

@@ -10,7 +10,7 @@ namespace faster {
 ///   in    area_in             per triangle: twice its area, 0 or negative if it is not drawn
 ///   out   area_reciprocal_out per drawn triangle: code of 1 / area
 ///   time  flushing pipeline, one area per cycle; a result leaves write_latency cycles after its issue
-/// Source: SPEC sections 2 and 3.
+/// Source: docs/function.md#formats, docs/timing-model.md#a-flushing-pipeline-that-freezes.
 class AreaReciprocal : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<std::int64_t> area_in{"area_in"};

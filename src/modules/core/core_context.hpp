@@ -38,7 +38,7 @@ struct CoreContext {
     SampleProbe* probe = nullptr;  ///< may be null
 
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
-    /// Top-left pixel of a sample's window (SPEC section 2, sample header).
+    /// Top-left pixel of a sample's window (docs/function.md#samples-and-cores).
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }
     /// The window as the tokens of edge_map, observed_depth and observed_edge carry it.
     LaneRows window_rows() const { return {stimulus.window, config.inlier_unit.sweep_lanes}; }

@@ -5,8 +5,8 @@
 
 namespace faster::datapath {
 
-/// floor(2^(area_reciprocal + 2*xy) / area), the code of 1 / area (SPEC section 2). `area` > 0; the sum of bits is at
-/// most 62.
+/// floor(2^(area_reciprocal + 2*xy) / area), the code of 1 / area (docs/function.md#formats). `area` > 0; the sum of
+/// bits is at most 62.
 inline std::uint64_t reciprocal_of(std::int64_t area, FractionBits const& bits) {
     return (std::uint64_t{1} << (bits.area_reciprocal + 2 * bits.vertex_xy)) / static_cast<std::uint64_t>(area);
 }

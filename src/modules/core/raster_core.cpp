@@ -13,7 +13,7 @@ CoreDescription describe_raster_core(AcceleratorConfig const& config) {
                     EdgeMapBuilder::describe(config), ObservationReader::describe(config),
                     InlierUnit::describe(config),     ResultCollector::describe(config),
                     EdgeMapOutput::describe(config),  InlierSweep::describe(config)};
-    // In the order of the tables (SPEC section 4).
+    // In the order of the tables (docs/formats.md#fifoscsv-one-row-per-core-and-fifo).
     core.fifos = {"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                   "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                   "edge_map",        "observed_depth", "observed_edge",      "result",         "region",

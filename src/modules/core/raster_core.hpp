@@ -18,7 +18,7 @@
 
 namespace faster {
 
-/// One raster core: the dataflow region of SPEC section 1. Wiring only.
+/// One raster core: the dataflow region of docs/architecture.md#the-machine. Wiring only.
 class RasterCore : public DataflowCore {
   public:
     /// `config` and `stimulus` must outlive the core.

@@ -5,7 +5,8 @@
 
 namespace faster {
 
-/// The dataflow region of SPEC section 1: its modules, each of which describes itself, and the FIFOs between them.
+/// The dataflow region of docs/architecture.md#the-machine: its modules, each of which describes itself, and the FIFOs
+/// between them.
 CoreDescription describe_raster_core(AcceleratorConfig const& config);
 
 }  // namespace faster

@@ -7,7 +7,7 @@
 
 namespace faster::wires {
 
-/// Widths of tokens that several modules have ends of [bits]. Formats: SPEC section 2.
+/// Widths of tokens that several modules have ends of [bits]. Formats: docs/function.md#formats.
 constexpr unsigned vertex_xy = 16;
 constexpr unsigned vertex_z = 16;
 constexpr unsigned depth = 11;

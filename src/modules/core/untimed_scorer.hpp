@@ -39,7 +39,7 @@ class UntimedScorer {
   private:
     /// All triangles, their tokens in the order in which they are sent.
     template <class Maps> void draw_mesh(Maps& maps, SampleCounters& counters);
-    /// The same for maps that do not depend on the order of tokens, but for the last one.
+    /// Draws all triangles into maps that do not depend on the order of tokens, but for the last one.
     template <class Maps> void draw_mesh_in_any_order(Maps& maps, SampleCounters& counters);
     void clear_drawn_rows();
     TriangleSetup set_up_face(std::size_t face) const;

@@ -12,7 +12,7 @@ namespace faster {
 namespace {
 bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 
-/// A read takes a cycle, and what is written depends on it (SYSTEM.md section 9).
+/// A read takes a cycle, and what is written depends on it (docs/timing-model.md#hazards).
 MemoryStages token_stages(char const* map, std::uint64_t reads, std::uint64_t writes) {
     return {map, 2, 3, reads, writes};
 }
@@ -174,7 +174,7 @@ void EdgeMapBuilder::tell_one(bool second) {
     clock_.iterate(timing::no_ports, 1);
 }
 
-/// The same, one by one.
+/// Takes tokens one by one and notes what each iteration accesses; returns which of them have a second iteration.
 std::uint32_t EdgeMapBuilder::take_watched(EdgeToken const& current, EdgeToken const* next, unsigned count) {
     std::uint32_t seconds = 0;
     for (unsigned i = 0; i < count; ++i) {

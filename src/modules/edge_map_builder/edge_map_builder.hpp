@@ -22,7 +22,7 @@ namespace faster {
 ///   in    map_free_in    the buffer of the next sample
 ///   out   map_full_out   the finished one and its region, instead of edge_map_out
 ///   time  a step each instead of loop `output`
-/// Source: thesis 4.1.2, chapter 5 and A.2; SPEC sections 2 and 3.
+/// Source: thesis 4.1.2, chapter 5 and A.2; docs/function.md#edgemapbuilder, docs/timing-model.md#sources-of-time.
 class EdgeMapBuilder : public sc_core::sc_module {
   public:
     PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};

@@ -9,7 +9,7 @@ namespace faster {
 
 /// Reads the edge map of a sample out: part of the edge map builder's process, or of one of its own (EdgeMapOutput).
 ///   time  loop `output`, one token per iteration; without any, a cycle
-/// Source: thesis A.2; SPEC section 3.
+/// Source: thesis A.2; docs/timing-model.md#sources-of-time.
 class EdgeMapReadOut {
   public:
     /// Adds what an iteration does to the maps, bits of map_touch each, that works on `lanes` pixels of a row.

@@ -14,19 +14,26 @@
 namespace faster {
 
 /// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees.
-///   in    command_in, area_reciprocal_in, fragment_depth_in, fragment_index_in  while the sample is rasterized
-///         fragment_index_in  sweep_region touched: then the corners of the touched region
-///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, or the region's,
-///         row-major, afterwards,
-///                                                               `sweep_lanes` pixels of a row per token
-///   out   result_out  one set of counters per sample
-///   time  loop `clear`; per triangle one step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip
-///         loop `extract`; loop `sweep`
-/// With two buffers, InlierSweep does what comes after the drawing:
-///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
-///   out   depth_full_out  the drawn one and its region, instead of result_out
-///   time  a step each instead of loops `extract` and `sweep`
-/// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
+///
+/// Reads, while the sample is rasterized
+///   - command_in, fragment_depth_in, fragment_index_in: what is drawn
+///   - area_reciprocal_in: one per drawn triangle
+///   - fragment_index_in (sweep_region touched): behind the fragments, the corners of the touched region
+///
+/// Reads afterwards, row by row, `sweep_lanes` pixels of a row per token, W x W or the region's
+///   - edge_map_in, observed_depth_in, observed_edge_in
+///
+/// Writes
+///   - result_out: a set of counters per sample
+///
+/// Time: loop `clear`; per triangle a step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip loop
+/// `extract`; loop `sweep`.
+///
+/// With two buffers, InlierSweep does what comes after the drawing. Then depth_free_in brings the buffer of the next
+/// sample, in the place of the maps and the observation; depth_full_out takes the drawn one and its region, in the
+/// place of the result; and each is a step, in the place of loops `extract` and `sweep`.
+///
+/// Source: thesis 4.1.3 and A.3; docs/function.md#inlierunit, docs/timing-model.md#sources-of-time.
 class InlierUnit : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};

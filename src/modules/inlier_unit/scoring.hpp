@@ -15,7 +15,7 @@ namespace faster {
 /// (InlierSweep).
 ///   in    edge_map, observed_depth, observed_edge  W x W each, row-major, `sweep_lanes` pixels of a row per token
 ///   time  in flow fpga_grip loop `extract` and a cycle; loop `sweep`
-/// Source: thesis 4.1.3 and A.3; SPEC sections 2 and 3.
+/// Source: thesis 4.1.3 and A.3; docs/function.md#inlierunit, docs/timing-model.md#sources-of-time.
 class Scoring {
   public:
     /// Adds the ends, the loops and the line buffer of this part to the module whose process it belongs to.

@@ -6,9 +6,9 @@
 
 namespace faster::datapath {
 
-/// How many pixels of a window have a valid observed depth, up to 3.0 m, its border left out (SPEC section 2,
-/// InlierUnit): four reads of a summed-area table of the pixels that have none. A pixel outside the image reads as 0,
-/// which is valid.
+/// How many pixels of a window have a valid observed depth, up to 3.0 m, its border left out
+/// (docs/function.md#inlierunit): four reads of a summed-area table of the pixels that have none. A pixel outside the
+/// image reads as 0, which is valid.
 class ValidDepthTable {
   public:
     /// `depth`: codes with `depth_fraction` fractional bits.

@@ -11,7 +11,7 @@ namespace faster::datapath {
 enum class ContourDepth { neighbour, own };
 
 /// Thesis A.3's last loop: compares the drawn window with the observed one, pixel by pixel in row-major order, and
-/// counts (SPEC section 2, InlierUnit). Depths are codes with `depth_fraction` fractional bits.
+/// counts (docs/function.md#inlierunit). Depths are codes with `depth_fraction` fractional bits.
 class WindowSweep {
   public:
     WindowSweep(int window, int depth_fraction, ContourDepth contour_depth = ContourDepth::neighbour);

@@ -18,7 +18,7 @@ namespace faster {
 ///         pixels of a row per token; 0 outside the image
 ///         valid_depth_out        sweep_region touched: how many pixels of the window have a valid depth
 ///   time  loop `read`, one token per iteration; touched: four iterations before, for valid_depth
-/// Source: SPEC sections 2 and 3.
+/// Source: docs/function.md#samples-and-cores, docs/timing-model.md#sources-of-time.
 class ObservationReader : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_observation_in{"sample_observation_in"};

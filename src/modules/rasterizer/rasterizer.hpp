@@ -16,21 +16,29 @@
 namespace faster {
 
 /// Scans a sample's triangles in zigzag and finds, while it does, which pixels they cover and where their edges are.
-///   in    sample_raster_in, then three tokens of vertex_in per triangle
-///   out   area_out            per triangle: twice its area, 0 if rejected
-///         command_out         Triangle per drawn triangle, Fragment per covered pixel, End per sample
-///         fragment_depth_out  z sum of each fragment
-///         fragment_index_out  its pixel in the window
-///         edge_token_out      flow faster: object and edge pixels (edge map algorithm threshold: pixels near an edge),
-///         End per
-///                             sample
-///         region_out          sweep_region touched: first and last pixel of the box that the sample can have changed;
-///                             so do fragment_index_out and edge_token_out, after End
-///         With several lanes the last three carry groups: the covered pixels of `lanes` adjacent ones, as one fragment
-///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel, group or edge flush
-///   per iteration. With setup_overlap one loop `scan` per sample: its iterations also read vertices and announce
-///   triangles
-/// Source: thesis 4.1.1, 5.1 and A.1; SPEC sections 2 and 3; setup_overlap and the scans but zigzag: this project.
+///
+/// Reads
+///   - sample_raster_in: a header per sample
+///   - vertex_in: three per triangle
+///
+/// Writes
+///   - area_out: per triangle twice its area, 0 if rejected
+///   - command_out: Triangle per drawn triangle, Fragment per covered pixel, End per sample
+///   - fragment_depth_out: z sum of each fragment
+///   - fragment_index_out: the pixel of each fragment in the window
+///   - edge_token_out (flow faster): object and edge pixels (algorithm threshold: pixels near an edge), and End
+///   - region_out (sweep_region touched): first and last pixel of the box that the sample can have changed; both also
+///     follow End in fragment_index_out and edge_token_out
+///
+/// With several lanes, fragment_depth_out, fragment_index_out and edge_token_out carry groups: the covered pixels of
+/// `lanes` adjacent ones.
+///
+/// Time: per triangle three vertex steps, `setup`, and a step to announce it; loop `scan` with a pixel, group or edge
+/// flush per iteration. With setup_overlap one loop `scan` per sample, whose iterations also read vertices and announce
+/// triangles.
+///
+/// Source: thesis 4.1.1, 5.1 and A.1; docs/function.md#rasterizer, docs/timing-model.md#sources-of-time; setup_overlap
+/// and the scans but zigzag: this project.
 class Rasterizer : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};

@@ -12,7 +12,7 @@ struct EdgeFunction {
     std::int64_t per_row = 0;
 };
 
-/// What the rasterizer works out before it scans a triangle (SPEC section 2, rasterizer steps 1 and 2; thesis A.1).
+/// What the rasterizer works out before it scans a triangle (docs/function.md#rasterizer, steps 1 and 2; thesis A.1).
 struct TriangleSetup {
     std::int64_t area = 0;  ///< what goes to AreaReciprocal: E_01(V2), or 0 for a rejected triangle
     int left_wall = 0;      ///< columns and rows of the image [px]

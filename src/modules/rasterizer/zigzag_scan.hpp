@@ -35,8 +35,8 @@ struct CoveredRun {
     bool rightwards() const { return begin < end; }
 };
 
-/// Walks the box of a drawn triangle in the order of SPEC section 2: from the topmost vertex to a wall, then wall to
-/// wall.
+/// Walks the box of a drawn triangle in the order of docs/function.md#rasterizer: from the topmost vertex to a wall,
+/// then wall to wall.
 class ZigzagScan {
   public:
     /// Whether pixels outside that send no edge token take no iteration, but for one in a line that has nothing else.
@@ -45,7 +45,7 @@ class ZigzagScan {
     explicit ZigzagScan(TriangleSetup const& setup);
     bool done() const { return row_ > bottom_; }
     ScanLine next_line();
-    /// The same line, for those who do not care for the order of its pixels.
+    /// The next line, for those who do not care for the order of its pixels.
     CoveredRun next_run();
 
     int row() const { return row_; }  ///< of the next line

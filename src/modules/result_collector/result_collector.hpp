@@ -13,7 +13,7 @@ namespace faster {
 ///   in    result_in       one per sample
 ///         valid_depth_in  sweep_region touched: one per sample, which takes its place among the counters
 ///   time  one step per sample
-/// Source: SPEC section 3.
+/// Source: docs/timing-model.md#sources-of-time.
 class ResultCollector : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleCounters> result_in{"result_in"};

@@ -9,7 +9,7 @@ namespace faster {
 /// Starts the samples of a core, one after the other: tells the vertex, raster and observation stages what to work on.
 ///   out   sample_vertex_out, sample_raster_out, sample_observation_out: one header per sample each, together
 ///   time  one step per sample
-/// Source: SPEC sections 1 and 3.
+/// Source: docs/function.md#samples-and-cores, docs/timing-model.md#sources-of-time.
 class SampleDispatcher : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_out<SampleHeader> sample_vertex_out{"sample_vertex_out"};

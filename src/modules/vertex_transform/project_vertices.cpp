@@ -25,7 +25,7 @@ ProjectedVertex project(Eigen::Vector3d const& point, Pose const& pose, Camera c
                         FractionBits const& bits) {
     auto const& r = pose.rotation;
     auto const& t = pose.translation;
-    // Spelled out, left to right: the order of the sums is part of the contract.
+    // Spelled out, left to right: the order of the sums is that of docs/function.md#vertex-transform.
     double const x = r(0, 0) * point.x() + r(0, 1) * point.y() + r(0, 2) * point.z() + t.x();
     double const y = r(1, 0) * point.x() + r(1, 1) * point.y() + r(1, 2) * point.z() + t.y();
     double const z = r(2, 0) * point.x() + r(2, 1) * point.y() + r(2, 2) * point.z() + t.z();

@@ -6,13 +6,14 @@
 
 namespace faster::datapath {
 
-/// A vertex in the rasterizer's formats, and whether it got there (SPEC section 2, vertex transform).
+/// A vertex in the rasterizer's formats, and whether it got there (docs/function.md#vertex-transform).
 struct ProjectedVertex {
     VertexCode code;
     bool usable = false;  ///< depth within [0.1, 3.99] m and every code within its width
 };
 
-/// Projects one point of the object frame [m]; double arithmetic in the SPEC's order, truncated to the formats.
+/// Projects one point of the object frame [m]; double arithmetic in the order of docs/function.md, truncated to the
+/// formats.
 ProjectedVertex project(Eigen::Vector3d const& point, Pose const& pose, Camera const& camera, FractionBits const& bits);
 
 /// The whole mesh under a pose, as the triangle stream of one sample: `triangles` is overwritten, in face order.

@@ -13,7 +13,8 @@ namespace faster {
 ///   in    sample_vertex_in  one header per sample
 ///   out   vertex_out        three vertices per triangle, in mesh order
 ///   time  loop `vertex`, one vertex per iteration
-/// Source: SPEC sections 2 and 3 (the thesis does not time its vertex stage).
+/// Source: docs/function.md#vertex-transform, docs/timing-model.md#sources-of-time (the thesis does not time its vertex
+/// stage).
 class VertexTransform : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_vertex_in{"sample_vertex_in"};

@@ -24,7 +24,7 @@ struct Detection {
 /// [x, y, width, height], score and, if known, time. Masks are skipped. Throws InputError.
 std::vector<Detection> read_detections(std::filesystem::path const& path);
 
-/// The same as the text of a file.
+/// Detections as the text of a file.
 std::string detections_json(std::vector<Detection> const& detections);
 
 }  // namespace faster::bop

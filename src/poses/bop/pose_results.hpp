@@ -23,8 +23,8 @@ struct PoseEstimate {
 /// number, too few or many of them, a matrix that is no rotation.
 std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path);
 
-/// The same as the text of a file. Rotations, scores and times are read back as they were, translations to the last bit
-/// but one.
+/// Estimates as the text of a file. Rotations, scores and times are read back as they were, translations to the last
+/// bit but one.
 std::string pose_results_csv(std::vector<PoseEstimate> const& estimates);
 
 }  // namespace faster::bop

@@ -34,7 +34,7 @@ Observation load_observation(DatasetImage const& image);
 /// The meshes of objects in metres, in the frame that poses refer to, read by `jobs` processes at once.
 std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std::size_t jobs);
 
-/// The same of one.
+/// The mesh of one object in metres.
 Mesh load_model(ObjectModel const& model);
 
 /// The model of an object; throws the InputError "PLACE: obj_id = 7, expected one of the dataset's: 1, 2, 5".

@@ -12,7 +12,7 @@
 
 namespace faster {
 
-/// Distances of a pose from the truth [m] (SYSTEM section 8).
+/// Distances of a pose from the truth [m] (docs/poses.md#errors).
 struct PoseDistances {
     double add_m = 0;
     double adds_m = 0;

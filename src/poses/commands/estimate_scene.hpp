@@ -23,7 +23,7 @@ struct BopRequest {
 /// have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
 
-/// The same of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
+/// The scene of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
                                 int obj_id, std::vector<bop::Detection> const& boxes);
 

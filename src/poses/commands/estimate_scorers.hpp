@@ -25,9 +25,9 @@ class IterationScorer {
 /// That of `estimator.backend`, on `jobs` threads. `scene` must outlive it; its samples change.
 std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs);
 
-/// The same on the configured accelerator itself, whose time is told on the way: what the last iteration cost is in
-/// `cost`. All three must outlive it. score() throws DeadlockedIteration. Nothing is compared with the untimed
-/// counters.
+/// A scorer that simulates the configured accelerator itself, whose time is told on the way: what the last iteration
+/// cost is in `cost`. All three must outlive it. score() throws DeadlockedIteration. Nothing is compared with the
+/// untimed counters.
 std::unique_ptr<IterationScorer> make_simulating_scorer(LoadedConfig const& loaded, estimation::Scene& scene,
                                                         IterationCost& cost);
 

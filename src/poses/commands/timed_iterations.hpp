@@ -50,7 +50,7 @@ struct SimulatedIteration {
 /// elaborates once. `number` is for messages. Throws DeadlockedIteration, and HostError for a simulation that crashes.
 SimulatedIteration simulate_iteration(LoadedConfig const& loaded, Stimulus const& stimulus, std::size_t number);
 
-/// The same of every iteration, `jobs` at once: what each costs. A model whose counters are not those that the loop
+/// Simulates every iteration, `jobs` at once: what each costs. A model whose counters are not those that the loop
 /// went by is a std::runtime_error. Throws also InputError for a recording that cannot be written.
 std::vector<IterationCost> simulate_iterations(LoadedConfig const& loaded, Stimulus const& observed,
                                                std::vector<ScoredPoses> const& iterations,

@@ -38,9 +38,9 @@ struct Estimate {
     std::uint64_t iterations = 0;  ///< that were scored
 };
 
-/// The loop of SYSTEM section 7: score, stop or resample, diffuse. The best sample stays sample 0, unchanged, and the
-/// other samples are drawn. `count` >= 1. `done` is told of every iteration. `score_mean`: what scores the mean, which
-/// is no iteration; empty: `score`.
+/// The loop of docs/poses.md#the-loop: score, stop or resample, diffuse. The best sample stays sample 0, unchanged, and
+/// the other samples are drawn. `count` >= 1. `done` is told of every iteration. `score_mean`: what scores the mean,
+/// which is no iteration; empty: `score`.
 Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
                   std::function<void(Iteration const&)> const& done = {}, Score const& score_mean = {});
 

@@ -6,8 +6,8 @@
 
 namespace faster::estimation {
 
-/// The loop's first samples (SYSTEM section 7), each by a stream of its own, so that sample k does not depend on how
-/// many there are:
+/// The loop's first samples (docs/poses.md#the-loop), each by a stream of its own, so that sample k does not depend on
+/// how many there are:
 ///   box       one of the scene's, in proportion to the confidences
 ///   centre    in the box, columns and rows each by the mean of two uniform numbers: densest in its middle
 ///   depth     of a reading drawn in the same way, plus between half the least extent and half the diameter of the

@@ -55,8 +55,8 @@ struct ObjectSize {
 };
 ObjectSize size_of(Mesh const& mesh);
 
-/// The pose of a particle. Its origin is at least 0.1 m before the camera, as sample headers need it (SPEC section 2):
-/// one that is nearer is moved there along the camera's axis.
+/// The pose of a particle. Its origin is at least 0.1 m before the camera, as sample headers need it
+/// (docs/function.md#samples-and-cores): one that is nearer is moved there along the camera's axis.
 Pose pose_of(Particle const& particle, ObjectSize const& size);
 
 }  // namespace faster::estimation

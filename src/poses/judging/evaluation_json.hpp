@@ -10,7 +10,7 @@ namespace faster::poses {
 /// Everything about an evaluation but the errors of single instances: evaluation.json.
 Json evaluation_json(Evaluation const& evaluation);
 
-/// The same as a page for the browser, with its curves.
+/// An evaluation as a page for the browser, with its curves.
 std::string evaluation_html(Evaluation const& evaluation);
 
 }  // namespace faster::poses

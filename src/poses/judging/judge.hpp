@@ -17,7 +17,7 @@ using PairErrors = std::vector<std::vector<double>>;
 /// nearer than `limit`. Returns the error of each true pose, infinity if none took it. As bop_toolkit does it.
 std::vector<double> matched_below(PairErrors const& errors, std::size_t truths, double limit);
 
-/// The same; estimates and true poses that are left over are then matched without a limit, for the record.
+/// matched_below(); estimates and true poses that are left over are then matched without a limit, for the record.
 std::vector<double> matched(PairErrors const& errors, std::size_t truths, double limit);
 
 /// Everything that maps a model to itself, the identity first: its discrete symmetries (and the identity), each

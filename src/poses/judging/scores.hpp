@@ -21,7 +21,7 @@ struct WeightedError {
 /// `errors` ascend and are at most 0.1 m; `total` is the weight of all instances, those beyond 0.1 m included.
 double area_under_accuracy(std::vector<WeightedError> const& errors, double total);
 
-/// The same of plain errors in any order, infinite ones among them.
+/// The area of plain errors in any order, infinite ones among them.
 double area_under_accuracy(std::vector<double> errors_m);
 
 /// A score and what it is; all are percentages, and more is better.

@@ -44,7 +44,7 @@ std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std:
 /// means and shares over the poses.
 std::string survey_csv(std::vector<PoseSurvey> const& rows);
 
-/// The same per algorithm over all objects, every pose counting once, as a Markdown table.
+/// A row per algorithm over all objects, every pose counting once, as a Markdown table.
 std::string survey_markdown(std::vector<PoseSurvey> const& rows);
 
 /// As in the configuration.

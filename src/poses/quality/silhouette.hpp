@@ -8,7 +8,7 @@
 namespace faster::quality {
 
 /// The pixels of a sample's W x W window that its triangles cover, 0 or 1: what edge maps are judged by. Every pixel is
-/// tested against every triangle that is drawn (SPEC section 2, rasterizer step 1), without a scan.
+/// tested against every triangle that is drawn (docs/function.md#rasterizer, step 1), without a scan.
 Image<std::uint8_t> silhouette(std::vector<TriangleCode> const& triangles, Stimulus const& stimulus,
                                SampleInput const& sample);
 

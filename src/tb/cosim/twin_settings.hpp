@@ -16,7 +16,7 @@ inline constexpr std::array<char const*, 20> twin_fifos{
     "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
     "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
     "valid_depth",     "map_full",       "map_free",           "depth_full",     "depth_free"};
-/// Its loops, in the order of the table of SPEC section 3.
+/// Its loops, in the order of docs/timing-model.md#sources-of-time.
 inline constexpr std::array<char const*, 9> twin_loops{
     "vertex_transform.vertex", "rasterizer.scan",         "edge_map_builder.clear",
     "edge_map_builder.token",  "edge_map_builder.output", "observation_reader.read",
@@ -41,7 +41,7 @@ struct TwinSettings {
     bool sends_edges = true;
     bool is_inner_border = false;
     bool flushes_last = false;
-    bool forwards = true;  ///< what is being written, to reads: SPEC's function; else as `inter false` makes it
+    bool forwards = true;  ///< every read sees all earlier writes; else as `inter false` makes it
     bool edge_map_clears_on_read_out = false;
     bool inlier_unit_clears_on_read_out = false;
     bool has_line_buffers = false;

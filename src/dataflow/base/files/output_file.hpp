@@ -21,7 +21,7 @@ class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path const& target);
     void commit(std::string_view content) const;
-    /// The same for content that is too long to be held: `write` puts it, bit by bit. The stream throws what stops it.
+    /// Commits content that is too long to be held: `write` puts it, bit by bit. The stream throws what stops it.
     void commit(std::function<void(std::ostream&)> const& write) const;
 
   private:

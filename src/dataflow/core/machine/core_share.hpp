@@ -10,7 +10,7 @@ struct CoreShare {
     std::size_t count = 0;
 };
 
-/// Which samples a core gets: equal shares in order, the last cores may get fewer, or none (SPEC section 1).
+/// Which samples a core gets: equal shares in order, the last cores may get fewer, or none.
 inline CoreShare share_of(std::size_t core, std::size_t cores, std::size_t samples) {
     std::size_t const each = (samples + cores - 1) / cores;
     std::size_t const first = std::min(samples, core * each);

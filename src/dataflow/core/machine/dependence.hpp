@@ -15,7 +15,7 @@ enum class HazardHandling {
 
 /// What a loop does to a memory from iteration to iteration: each reads words in one stage of the pipeline and writes
 /// words in another. An iteration reads a stale word if one shortly before it has yet to write it. HLS does not look
-/// out for that where the design says `dependence inter false` (SYSTEM.md section 9).
+/// out for that where the design says `dependence inter false` (docs/timing-model.md#hazards).
 struct MachineDependence {
     std::size_t memory = 0;  ///< its number
     Cycles read_stage = 0;

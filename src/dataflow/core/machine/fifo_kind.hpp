@@ -5,17 +5,17 @@
 
 namespace dataflow {
 
-/// How a FIFO is built (SPEC section 3): decides its capacity and read latency.
+/// How a FIFO is built (docs/timing-model.md#fifos): decides its capacity and read latency.
 enum class FifoKind { automatic, shift_register, memory };
 
-/// What a flushing pipeline does whose FIFO is full (SPEC section 3, AreaReciprocal): freeze with its bubbles, or let
-/// its tokens close up, as stages that each take a token whenever they are empty do.
+/// What a flushing pipeline does whose FIFO is full (docs/timing-model.md#a-flushing-pipeline-that-freezes): freeze
+/// with its bubbles, or let its tokens close up, as stages that each take a token whenever they are empty do.
 enum class WhenFull { freeze, squeeze };
 
-/// Whose FIFOs a machine has; key `accelerator.fifo_rules` (SYSTEM.md section 5). The generations differ in what
+/// Whose FIFOs a machine has; key `accelerator.fifo_rules` (docs/timing-model.md#fifos). The generations differ in what
 /// `automatic` becomes, and in whether a memory's output register holds a token besides the memory's words.
 enum class FifoGeneration {
-    spec,        ///< SPEC section 3
+    spec,        ///< the rules of docs/timing-model.md#fifos
     vivado_hls,  ///< Vivado HLS up to 2020.2
     vitis_hls,   ///< Vitis HLS from 2021.1 on
 };

@@ -266,7 +266,7 @@ class Maker {
             process.setup_counter = machine_.fifo(setup->one_per_token_of);
     }
 
-    /// The same module may describe an end twice, under conditions of which one holds.
+    /// A module may describe an end twice, under conditions of which one holds.
     void list_ends(std::size_t module) {
         MachineProcess& process = machine_.processes[module];
         for (FifoEnd const& end : core_.modules[module].ends) {

@@ -65,7 +65,7 @@ struct MachineFifo {
     /// Tokens that it is built for: behind a pipeline that squeezes, those of the pipeline as well.
     std::uint64_t tokens() const { return depth + tokens_of_pipeline(); }
     std::uint64_t tokens_of_pipeline() const { return flushes && when_full == WhenFull::squeeze ? write_latency : 0; }
-    /// As the timing sees it (SPEC section 3, FIFO).
+    /// As the timing sees it (docs/timing-model.md#fifos).
     timing::FifoShape shape() const;
 };
 
@@ -157,7 +157,7 @@ Machine make_machine(CoreDescription const& core, MachineSettings const& setting
 
 /// "MODULE.LOOP" whose keys time a loop of a module.
 std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop);
-/// The same by the loop's name within the module. Errors: std::logic_error if it has no such loop.
+/// "MODULE.LOOP" whose keys time the loop with a name within a module. Errors: std::logic_error if it has no such loop.
 std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
 
 /// Numbers of the parts that are there, in order.

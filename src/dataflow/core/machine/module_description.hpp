@@ -55,7 +55,7 @@ struct StreamDescription {
     std::string name;      ///< of the master, e.g. "vertex"
     bool writes = false;   ///< by steps that nobody waits for
     std::string loop;      ///< each iteration of which takes a token; empty: steps do
-    std::string contents;  ///< "vertices of the mesh", for the documentation
+    std::string contents;  ///< "rows of the table", for the documentation
     Conditions conditions;
     timing::Prefetch prefetch = timing::Prefetch::none;
     bool is_header = false;

@@ -149,8 +149,6 @@ Cycles CoreTiming::unknown_from() const {
 }
 
 void CoreTiming::resolve(bool to_the_end) {
-    if (holds_)
-        return;
     go_on(to_the_end);
     if (to_the_end && automaton_ != nullptr)
         automaton_->settle(*group_, session_);

@@ -49,16 +49,15 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
-    /// From now on, resolve() leaves the logs as they are, for somebody else to take; or does not.
-    void hold(bool holds) { holds_ = holds; }
-
-    /// Likewise, with or without an automaton, where some processes have got tokens from memory.
+    /// Gives cycles to what can have them once some processes, a bit each, have got tokens from memory; with or without
+    /// an automaton.
     void resume(ProcessMask processes);
 
-    /// Likewise where only some processes, a bit each, have more to do than before; without automaton.
+    /// Gives cycles to what can have them where only some processes, a bit each, have more to do than before; without
+    /// automaton.
     void resolve_processes(ProcessMask processes);
 
-    /// Likewise with all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
+    /// Gives cycles to all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
     /// then. There must be an automaton. In parts, so that cores that share an automaton can take turns:
     ///
     ///     core.take_up(script);
@@ -74,9 +73,9 @@ class CoreTiming {
     bool set_out();
     Automaton::Walk& walk() { return walk_; }
     void arrive();
-    /// Between them, for a core that does not take turns.
+    /// The walk between set_out() and arrive(), for a core that does not take turns.
     void let_walk();
-    /// All of this, for a core that does not take turns.
+    /// The whole script from take_up() on, for a core that does not take turns.
     void walk_through();
 
     /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
@@ -143,7 +142,6 @@ class CoreTiming {
     bool follows_ = false;  ///< the script at hand
     Lead lead_;
     bool started_ = false;
-    bool holds_ = false;
 };
 
 }  // namespace dataflow::timing

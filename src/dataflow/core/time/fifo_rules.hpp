@@ -39,10 +39,10 @@ template <class Line> struct FifoEnd {
     }
 };
 
-/// The rules of a clocked FIFO (SPEC section 3): the n-th write happens at s_n >= r_(n-C) + 1, the n-th read at
-/// r_n >= s_n + Lf. With an issue latency (area_reciprocal) the writer says when it issues a token. The token counts as
-/// written issue_latency cycles later, and the stages of the pipeline add to the room:
-/// issue_n >= r_(n-C-issue_latency) + 1.
+/// The rules of a clocked FIFO (docs/timing-model.md#fifos): the n-th write happens at s_n >= r_(n-C) + 1, the n-th
+/// read at r_n >= s_n + Lf. With an issue latency (of a flushing pipeline) the writer says when it issues a token. The
+/// token counts as written issue_latency cycles later, and the stages of the pipeline add to the room: issue_n >=
+/// r_(n-C-issue_latency) + 1.
 ///
 /// `Line` is how cycles are held: absolute ones of 64 bits in a ring, for a core (CycleRing), or relative ones of 32
 /// bits, for what is looked up (BenchLine). line[i] is the i-th cycle from the front on; negative: one consumed before.
@@ -75,7 +75,7 @@ template <class Line> struct FifoRules {
             largest = ++m;
         return std::max<std::uint64_t>(largest, 1);  // a token stays for a cycle at least (Lf >= 1)
     }
-    /// Likewise by the read in a cycle. `readable_at(i)`: the i-th cycle of readable from that read on.
+    /// `largest`, raised by the read in a cycle. `readable_at(i)`: the i-th cycle of readable from that read on.
     template <class ReadableAt>
     std::uint64_t raised_by_read(std::uint64_t largest, Time cycle, std::uint64_t known, ReadableAt readable_at) const {
         while (largest < capacity && largest < known && readable_at(largest) < cycle + read_latency)

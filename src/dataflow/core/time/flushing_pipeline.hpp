@@ -7,10 +7,10 @@
 
 namespace dataflow::timing {
 
-/// The tokens in a flushing pipeline that freezes as a whole (SPEC section 3, AreaReciprocal), seen from the next step
-/// of its process: one step a cycle, each of which takes a token in or a bubble. A token leaves some steps after the
-/// one that took it in; a step whose token finds no room in the FIFO behind the pipeline stands still until there is.
-/// Nothing in the pipeline moves then.
+/// The tokens in a flushing pipeline that freezes as a whole (docs/timing-model.md#a-flushing-pipeline-that-freezes),
+/// seen from the next step of its process: one step a cycle, each of which takes a token in or a bubble. A token leaves
+/// some steps after the one that took it in; a step whose token finds no room in the FIFO behind the pipeline stands
+/// still until there is. Nothing in the pipeline moves then.
 ///
 /// When a token leaves depends on those before it only, so it is known as soon as there is known to be room, even if
 /// nobody knows yet what earlier steps take in. Tokens that have left are kept as long as steps to come have to wait

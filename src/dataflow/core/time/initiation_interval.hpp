@@ -14,7 +14,8 @@ struct BramDemand {
     std::uint64_t ports = 2;
 };
 
-/// The initiation interval of a loop and what it is made of (SPEC section 3, as in modulo scheduling).
+/// The initiation interval of a loop and what it is made of (docs/timing-model.md#initiation-interval, as in modulo
+/// scheduling).
 struct InitiationInterval {
     Cycles target = 1;      ///< what the pragma asks for
     Cycles recurrence = 1;  ///< what a loop-carried dependence demands

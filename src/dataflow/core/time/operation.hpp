@@ -7,8 +7,9 @@
 
 namespace dataflow::timing {
 
-/// What a process does to the time, independent of how long it takes: the alphabet of the contract's table. Which ports
-/// it accesses is the number of a set, see Ports. One word: a run logs millions of them, and compares them as words.
+/// What a process does to the time, independent of how long it takes: the alphabet of
+/// docs/timing-model.md#sources-of-time. Which ports it accesses is the number of a set, see Ports. One word: a run
+/// logs millions of them, and compares them as words.
 class Operation {
   public:
     enum class Kind : std::uint8_t {

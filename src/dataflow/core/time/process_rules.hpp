@@ -28,7 +28,7 @@ struct PipelinePosition {
 /// Where a process stands. With the operations that it has yet to do and the FIFOs around it, all that decides when it
 /// does what.
 template <class Time> struct ProcessState {
-    Time time = 0;  ///< T of SPEC section 3
+    Time time = 0;  ///< T of docs/timing-model.md#vocabulary
     bool in_loop = false;
     unsigned loop = 0;             ///< that it is in, or was in last
     std::uint64_t iterations = 0;  ///< of the loop entry at hand
@@ -51,8 +51,8 @@ template <class Time> struct ProcessState {
     std::size_t place(std::uint64_t iteration) const { return iteration & (delay_line.size() - 1); }
 };
 
-/// The rules of time of a process (SPEC section 3): the step, the pipelined loop with its delay line, the setup, the
-/// steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
+/// The rules of time of a process (docs/timing-model.md): the step, the pipelined loop with its delay line, the setup,
+/// the steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
 /// takes and by waiting for accesses to become legal; nothing else.
 ///
 /// `Process`, which derives from this, knows the FIFOs at its ports and counts what happens. `Port` has a number and an

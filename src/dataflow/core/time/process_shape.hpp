@@ -21,7 +21,7 @@ struct LoopRead {
     Cycles stage = 0;  ///< below the loop's depth
 };
 
-/// One pipelined loop of a process (SPEC section 3).
+/// One pipelined loop of a process (docs/timing-model.md#pipelined-loops).
 struct LoopShape {
     std::string name;
     InitiationInterval interval;

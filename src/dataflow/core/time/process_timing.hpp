@@ -186,7 +186,7 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     /// better can say so.
     std::uint64_t iterations() const { return state_.iterations; }
     void set_iterations(std::uint64_t iterations) { state_.iterations = iterations; }
-    /// Likewise in all its loops, ever.
+    /// Iterations done in all its loops, ever.
     std::uint64_t all_iterations() const;
     std::size_t port_count() const { return ports_.size(); }
     FifoTiming& fifo(unsigned port) const { return *ports_[port].fifo; }

@@ -12,7 +12,7 @@ namespace dataflow {
 /// left out: it changes neither function nor time.
 std::string configuration_hash(std::vector<ResolvedKey> const& keys);
 
-/// The same hash of any text.
+/// "fnv1a64:" and the 16 digits of any text.
 std::string hash_of(std::string_view text);
 
 }  // namespace dataflow

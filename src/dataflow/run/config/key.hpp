@@ -89,7 +89,7 @@ Key key_of(ItemField const& field);
 /// What the key accepts, to follow "expected": "an integer from 1 to 4096".
 std::string expectation(Key const& key);
 
-/// The same for a table: "1..4096".
+/// What the key accepts, as a table has it: "1..4096".
 std::string range_text(Key const& key);
 
 bool accepts(IntegerRange const& range, std::int64_t value);

@@ -110,7 +110,7 @@ void add_flushing_keys(Keys& keys, ModuleDescription const& module) {
                 {"accelerator." + module.name + ".when_full", "",
                  "What the pipeline does while the FIFO behind it is full: freeze with its bubbles, or let its results "
                  "close up, which takes a FIFO as deep as the pipeline besides.",
-                 "SPEC 3"},
+                 "timing model"},
                 [name = end.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
                 [](auto& settings) -> auto& { return settings.when_full; }, WhenFull::freeze));
 }
@@ -146,7 +146,7 @@ void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const
         keys.push_back(part_key({name(field), "cycles",
                                  fmt::format("Stage of the loop in which an iteration {} {}, below {}.", what,
                                              stages.memory, loop_key_name(loop, "depth")),
-                                 "SYSTEM 9"},
+                                 "timing model"},
                                 KeyKind::integer, dependence, of, otherwise));
         keys.back().integers = {0, 1'000'000};
     };
@@ -159,7 +159,7 @@ void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const
          "What is done about iterations that read a word before one shortly before them has written it: they are "
          "reported (run --hazards), they wait until it is written, or the word is forwarded, which takes logic and no "
          "time.",
-         "SYSTEM 9"},
+         "timing model"},
         dependence, [](auto& settings) -> auto& { return settings.hazards; }, HazardHandling::report));
 }
 
@@ -273,9 +273,8 @@ Key clock_key(std::string source) {
 Key fifo_rules_key() {
     Key key = of_time(KeyMaker<MachineSettings>::choice_key(
         {"accelerator.fifo_rules", "",
-         "Whose FIFOs: those of SPEC, of Vivado HLS up to 2020.2, or of Vitis HLS from 2021.1 on; decides what kind "
-         "auto "
-         "is and how many tokens a memory holds.",
+         "Whose FIFOs: this model's own (spec), those of Vivado HLS up to 2020.2, or of Vitis HLS from 2021.1 on; "
+         "decides what kind auto is and how many tokens a memory holds.",
          "timing model"},
         [](auto& settings) -> auto& { return settings.fifo_rules; }));
     key.is_alternative = true;

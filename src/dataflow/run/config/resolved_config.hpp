@@ -23,7 +23,7 @@ std::vector<ResolvedKey> resolved_keys(RunConfig const& config, KeyScope scope =
 /// Those of `keys`, in their order, as a configuration file.
 std::string to_yaml(std::vector<ResolvedKey> const& keys);
 
-/// The same as a configuration file that loads to an equal configuration; values that differ from the default say so in
+/// A configuration as a file that loads to an equal configuration; values that differ from the default say so in
 /// a comment. Relative paths stay relative to the current folder, so it belongs there.
 std::string to_yaml(RunConfig const& config);
 

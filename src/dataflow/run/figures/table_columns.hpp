@@ -69,7 +69,7 @@ struct LoopRow : LoopStatistics {
     std::uint64_t core = 0;
     std::string module;
     std::string loop;
-    bool is_in_csv = true;  ///< SPEC section 4 leaves some loops out
+    bool is_in_csv = true;  ///< a design may leave loops out (LoopDescription)
 
     std::string name() const { return module + "." + loop; }
 };

@@ -23,7 +23,7 @@ class IterationJoiner {
         count_ += count;
     }
 
-    /// The same of all runs of a mix. Those between its first and its last cannot grow: they fill mixes as they are.
+    /// Adds all runs of a mix. Those between its first and its last cannot grow: they fill mixes as they are.
     void add_mix(timing::Ports::Number ports, std::uint32_t gaps, unsigned length) {
         unsigned const first = Operation::alike(gaps, length);
         add(ports, gaps & 1U, first);

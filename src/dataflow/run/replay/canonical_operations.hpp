@@ -5,9 +5,9 @@
 
 namespace dataflow::replay {
 
-/// The same operations, however the process told them: iterations that access the same ports, with one silent iteration
-/// behind them or none, are cut into operations by a rule of their own. How many of them a process tells at once
-/// depends on how many tokens it finds, which is the host's affair and differs between engines.
+/// Operations in one form, however the process told them: iterations that access the same ports, with one silent
+/// iteration behind them or none, are cut into operations by a rule of their own. How many of them a process tells at
+/// once depends on how many tokens it finds, which is the host's affair and differs between engines.
 std::vector<timing::Operation> canonical(timing::Operation const* first, std::size_t count);
 
 /// For a process whose loop mixes iterations of several ports: of equal ones the first, if it was told alone, is the

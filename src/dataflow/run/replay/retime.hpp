@@ -13,9 +13,9 @@ namespace dataflow::replay {
 /// The figures of a run on another machine, equal to running it there, without running it. A deadlock is a result, as
 /// it is of a run. `machine` must not differ from the recorded run's in more than retiming_keys() decide.
 RunStatistics retime(RecordedRun const& run, Machine const& machine);
-/// The same, for many retimings of a run.
+/// The figures on another machine of a run that is retimed many times.
 RunStatistics retime(ScriptedRun const& run, Machine const& machine);
-/// The same, without following scripts. Several times as slow.
+/// Retimes without following scripts. Several times as slow.
 RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine);
 
 using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;

@@ -14,8 +14,8 @@ namespace dataflow::replay {
 std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig const& loaded,
                                        std::function<void(std::size_t done, std::size_t steps)> const& progress = {});
 
-/// The same for every other value of each choice about the whole machine; but of values with which the machine is the
-/// same, nothing.
+/// What every other value of each choice about the whole machine changes; values with which the machine stays what it
+/// is are left out.
 std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const& loaded);
 
 }  // namespace dataflow::replay

@@ -26,8 +26,8 @@ bool mixes_ports(LeadCore const& lead, std::size_t process) {
 
 }  // namespace
 
-TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed)
-    : run_(run), lead_(lead), timed_(std::move(timed)), step_ports_(processes) {
+TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes)
+    : run_(run), lead_(lead), step_ports_(processes) {
     try {
         thread_ = std::thread([this] { work(); });
     } catch (std::system_error const& error) {
@@ -49,10 +49,6 @@ void TapeWriter::finish() {
     if (error_)
         std::rethrow_exception(error_);
     run_.tape.finish();
-}
-
-std::optional<RunStatistics> TapeWriter::statistics() {
-    return retiming_ == nullptr ? std::nullopt : retiming_->finish(run_.counters);
 }
 
 void TapeWriter::stop() {
@@ -92,12 +88,7 @@ void TapeWriter::write(std::size_t sample, SampleOperations operations) {
                 if (operation.kind() == timing::Operation::Kind::step)
                     step_ports_[i] = step_ports_[i] | timing::Ports(operation.ports());
         }
-        ScriptedSample cut = cutter_->cut(std::move(operations));
-        run_.tape.put(sample, cut, cutter_->book());
-        if (timed_.machine != nullptr && retiming_ == nullptr)
-            retiming_ = std::make_unique<LiveRetiming>(*run_.blueprint, *timed_.machine, timed_.shares);
-        if (retiming_ != nullptr)
-            retiming_->put(sample, std::move(cut), cutter_->book());
+        run_.tape.put(sample, cutter_->cut(std::move(operations)), cutter_->book());
     } catch (...) {
         error_ = std::current_exception();
     }

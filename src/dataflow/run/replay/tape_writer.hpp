@@ -5,12 +5,10 @@
 #include <exception>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "dataflow/run/replay/live_retiming.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"
 #include "dataflow/run/replay/sample_cutter.hpp"
 
@@ -19,15 +17,9 @@ namespace dataflow::replay {
 /// Puts samples on a run's tape from a thread of its own, so that what is recorded need not wait for it.
 class TapeWriter {
   public:
-    /// Cores to be timed, and the machine they are part of.
-    struct Timed {
-        Machine const* machine = nullptr;  ///< null: none
-        std::vector<CoreShare> shares;
-    };
-
     /// For machines with that lead, and so many processes in a core. The run's blueprint must be there when the first
     /// sample is.
-    TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes, Timed timed);
+    TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes);
     ~TapeWriter();
     TapeWriter(TapeWriter const&) = delete;
     TapeWriter& operator=(TapeWriter const&) = delete;
@@ -36,8 +28,6 @@ class TapeWriter {
     void put(std::size_t sample, SampleOperations operations);
     /// All is on the tape. Throws what went wrong meanwhile.
     void finish();
-    /// The figures of timed cores, after finish(). None: they got stuck, or there is nothing to be timed.
-    std::optional<RunStatistics> statistics();
     /// Bits of the ports that a process accessed outside loops; after finish().
     timing::Ports step_ports(std::size_t process) const { return step_ports_[process]; }
 
@@ -48,10 +38,8 @@ class TapeWriter {
 
     RecordedRun& run_;
     timing::Lead lead_;
-    Timed timed_;
     std::vector<timing::Ports> step_ports_;
     std::unique_ptr<SampleCutter> cutter_;
-    std::unique_ptr<LiveRetiming> retiming_;
     std::deque<std::pair<std::size_t, SampleOperations>> waiting_;
     bool stops_ = false;
     std::exception_ptr error_;

@@ -11,7 +11,7 @@
 
 namespace dataflow::budgets {
 
-/// One figure of a run, by its dotted name: a path through the output files, e.g. "fifos.edge_token.max_occupancy",
+/// One figure of a run, by its dotted name: a path through the output files, e.g. "fifos.lines.max_occupancy",
 /// "samples.3.latency_cycles" or "cores.0.loops.filter.rows.ii".
 struct Figure {
     std::string name;
@@ -31,7 +31,7 @@ class Figures {
     std::unordered_map<std::string, std::size_t> index_;
 };
 
-/// What a name's parts are: "fifos", "edge_token", "max_occupancy".
+/// What a name's parts are: "fifos", "lines", "max_occupancy".
 std::vector<std::string> parts_of(std::string const& name);
 
 /// What the tables of columns say of a figure. Of a name that they do not know (a baseline may be older than they are):

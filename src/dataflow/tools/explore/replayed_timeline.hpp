@@ -16,7 +16,7 @@ using TakeTimeline = std::function<void(std::size_t i, SampleTimeline timeline)>
 void replay_timelines(replay::ScriptedRun const& run, Machine const& machine,
                       std::vector<SampleStatistics> const& samples, TakeTimeline const& take);
 
-/// The same, for once.
+/// What the modules did during samples of a run that is replayed once.
 void replay_timelines(replay::RecordedRun const& run, Machine const& machine,
                       std::vector<SampleStatistics> const& samples, TakeTimeline const& take);
 

@@ -26,7 +26,7 @@ class FifoState {
         values_.erase(values_.begin(), values_.begin() + fields_);
         --arrived_;
     }
-    /// Tokens written and not read (SPEC section 3: at most the capacity).
+    /// Tokens written and not read (docs/timing-model.md#fifos: at most the capacity).
     std::uint64_t occupancy() const { return std::min<std::uint64_t>(arrived_, shape_->capacity); }
     timing::FifoShape const& shape() const { return *shape_; }
 

@@ -22,7 +22,7 @@ constexpr std::int64_t no_stall = 0;
 constexpr std::int64_t stall_on(std::size_t fifo, bool is_full) {
     return static_cast<std::int64_t>(1 + 2 * fifo + (is_full ? 1 : 0));
 }
-/// Likewise for the external memory, which stands behind all FIFOs.
+/// The value of `stall` on a FIFO or on the external memory, which stands behind all FIFOs.
 inline std::int64_t stall_on(Machine const& machine, std::size_t item, std::size_t process) {
     return stall_on(item, item < machine.fifos.size() && machine.fifos[item].writer == process);
 }
@@ -33,7 +33,7 @@ constexpr std::int64_t in_loop(std::size_t loop) { return static_cast<std::int64
 /// What they mean, value by value; empty: parts that the machine has not.
 std::vector<std::string> state_names(Machine const& machine);
 std::vector<std::string> stall_names(Machine const& machine);
-/// Likewise of a field of a token; empty if it is a number.
+/// What the values of a field of a token mean; empty if it is a number.
 std::vector<std::string> value_names(TokenField const& field);
 
 /// Bits of these signals: a byte, unless the machine has more loops or FIFOs than that tells apart.

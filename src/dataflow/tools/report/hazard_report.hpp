@@ -12,7 +12,7 @@ std::string hazards_text(RunStatistics const& run);
 
 /// `hazards` of summary.json (docs/formats.md): a row per core, loop and block RAM.
 Json hazards_json(RunStatistics const& run);
-/// The same of all cores together, without `core`.
+/// A row per loop and block RAM, all cores together, without `core`.
 Json hazard_sums_json(RunStatistics const& run);
 
 }  // namespace dataflow::report

@@ -12,10 +12,10 @@ namespace dataflow::report {
 /// that equal runs write equal bytes.
 Json made_by_json(std::string const& configuration_hash);
 
-/// The same of the keys themselves.
+/// Where a result comes from, with the hash of these keys.
 Json made_by_json(std::vector<ResolvedKey> const& keys);
 
-/// The same as a line of HTML. An empty hash is left out.
+/// Where a result comes from, as a line of HTML. An empty hash is left out.
 std::string made_by_html(std::string const& configuration_hash, MadeBy const& maker = made_by());
 
 }  // namespace dataflow::report

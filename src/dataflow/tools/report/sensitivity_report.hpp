@@ -15,7 +15,7 @@ std::string sensitivities_text(RunStatistics const& run);
 std::string sensitivities_csv(RunStatistics const& run);
 Json sensitivities_json(RunStatistics const& run);
 Json alternatives_json(RunStatistics const& run);
-/// The same as a file of its own, of `faster-sim sensitivities --json`.
+/// Sensitivities and alternatives as the file of `faster-sim sensitivities --json`.
 std::string sensitivities_file_json(RunStatistics const& run);
 
 }  // namespace dataflow::report

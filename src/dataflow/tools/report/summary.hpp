@@ -14,8 +14,8 @@ struct HostTime {
     double simulate_seconds = 0;
 };
 
-/// summary.json (SPEC section 4): resolved configuration, totals, and per-module, per-FIFO, per-BRAM, per-loop tables.
-/// `made_by`: of made_by_json(); null leaves it out, for what is to be the same whatever the command.
+/// summary.json (docs/formats.md#summaryjson): resolved configuration, totals, and per-module, per-FIFO, per-BRAM,
+/// per-loop tables. `made_by`: of made_by_json(); null leaves it out, for what is to be the same whatever the command.
 std::string summary_json(std::vector<ResolvedKey> const& keys, RunStatistics const& run, HostTime const& host,
                          Json const& made_by = {});
 

@@ -137,8 +137,8 @@ bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const
     return true;
 }
 
-/// The same latency, and the same room, or more than is needed in either case. Where a run got stuck, what was full is
-/// not all counted.
+/// Whether two choices make no difference: latencies are equal, and room is too, or more than is needed. Where a run
+/// got stuck, what was full is not all counted.
 bool CoreTimes::is_same(Choice const& choice, Place const& place, Known const& known) {
     if (known.is_left_early || known.end == Cut::deadlock)
         return choice == place.second;
@@ -232,7 +232,7 @@ void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cy
     work_[number] = waited - std::min(waited, left_out);
 }
 
-/// The same on the relaxed machine.
+/// What a core works at least, on the relaxed machine if times are not monotone.
 std::optional<Cycles> CoreTimes::work_of(std::size_t core) const {
     if (!is_monotone())
         return relaxed_->work_of(core);

@@ -42,7 +42,7 @@ class CoreTimes {
     /// machine.
     std::optional<bool> known_to_exceed(std::size_t core, Choice const& choice, Cycles bound) const;
     bool exceeds(std::size_t core, Choice const& choice, Cycles bound);
-    /// The same, unless it is given up because nobody needs it any more.
+    /// Whether a core exceeds `bound`; nothing if it is given up because nobody needs it any more.
     using IsObsolete = std::function<bool()>;
     std::optional<bool> exceeds(std::size_t core, Choice const& choice, Cycles bound, IsObsolete const& is_obsolete);
     /// Whether cycles() has nothing to work out.
@@ -58,17 +58,16 @@ class CoreTimes {
     std::size_t first_to_exceed(Choice const& choice, Cycles bound, unsigned jobs);
     /// One past a core's last result read, or Cut::deadlock.
     Cycles cycles(std::size_t core, Choice const& choice);
-    /// The same for several cores at once, on up to `jobs` threads: the largest. That is total_cycles, or
-    /// Cut::deadlock.
+    /// The cycles of the core that takes longest, all at once on up to `jobs` threads: total_cycles, or Cut::deadlock.
     Cycles total_cycles(Choice const& choice, unsigned jobs);
     /// Why a core takes as long as it does, or never ends: the FIFOs where its critical path turns, or those that are
     /// full in the deadlock.
     Cut explain(std::size_t core, Choice const& choice);
-    /// The same of as much as it takes to know that a core takes more than `bound`, so that it proves nothing; of all
+    /// explain() of as much as it takes to know that a core takes more than `bound`, so that it proves nothing; of all
     /// if it does not. Nothing if it is given up.
     std::optional<Cut> suspects(std::size_t core, Choice const& choice, Cycles bound,
                                 IsObsolete const& is_obsolete = nullptr);
-    /// The same of its first `samples`, whatever comes behind them.
+    /// explain() of a core's first `samples`, whatever comes behind them.
     Cut first_suspects(std::size_t core, Choice const& choice, std::size_t samples) const;
 
     /// Tokens that go through each FIFO, of the core that has most, among those that were seen to end.

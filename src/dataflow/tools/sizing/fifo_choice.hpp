@@ -8,7 +8,7 @@
 namespace dataflow::sizing {
 
 /// How one FIFO is built: a resolved kind and a depth, by the rules of a generation, which all FIFOs of a search have
-/// alike. What it means for time is a capacity and a read latency (SPEC section 3).
+/// alike. What it means for time is a capacity and a read latency (docs/timing-model.md#fifos).
 struct FifoChoice {
     FifoKind kind = FifoKind::shift_register;
     std::uint64_t depth = 1;

@@ -19,7 +19,7 @@ class RepairedSearch {
     /// At most `bound` cycles, which must be no less than unbounded FIFOs take; Cut::deadlock - 1: any that end.
     Found cheapest(Cycles bound);
     Found timed(Found found) { return exact_.timed(std::move(found)); }
-    /// The same price, no token more than needed; timed.
+    /// A choice of equal price with no token more than needed; timed.
     Found shallowest(Found const& found, Cycles bound);
     /// Another choice within the bound, instead of one found.
     Found replaced(Found found, Choice const& choice) const;

@@ -18,7 +18,7 @@ struct Monotone {
 /// where many searches end, then in the middle of the widest gap that nobody tries.
 std::size_t last_that_holds(std::size_t count, unsigned jobs, Monotone const& monotone);
 
-/// The same of what need not be monotone: one of 0 .. count - 1 for which it holds, as for 0, but not for the next one,
+/// For what need not be monotone: one of 0 .. count - 1 for which it holds, as for 0, but not for the next one,
 /// if there is one. Which, depends on nothing but `holds`: not on the jobs, two of which have something to do.
 std::size_t last_before_failing(std::size_t count, unsigned jobs, Monotone::Holds const& holds);
 

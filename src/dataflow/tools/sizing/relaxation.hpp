@@ -15,7 +15,7 @@ std::vector<std::size_t> freezing_fifos(Machine const& machine);
 /// a run longer: who asks for a burst sooner may be served before another who is waited for.
 bool shares_memory(Machine const& machine);
 
-/// The same machine with pipelines whose tokens close up instead (WhenFull::squeeze), and with a memory that every
+/// A machine like this one, with pipelines whose tokens close up (WhenFull::squeeze), and with a memory that every
 /// master has to itself. It is a relaxation: what the machine does is possible there too, and the relaxed machine does
 /// everything as soon as possible, so it takes no longer with the same FIFOs. Without external memory it takes just as
 /// long where no such FIFO is ever full. And more room or less latency never makes it take longer.

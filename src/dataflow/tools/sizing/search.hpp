@@ -41,7 +41,7 @@ class Search {
     /// At most `bound` cycles, which must be no less than unbounded FIFOs take; Cut::deadlock - 1: any that end.
     Found cheapest(Cycles bound);
     Found timed(Found found);
-    /// The same price, no token more than needed; timed.
+    /// A choice of equal price with no token more than needed; timed.
     Found shallowest(Found found, Cycles bound);
     bool is_within(Choice const& choice, Cycles bound);
     double cost_of_choice(Choice const& choice) const;

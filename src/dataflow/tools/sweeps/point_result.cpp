@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "dataflow/base/json.hpp"
-#include "dataflow/tools/report/architecture_table.hpp"
+#include "dataflow/tools/resources/machine_resources.hpp"
 
 namespace dataflow::sweeps {
 
@@ -27,6 +27,29 @@ Status status_from_name(std::string const& name) {
         if (name == name_of(status))
             return status;
     throw Json::other_error::create(501, "unknown status", static_cast<Json const*>(nullptr));
+}
+
+/// Of all cores.
+void set_resources(Machine const& machine, PointResult& result) {
+    result.ramb36 = ramb36_of_core(machine) * static_cast<double>(machine.cores);
+    Resources const cores = resources_of(machine).cores.amount;
+    result.lut = cores.lut;
+    result.ff = cores.ff;
+    result.dsp = cores.dsp;
+}
+
+/// What modules and FIFOs waited.
+void add_up_waits(RunStatistics const& run, PointResult& result) {
+    for (std::size_t i = 0; i < run.machine.processes.size(); ++i) {
+        ProcessStatistics const process = process_sum(run, i);
+        result.stall_cycles += process[CycleClass::empty_stall] + process[CycleClass::full_stall];
+        result.port_conflict_cycles += process[CycleClass::port_conflict];
+    }
+    for (CoreStatistics const& core : run.cores)
+        for (FifoStatistics const& fifo : core.fifos) {
+            result.fifo_full_stall_cycles += fifo.full_stall_cycles;
+            result.fifo_empty_stall_cycles += fifo.empty_stall_cycles;
+        }
 }
 
 std::string one_line(std::string text) {
@@ -53,12 +76,8 @@ char const* name_of(Status status) {
 }
 
 PointResult result_of(RunStatistics const& run) {
-    report::ArchitectureRow const row = report::architecture_row(run);
     PointResult result;
-    result.ramb36 = row.ramb36;
-    result.lut = row.lut;
-    result.ff = row.ff;
-    result.dsp = row.dsp;
+    set_resources(run.machine, result);
     if (run.deadlocked()) {
         result.status = Status::deadlock;
         result.message = circle_of(run);
@@ -67,15 +86,9 @@ PointResult result_of(RunStatistics const& run) {
     if (std::string const left = leftover_tokens(run); !left.empty())
         return failed("tokens are left at the end of the run: " + left);
     result.status = Status::done;
-    result.total_cycles = row.total_cycles;
-    result.milliseconds = row.milliseconds;
-    result.stall_cycles = row.empty_stall_cycles + row.full_stall_cycles;
-    result.port_conflict_cycles = row.port_conflict_cycles;
-    for (CoreStatistics const& core : run.cores)
-        for (FifoStatistics const& fifo : core.fifos) {
-            result.fifo_full_stall_cycles += fifo.full_stall_cycles;
-            result.fifo_empty_stall_cycles += fifo.empty_stall_cycles;
-        }
+    result.total_cycles = run.total_cycles;
+    result.milliseconds = run.machine.milliseconds(run.total_cycles);
+    add_up_waits(run, result);
     return result;
 }
 

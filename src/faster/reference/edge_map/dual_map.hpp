@@ -3,7 +3,7 @@
 
 namespace faster::reference {
 
-/// Thesis 5.4 and A.2, the default (SPEC section 2, EdgeMapBuilder). An object token takes two iterations: the first
+/// Thesis 5.4 and A.2, the default (docs/function.md#edgemapbuilder). An object token takes two iterations: the first
 /// clears its edge bit and looks at the pixels above and below, the second sets bits. The second runs before the next
 /// token is looked at, wherever that token lies: so every token, also one outside the window, is announced by
 /// next_token().

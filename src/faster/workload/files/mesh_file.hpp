@@ -46,7 +46,7 @@ struct MeshLimits {
 /// triangles, a coordinate that is not finite, a limit exceeded.
 Mesh load_mesh(std::filesystem::path const& path, MeshLimits const& limits = {});
 
-/// The same of several, `jobs` at once.
+/// Loads several files, `jobs` at once.
 std::vector<Mesh> load_meshes(std::vector<std::filesystem::path> const& paths, MeshLimits const& limits,
                               std::size_t jobs);
 

@@ -11,7 +11,7 @@ namespace faster::files {
 /// A picture for people: the bytes of its file.
 std::string colour_png(Image<Colour> const& picture);
 
-/// The same as a file. Throws InputError if the file cannot be written.
+/// Writes a picture for people. Throws InputError if the file cannot be written.
 void write_colour_png(std::filesystem::path const& path, Image<Colour> const& picture);
 
 /// Greyscale PNG files, as they are: no scaling, no colour conversion. Every function throws InputError: a missing

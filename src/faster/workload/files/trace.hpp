@@ -7,8 +7,9 @@
 
 namespace faster::files {
 
-/// A stimulus trace is a folder that fully determines what the machine computes (SPEC section 4): `trace.yaml`,
-/// the samples and their triangles after the vertex transform as CSV, the observed depth and edges as PNG.
+/// A stimulus trace is a folder that fully determines what the machine computes (docs/formats.md#stimulus-trace):
+/// `trace.yaml`, the samples and their triangles after the vertex transform as CSV, the observed depth and edges as
+/// PNG.
 ///
 /// read_trace throws InputError for anything wrong with it, naming file and line (or pixel) and what was expected.
 Stimulus read_trace(std::filesystem::path const& folder);

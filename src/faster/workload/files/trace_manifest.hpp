@@ -6,7 +6,8 @@
 
 namespace faster::files {
 
-/// The content of `trace.yaml`: the shape of a stimulus trace and the names of its other files (SPEC section 4).
+/// The content of `trace.yaml`: the shape of a stimulus trace and the names of its other files
+/// (docs/formats.md#stimulus-trace).
 struct TraceManifest {
     static constexpr char const* format = "faster-trace";
     static constexpr int version = 1;
@@ -28,7 +29,7 @@ struct TraceManifest {
 /// and fraction bits that contradict each other.
 TraceManifest read_manifest(std::filesystem::path const& path);
 
-/// The same, as text.
+/// The text of trace.yaml.
 std::string manifest_text(TraceManifest const& manifest);
 
 }  // namespace faster::files

@@ -21,7 +21,7 @@ std::vector<std::string> names();
 
 bool contains(std::string const& name);
 
-/// The same mesh at every call. Throws InputError for a name that is not in names().
+/// The mesh of a class, equal at every call. Throws InputError for a name that is not in names().
 Mesh make(std::string const& name);
 
 }  // namespace faster::models

@@ -114,7 +114,7 @@ Mesh large_marker(double edge_length) {
                    edge_length);
 }
 
-/// The same stations on the other side of the y axis.
+/// Stations as they are on the other side of the y axis.
 std::vector<Station> mirrored(std::vector<Station> stations) {
     for (Station& station : stations) {
         station.centre.x() = -station.centre.x();

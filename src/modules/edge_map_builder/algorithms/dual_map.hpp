@@ -5,7 +5,7 @@
 namespace faster::datapath {
 
 /// Thesis 5.4 and A.2, the default: contour and object in a map each, and a second iteration for every object token of
-/// the window (SPEC section 2, EdgeMapBuilder).
+/// the window (docs/function.md#edgemapbuilder).
 class DualMap final : public EdgeMapPolicy {
   public:
     explicit DualMap(int window) : EdgeMapPolicy(window), maps_(window) {}

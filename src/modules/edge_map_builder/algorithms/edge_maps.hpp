@@ -8,8 +8,8 @@
 
 namespace faster::datapath {
 
-/// Thesis A.2's two maps: which pixels the object covers, and which lie on its contour (SPEC section 2,
-/// EdgeMapBuilder). A byte per pixel, 0 or 1, row by row.
+/// Thesis A.2's two maps: which pixels the object covers, and which lie on its contour
+/// (docs/function.md#edgemapbuilder). A byte per pixel, 0 or 1, row by row.
 class EdgeMaps {
   public:
     explicit EdgeMaps(int window);

@@ -4,11 +4,7 @@ namespace dataflow::report {
 /// The HTML report without its data: page/report.html with style and scripts in place. In the order in which they stand
 /// there, `@title@` (twice), `@made_by@` and `@data@` are to be replaced.
 extern char const* const report_page;
-/// The same of a run that got stuck: page/deadlock.html.
+/// The page of a run that got stuck, without its data: page/deadlock.html.
 extern char const* const deadlock_page;
-/// The same of a sizing of FIFOs: page/sizing.html.
-extern char const* const sizing_page;
-/// The same of architectures side by side: page/architectures.html.
-extern char const* const architectures_page;
 
 }  // namespace dataflow::report

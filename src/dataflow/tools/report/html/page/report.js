@@ -226,7 +226,7 @@ class FifoTable {
     return profile ? profile.mean.reduce((sum, mean) => sum + mean, 0) / profile.mean.length : 0;
   }
 
-  /// The same box for a FIFO whatever the rows: its chart moves along.
+  /// A FIFO has one box, whatever the rows: its chart moves along.
   spark_box(fifo) {
     if (!this.sparks.has(fifo)) this.sparks.set(fifo, { box: element("div", { class: "spark" }) });
     return this.sparks.get(fifo).box;

@@ -5,7 +5,7 @@ function circle_of(deadlock) {
   return deadlock.wait_cycle.length > 0 ? deadlock.wait_cycle : deadlock.stuck;
 }
 
-/// "edge_token full, 2 of 2"
+/// "lines full, 2 of 2"
 function what_holds_up({ fifo, to, occupancy, capacity, waits_for }) {
   return waits_for === "memory" ? `${fifo} from memory` : `${fifo} ${to === "write" ? "full" : "empty"}, ${occupancy} of ${capacity}`;
 }

@@ -106,7 +106,7 @@ def of_header(file: Path) -> str:
 
 def paragraphs(comment: list[str]) -> str:
     """An example in a comment is indented; a line of its own stays one."""
-    return re.sub(r" \((?:SPEC|docs)[^)]*\)", "", "\n".join(line.rstrip() for line in comment)) + "\n"
+    return re.sub(r" \(docs[^)]*\)", "", "\n".join(line.rstrip() for line in comment)) + "\n"
 
 
 def main(arguments: list[str]) -> int:

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "faster/dataflow_names.hpp"
-#include "faster/workload/files/ply_length.hpp"
 #include "support/input_error_text.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"

@@ -9,7 +9,7 @@ namespace dataflow::io {
 /// be set.
 void keep_rights(std::filesystem::path const& from, std::filesystem::path const& to);
 
-/// The same while it is being written: the owner may write, whatever `from` says.
+/// Rights of a file while it is being written: those of `from`, and the owner may write whatever `from` says.
 void keep_rights_while_writing(std::filesystem::path const& from, std::filesystem::path const& to);
 
 }  // namespace dataflow::io

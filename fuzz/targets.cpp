@@ -142,10 +142,17 @@ std::vector<Target> const& targets() {
          }},
         {"edges_png", "an image of 8 bits", [](auto bytes) { files::read_png8(file_of("edges.png", bytes)); }},
         {"run_folder", "files of a run, with lines of %% between them", read_run_folder},
-        {"poses", "results in the format of BOP", [](auto bytes) { bop::read_pose_results(file_of("p.csv", bytes)); }},
+        {"poses", "results in the format of BOP",
+         [](auto bytes) {
+             std::vector<std::string> warnings;
+             bop::read_pose_results(file_of("p.csv", bytes), warnings);
+         }},
         {"pose_list", "a table of poses", [](auto bytes) { workload::read_pose_list(file_of("l.csv", bytes)); }},
         {"detections", "detections in the format of BOP",
-         [](auto bytes) { bop::read_detections(file_of("d.json", bytes)); }},
+         [](auto bytes) {
+             std::vector<std::string> warnings;
+             bop::read_detections(file_of("d.json", bytes), warnings);
+         }},
         {"bop_folder", "files of a dataset, with lines of %% between them", read_bop_folder},
         {"obj", "a mesh", read_mesh<0>},
         {"ply", "a mesh", read_mesh<1>},

@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <regex>
 
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/read_dataset.hpp"
@@ -234,6 +236,34 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         dataset.replace("boxes.json", "[9, 9, 9, 9]", "[90, 9, 9, 9]");
         check_bad_input(estimate({"--object", "5", "--detections", boxes}),
                         {"boxes.json", "overlaps the image of 64 x 48"});
+    }
+    SECTION("a hidden object has no box, and what is wrong elsewhere is no matter") {
+        dataset.replace("test/000001/scene_gt_info.json", R"("bbox_visib": [11, 13, 9, 8])",
+                        R"("bbox_visib": [-1, -1, -1, -1])");
+        dataset.replace("test/000001/scene_gt_info.json", R"("visib_fract": 1)", R"("visib_fract": 0.0)");
+        dataset.replace("test/000002/scene_gt.json", R"("cam_R_m2c": [)", R"("cam_R_m2c": [9)");
+        dataset.replace("test_targets_bop19.json", R"("scene_id": 2)", R"("scene_id": 7)");
+        require_done(estimate({"--object", "1", "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());
+        check_bad_input(estimate({"--object", "1", "--scene", "2"}), {"scene_gt.json: 0[0].cam_R_m2c"});
+    }
+    SECTION("depth as TIFF, of another unit, and a confidence of 3, are said") {
+        std::string const depth = (dataset / "test/000001/depth/000000").string();
+        CommandResult const as_png = estimate({"--object", "1"});
+        cv::imwrite(depth + ".tif", cv::imread(depth + ".png", cv::IMREAD_UNCHANGED));
+        std::filesystem::remove(depth + ".png");
+        CommandResult const as_tiff = estimate({"--object", "1"});
+        require_done(as_tiff);
+        CHECK(as_tiff.out == as_png.out);
+        CHECK(as_tiff.err == "");
+        dataset.replace("test/000001/scene_camera.json", R"("depth_scale": 0.1)", R"("depth_scale": 1)");
+        std::string box = true_box(1);
+        dataset.write("boxes.json", std::regex_replace(box, std::regex(R"("score": *[0-9.]+)"), R"("score": 3)"));
+        CommandResult const odd = estimate({"--object", "1", "--detections", (dataset / "boxes.json").string()});
+        require_done(odd);
+        CHECK_THAT(odd.err, Contains("000000.tif: all of its ") &&
+                                Contains("depth_scale of scene_camera.json = 1 mm") &&
+                                Contains("boxes.json: 1 of 1 scores are no confidences from 0 to 1, the first is 3"));
     }
     SECTION("what the dataset does not have") {
         check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});

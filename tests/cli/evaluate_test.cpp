@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -46,7 +47,7 @@ class Workspace {
         for (int const scene : {1, 2}) {
             for (int const image : {0, 3}) {
                 for (int const object : {BopFolder::box, BopFolder::cylinder}) {
-                    estimates.push_back({{scene, image}, object, 0.5, BopFolder::pose_of(object, image), 0.25, 0});
+                    estimates.push_back({{scene, image}, object, 0.5, BopFolder::pose_of(object, image), 0.25, 0, {}});
                     estimates.back().pose.translation.z() += shift_m;
                 }
             }
@@ -114,10 +115,9 @@ TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[ev
     check_bad_input(workspace.evaluate({"right.csv", "none", "--out", "out"}), {"none: no such folder"});
     check_bad_input(workspace.evaluate_text("scene_id,im_id,object_id,score,R,t,time\n" + row),
                     {"wrong.csv:1: no column obj_id in the header"});
-    check_bad_input(workspace.evaluate_text(header + row + "1,0,4,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
-                    {"wrong.csv:3: obj_id = 4, expected one of the dataset's: 1, 5"});
-    check_bad_input(workspace.evaluate_text(header + "1,9,1,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
-                    {"wrong.csv:2: scene_id, im_id = 1, 9, expected an image of"});
+    check_bad_input(
+        workspace.evaluate_text(header + "1,9,1,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
+        {"wrong.csv:2: scene_id, im_id, obj_id = 1, 9, 1, and no row of the 1 is of a target of", "such as 1, 0, 1"});
     check_bad_input(workspace.evaluate_text(header + "1,0,1,0.5,1 0 0 0 1 0 0 0 2,0 0 600,-1\n"),
                     {"wrong.csv:2: column R", "expected a rotation"});
     check_bad_input(workspace.evaluate_text(header + "1,0,1,nan,1 0 0 0 1 0 0 0 1,0 0 600,-1\n"),
@@ -129,6 +129,43 @@ TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[ev
     check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--out", "mine"}), {"mine"});
     CHECK(workspace.text("mine/note.txt") == "keep");
     CHECK_FALSE(std::filesystem::exists(workspace.work() / "out"));
+}
+
+TEST_CASE("evaluate says what it mends, and what it leaves out", "[evaluate]") {
+    Workspace const workspace;
+    std::string const right = workspace.text("right.csv");
+    std::filesystem::remove_all(workspace.dataset() / "test/000002");
+    CommandResult const result = workspace.evaluate_text(right + "1,0,4,0.5,1 0 0 0 1 0 0 0 1,0 0 600,-1\n" +
+                                                         "1,0,1,0.1,1.004 0 0 0 1 0 0 0 1,0 0 600,0.25\n");
+    require_done(result);
+    CHECK_THAT(result.out, Contains("4 instances in 2 images"));
+    CHECK_THAT(result.err, Contains("warning: ") && Contains("4 of 8 targets are in images that are not at hand") &&
+                               Contains("wrong.csv:6: scene_id, im_id, obj_id = 2, 0, 1, which ") &&
+                               Contains("5 of 10 rows are left out") &&
+                               Contains("wrong.csv: 1 of 10 matrices R are up to 0.00802 off a rotation"));
+}
+
+TEST_CASE("Meshes in metres beside a diameter in millimetres are refused, or read as metres", "[evaluate]") {
+    Workspace const workspace;
+    CommandResult const as_it_was = workspace.evaluate({"off.csv", "DATASET"});
+    for (int const object : {BopFolder::box, BopFolder::cylinder}) {
+        std::string text =
+            "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face {}\nproperty list uchar int vertex_indices\nend_header\n";
+        Mesh const mesh = BopFolder::mesh_of(object);
+        text = fmt::format(text, mesh.vertices.size(), mesh.faces.size());
+        for (Eigen::Vector3d const& v : mesh.vertices)
+            text += fmt::format("{:.9f} {:.9f} {:.9f}\n", v.x(), v.y(), v.z());
+        for (auto const& face : mesh.faces)
+            text += fmt::format("3 {} {} {}\n", face[0], face[1], face[2]);
+        workspace.dataset().write(fmt::format("models/obj_{:06}.ply", object), text);
+    }
+    check_bad_input(workspace.evaluate({"off.csv", "DATASET"}),
+                    {"obj_000001.ply: is 0.06 x 0.04 x 0.1 mm", "models_info.json", "diameter 123.3", "--models-in m"});
+    CommandResult const in_metres = workspace.evaluate({"off.csv", "DATASET", "--models-in", "m"});
+    require_done(in_metres);
+    CHECK(in_metres.out == as_it_was.out);
+    check_bad_input(workspace.evaluate({"off.csv", "DATASET", "--models-in", "cm"}), {"--models-in"});
 }
 
 TEST_CASE("A bootstrap of more draws than fit into memory is refused before any pose is judged", "[evaluate]") {

@@ -167,7 +167,9 @@ TEST_CASE("Made scenes are a dataset of BOP, and are made once", "[experiments][
     CHECK(dataset.models.size() == 21);
     CHECK(dataset.models.at(2).symmetries.size() == 3);
     CHECK(dataset.models.at(4).axes.size() == 1);
-    Mesh const mesh = bop::load_model(dataset.models.at(10));
+    std::vector<std::string> warnings;
+    Mesh const mesh = bop::load_model(dataset.models.at(10), warnings);
+    CHECK(warnings.empty());
     CHECK(mesh.faces.size() == all_meshes().at(10).faces.size());
     MadeScene const scene = made_scene({10, setting.visible, 1, 1}, all_meshes(), {});
     bop::GroundTruth const& read = dataset.images[1].objects.front();

@@ -27,7 +27,7 @@ Estimates shifted_truths(Dataset const& dataset, double metres) {
     Estimates estimates;
     for (bop::DatasetImage const& image : dataset.images) {
         for (bop::GroundTruth const& object : image.objects) {
-            PoseEstimate estimate{image.id, object.obj_id, 1, object.pose, 0.5, estimates.size() + 2};
+            PoseEstimate estimate{image.id, object.obj_id, 1, object.pose, 0.5, estimates.size() + 2, {}};
             estimate.pose.translation.x() += metres;
             estimates.push_back(estimate);
         }
@@ -127,7 +127,7 @@ TEST_CASE("Two instances of an object are matched, and only as many as the targe
     dataset.targets = {{image.id, BopFolder::box, 2}};
     Estimates estimates(3);
     for (std::size_t i = 0; i < 3; ++i)
-        estimates[i] = {image.id, BopFolder::box, 1.0 - 0.1 * static_cast<double>(i), second.pose, -1, i + 2};
+        estimates[i] = {image.id, BopFolder::box, 1.0 - 0.1 * static_cast<double>(i), second.pose, -1, i + 2, {}};
     estimates[0].pose.translation.x() += 0.01;
     estimates[1].pose.translation.x() -= 0.53;
     estimates[2].pose.translation.x() += 0.5;  // of the hidden one, and one too many
@@ -139,24 +139,49 @@ TEST_CASE("Two instances of an object are matched, and only as many as the targe
     CHECK(judgement.instances[1].visible_share == 0.9);
     CHECK(judgement.instances[1].add_m == Approx(0.01));
     dataset.targets[0].inst_count = 4;
-    CHECK_THAT(complaint(dataset, estimates),
-               Catch::Contains("scene 1, image 0 has object 1 3 times, expected 4 as the targets say"));
+    Judgement const fewer = judged(dataset, estimates);
+    CHECK(fewer.instances.size() == 3);
+    REQUIRE(fewer.warnings.size() == 1);
+    CHECK_THAT(fewer.warnings[0],
+               Catch::Contains("scene 1, image 0 has object 1 3 times, expected 4 as the targets say; "
+                               "1 of 4 instances have no true pose"));
 }
 
-TEST_CASE("An estimate of something unknown is refused, one of what is no target left out", "[pose_judge]") {
+TEST_CASE("Estimates of something unknown, or of no target, are left out", "[pose_judge]") {
     BopFolder const folder;
     Dataset dataset = bop::read_dataset(folder.path());
     Estimates estimates = shifted_truths(dataset, 0);
     dataset.targets.pop_back();
     CHECK(judged(dataset, estimates).left_out == 1);
+    CHECK(judged(dataset, estimates).warnings.empty());
     estimates[3].obj_id = 7;
-    CHECK(complaint(dataset, estimates) == "r.csv:5: obj_id = 7, expected one of the dataset's: 1, 5");
-    estimates[3].obj_id = 1;
-    estimates[2].image.im_id = 4;
-    CHECK(complaint(dataset, estimates) ==
-          "r.csv:4: scene_id, im_id = 1, 4, expected an image of " + folder.path().string());
+    estimates[4].image.im_id = 4;
+    estimates[3].problem = estimates[7].problem = "x";  // of what nobody asks for
+    Judgement const judgement = judged(dataset, estimates);
+    CHECK(judgement.left_out == 3);
+    REQUIRE(judgement.warnings.size() == 1);
+    CHECK(judgement.warnings[0] == "r.csv:5: scene_id, im_id, obj_id = 1, 3, 7, which " + folder.path().string() +
+                                       " does not have; 2 of 8 rows are left out for that");
+    estimates[0].problem = "r.csv:2: no rotation";
+    CHECK(complaint(dataset, estimates) == "r.csv:2: no rotation");
+    CHECK_THAT(complaint(dataset, {estimates[3]}),
+               Catch::Contains("no row of the 1 is of a target of ") && Catch::Contains("such as 1, 0, 1"));
+    dataset.images[0].objects[0].problem = "scene_gt.json: no pose";
+    CHECK(complaint(dataset, {}) == "scene_gt.json: no pose");
     dataset.targets[0].obj_id = 9;
     CHECK_THAT(complaint(dataset, {}), Catch::Contains("obj_id = 9, expected one of the dataset's: 1, 5"));
+}
+
+TEST_CASE("Estimates in metres are warned of", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Estimates estimates = shifted_truths(dataset, 0);
+    for (PoseEstimate& estimate : estimates)
+        estimate.pose.translation /= 1000;
+    REQUIRE(judged(dataset, estimates).warnings.size() == 1);
+    CHECK_THAT(judged(dataset, estimates).warnings[0],
+               Catch::Contains("r.csv: column t puts half of the objects within 0.6") &&
+                   Catch::Contains("t is in millimetres"));
 }
 
 TEST_CASE("Rows are objects, all and their mean, and methods are compared on the same draws", "[pose_judge]") {

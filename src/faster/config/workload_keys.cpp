@@ -136,7 +136,7 @@ void add_camera_keys(Keys& keys) {
 
 void add_depth_image_keys(Keys& keys) {
     keys.push_back(Make::make_key(
-        {"workload.scene.depth_image", "", "16-bit greyscale PNG of the observed scene; empty to render one.",
+        {"workload.scene.depth_image", "", "16-bit greyscale PNG or TIFF of the observed scene; empty to render one.",
          "this project"},
         KeyKind::path, [](auto& config) -> auto& { return config.workload.scene.depth_image; }));
     keys.push_back(Make::number_key(

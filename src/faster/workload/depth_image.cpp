@@ -5,6 +5,7 @@
 
 #include "faster/data/fixed_point.hpp"
 #include "faster/workload/files/png_image.hpp"
+#include "faster/workload/files/tiff_image.hpp"
 
 namespace faster::workload {
 
@@ -26,7 +27,7 @@ DepthImage downscaled(DepthImage const& depth, int n) {
 }
 
 DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale) {
-    Image<std::uint16_t> const raw = files::read_png16(path);
+    Image<std::uint16_t> const raw = files::read_depth_counts(path);
     files::require_size(path, raw.width(), raw.height(), camera.width, camera.height, "workload.camera");
     DepthImage depth(raw.height(), raw.width());
     std::transform(raw.pixels().begin(), raw.pixels().end(), depth.pixels().begin(),

@@ -17,7 +17,7 @@ Camera downscaled(Camera const& camera, int n);
 /// Those rows and columns of an image.
 DepthImage downscaled(DepthImage const& depth, int n);
 
-/// Reads a 16-bit PNG of the camera's size and keeps every `downscale`-th row and column. Throws InputError.
+/// Reads a 16-bit PNG or TIFF of the camera's size and keeps every `downscale`-th row and column. Throws InputError.
 DepthImage load_depth_image(std::filesystem::path const& path, double unit_m, Camera const& camera, int downscale);
 
 /// Depth as the machine gets it: truncated to u11 with `fraction_bits` after the point, beyond that far; 0 stays 0.

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "dataflow/base/input_error.hpp"
 #include "faster/data/camera.hpp"
 #include "faster/data/mesh.hpp"
+#include "faster/dataflow_names.hpp"
 
 namespace faster::bop {
 
@@ -23,9 +25,12 @@ struct ImageBox {
 struct GroundTruth {
     int obj_id = 0;
     Pose pose;                            ///< model to camera [m]
-    std::optional<ImageBox> box;          ///< of the whole silhouette, as if nothing hid it
-    std::optional<ImageBox> visible_box;  ///< of what is to be seen of it
+    std::optional<ImageBox> box;          ///< of the whole silhouette, as if nothing hid it; none if it is outside
+    std::optional<ImageBox> visible_box;  ///< of what is to be seen of it; none if it is hidden
     std::optional<double> visible_share;  ///< of the silhouette's pixels, 0..1
+    std::string problem = {};             ///< what is wrong with it in the file, see sound()
+
+    bool is_hidden() const { return visible_share.value_or(1) <= 0; }
 };
 
 /// Scene and image, the name of an image in all files of BOP.
@@ -43,10 +48,12 @@ struct ImageId {
 
 struct DatasetImage {
     ImageId id;
-    Camera camera;            ///< width and height are 0 if the dataset does not say: load_observation() does
+    Camera camera;            ///< width and height may be 0 or others than the image's: load_observation() knows
+    bool has_size = false;    ///< the dataset says of this very image how large it is
     double depth_unit_m = 0;  ///< metres per count of the depth image
     std::filesystem::path depth;
     std::vector<GroundTruth> objects;
+    std::string problem = {};  ///< what is wrong with its camera in the file, see sound()
 };
 
 /// An object of a dataset: where its mesh is, and what models_info.json says of it.
@@ -62,9 +69,24 @@ struct ObjectModel {
     };
     std::vector<Pose> symmetries;  ///< that turn the model into itself [m], beside the identity
     std::vector<Axis> axes;        ///< about which it may be turned by any angle
+    struct Bounds {
+        Eigen::Vector3d min = Eigen::Vector3d::Zero();   ///< [m]
+        Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< [m]
+    };
+    std::optional<Bounds> bounds;  ///< as models_info.json has them
+    std::filesystem::path info;    ///< that file; empty if there is none
+    std::string problem = {};      ///< what is wrong with it there, see sound()
 };
 
-/// How many instances of an object are to be found in an image (test_targets_bop19.json).
+/// The item itself. Files of a dataset are read whole, but what is wrong with an item is nobody's business who does not
+/// ask for it: throws the InputError that was kept when it was read.
+template <class Item> Item const& sound(Item const& item) {
+    if (!item.problem.empty())
+        throw InputError(item.problem);
+    return item;
+}
+
+/// How many instances of an object are to be found in an image (test_targets_bop19.json, test_targets_bop24.json).
 struct Target {
     ImageId image;
     int obj_id = 0;
@@ -76,6 +98,8 @@ struct Dataset {
     std::vector<DatasetImage> images;   ///< by scene and image
     std::map<int, ObjectModel> models;  ///< by obj_id
     std::vector<Target> targets;        ///< of the file or, without one, every object of every image; by image, object
+    std::vector<std::string> warnings;  ///< what was mended on reading, and what looks like a mistake
+    std::size_t targets_elsewhere = 0;  ///< targets of the file in images that are not at hand
 
     DatasetImage const* find(ImageId id) const;  ///< null if there is none
 };

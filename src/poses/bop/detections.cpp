@@ -1,5 +1,9 @@
 #include "poses/bop/detections.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
 #include "dataflow/base/files/json_file.hpp"
 #include "faster/dataflow_names.hpp"
 
@@ -7,16 +11,61 @@ namespace faster::bop {
 
 namespace {
 
-Detection read_detection(JsonNode const& node) {
-    Detection detection;
-    detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
-    detection.obj_id = node.at("category_id").integer(1);
-    detection.box = read_box(node.at("bbox"));
-    detection.score = node.at("score").number();
-    if (auto const time = node.find("time"))
-        detection.time_s = time->number();
-    return detection;
-}
+class DetectionReader {
+  public:
+    Detection read(JsonNode const& node) {
+        Detection detection;
+        detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
+        detection.obj_id = node.at("category_id").integer(1);
+        try {
+            read_rest(node, detection);
+        } catch (InputError const& error) {
+            detection.problem = error.what();
+        }
+        return detection;
+    }
+    std::vector<std::string> warnings(std::filesystem::path const& path) const {
+        std::vector<std::string> warnings;
+        if (beyond_ > 0)
+            warnings.push_back(fmt::format(
+                "{}: {} of {} scores are no confidences from 0 to 1, the first is {}: taken for the nearer of the two",
+                path.string(), beyond_, read_, first_beyond_));
+        if (missing_ > 0)
+            warnings.push_back(
+                fmt::format("{}: {} of {} detections have no score, expected a confidence from 0 to 1: "
+                            "taken for 1",
+                            path.string(), missing_, read_));
+        return warnings;
+    }
+
+  private:
+    void read_rest(JsonNode const& node, Detection& detection) {
+        ++read_;
+        std::optional<ImageBox> const box = read_box(node.at("bbox"));
+        if (!box)
+            node.at("bbox").fail("a box of something seen");
+        detection.box = *box;
+        detection.score = confidence(node);
+        if (auto const time = node.find("time"); time && !time->is_null())
+            detection.time_s = time->number();
+    }
+
+    double confidence(JsonNode const& node) {
+        auto const score = node.find("score");
+        if (!score || score->is_null()) {
+            ++missing_;
+            return 1;
+        }
+        constexpr double rounding = 1e-6;
+        double const given = score->number(), taken = std::clamp(given, 0.0, 1.0);
+        if (std::abs(given - taken) > rounding && beyond_++ == 0)
+            first_beyond_ = given;
+        return taken;
+    }
+
+    std::size_t read_ = 0, beyond_ = 0, missing_ = 0;
+    double first_beyond_ = 0;
+};
 
 Json json_of(Detection const& detection) {
     ImageBox const& box = detection.box;
@@ -30,18 +79,23 @@ Json json_of(Detection const& detection) {
 
 }  // namespace
 
-ImageBox read_box(JsonNode const& node) {
+std::optional<ImageBox> read_box(JsonNode const& node) {
     std::vector<double> const numbers = node.numbers(4);
+    if (std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == -1; }))
+        return std::nullopt;
     if (numbers[2] < 0 || numbers[3] < 0)
         node.fail("a box x, y, width, height of no negative size");
-    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+    return ImageBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-std::vector<Detection> read_detections(std::filesystem::path const& path) {
+std::vector<Detection> read_detections(std::filesystem::path const& path, std::vector<std::string>& warnings) {
     Json const file = io::read_json_file(path, "detections as BOP has them");
+    DetectionReader reader;
     std::vector<Detection> detections;
     for (JsonNode const& node : JsonNode(path, file).items())
-        detections.push_back(read_detection(node));
+        detections.push_back(reader.read(node));
+    std::vector<std::string> const told = reader.warnings(path);
+    warnings.insert(warnings.end(), told.begin(), told.end());
     return detections;
 }
 

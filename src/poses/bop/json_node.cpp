@@ -1,6 +1,7 @@
 #include "poses/bop/json_node.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -65,19 +66,18 @@ std::vector<std::pair<int, JsonNode>> JsonNode::numbered() const {
     require_object();
     std::vector<std::pair<int, JsonNode>> members;
     for (auto const& [key, value] : value_->items()) {
-        auto const number = integer_of(key);
-        if (!number)
-            complain(fmt::format("key {}, expected an integer from 0", key), ": ");
-        members.emplace_back(*number, member(key, value));
+        if (auto const number = integer_of(key))  // others are remarks
+            members.emplace_back(*number, member(key, value));
     }
     return members;
 }
 
 int JsonNode::integer(int min) const {
     constexpr int max = std::numeric_limits<int>::max();
-    if (!value_->is_number_integer() || value_->get<double>() < min || value_->get<double>() > max)
+    double const given = value_->is_number() ? value_->get<double>() : 0.5;
+    if (given != std::floor(given) || given < min || given > max)
         fail(fmt::format("an integer from {}", min));
-    return value_->get<int>();
+    return static_cast<int>(given);
 }
 
 double JsonNode::number() const {
@@ -93,11 +93,16 @@ double JsonNode::number_above_zero() const {
 }
 
 std::vector<double> JsonNode::numbers(std::size_t count) const {
-    if (!value_->is_array() || value_->size() != count)
-        fail(fmt::format("an array of {} numbers", count));
     std::vector<double> numbers;
-    for (JsonNode const& item : items())
-        numbers.push_back(item.number());
+    if (value_->is_array()) {
+        for (JsonNode const& item : items()) {
+            std::vector<double> const row =
+                item.value_->is_array() ? item.numbers(item.value_->size()) : std::vector<double>{item.number()};
+            numbers.insert(numbers.end(), row.begin(), row.end());
+        }
+    }
+    if (!value_->is_array() || numbers.size() != count)
+        fail(fmt::format("an array of {} numbers", count));
     return numbers;
 }
 

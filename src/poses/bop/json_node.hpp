@@ -21,12 +21,13 @@ class JsonNode {
     JsonNode at(std::string const& key) const;
     std::optional<JsonNode> find(std::string const& key) const;
     std::vector<JsonNode> items() const;
-    std::vector<std::pair<int, JsonNode>> numbered() const;  ///< members of an object whose keys are integers
+    std::vector<std::pair<int, JsonNode>> numbered() const;  ///< members of an object whose keys are integers from 0
 
-    int integer(int min) const;
+    bool is_null() const { return value_->is_null(); }
+    int integer(int min) const;  ///< 2.0 is one, too
     double number() const;
     double number_above_zero() const;
-    std::vector<double> numbers(std::size_t count) const;
+    std::vector<double> numbers(std::size_t count) const;  ///< an array of them, or of arrays of them: rows
     std::string text() const;
 
     [[noreturn]] void fail(std::string const& expected) const;

@@ -1,12 +1,15 @@
 #include "poses/bop/pose_results.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <string_view>
 
 #include "dataflow/base/files/csv_cells.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 #include "faster/workload/files/table_row.hpp"
+#include "poses/bop/mended_rotations.hpp"
 
 namespace faster::bop {
 namespace {
@@ -17,12 +20,14 @@ std::vector<std::string> const& columns() {
     return names;
 }
 
-PoseEstimate read_estimate(files::TableRow const& row) {
+PoseEstimate read_estimate(files::TableRow const& row, MendedRotations& mended) {
     PoseEstimate estimate;
     estimate.image = {row.id(scene_id), row.id(im_id)};
     estimate.obj_id = row.id(obj_id);
     estimate.score = row.number(score);
-    estimate.pose.rotation = row.rotation(rotation);
+    std::string problem;
+    estimate.pose.rotation = mended.taken(files::matrix_of(row.numbers(rotation, 9)), problem);
+    estimate.problem = problem.empty() ? "" : row.complaint(rotation, problem);
     estimate.pose.translation = files::m_per_mm * row.vector(translation);
     estimate.time_s = row.number(time);
     return estimate;
@@ -35,14 +40,33 @@ std::string csv_row(PoseEstimate const& estimate) {
                        estimate.time_s);
 }
 
+/// bop_toolkit refuses files of which an image's rows differ in time by more than a millisecond.
+void tell_of_times(std::filesystem::path const& path, std::vector<PoseEstimate> const& estimates,
+                   std::vector<std::string>& warnings) {
+    constexpr double most_s = 0.001;
+    std::map<ImageId, double> times;
+    for (PoseEstimate const& estimate : estimates) {
+        if (estimate.time_s < 0)
+            continue;
+        double const first_s = times.emplace(estimate.image, estimate.time_s).first->second;
+        if (std::abs(first_s - estimate.time_s) > most_s)
+            return warnings.push_back(fmt::format(
+                "{}:{}: time = {}, expected {} as in the rows before of image {} of scene {}: the image's whole time",
+                path.string(), estimate.line, estimate.time_s, first_s, estimate.image.im_id, estimate.image.scene_id));
+    }
+}
+
 }  // namespace
 
-std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path) {
+std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path, std::vector<std::string>& warnings) {
     std::vector<PoseEstimate> estimates;
-    io::read_csv_cells(path, columns(), [&](std::size_t line, std::string_view const* cells) {
-        estimates.push_back(read_estimate(files::TableRow(path, columns(), line, cells)));
+    MendedRotations mended;
+    io::read_csv_cells_of(path, columns(), [&](std::size_t line, std::string_view const* cells) {
+        estimates.push_back(read_estimate(files::TableRow(path, columns(), line, cells), mended));
         estimates.back().line = line;
     });
+    mended.tell(path.string(), warnings);
+    tell_of_times(path, estimates, warnings);
     return estimates;
 }
 

@@ -16,7 +16,10 @@
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
+#include "faster/workload/files/tiff_image.hpp"
 #include "poses/bop/json_node.hpp"
+#include "poses/bop/mended_rotations.hpp"
+#include "poses/bop/model_bounds.hpp"
 #include "poses/bop/scene_folder.hpp"
 
 namespace faster::bop {
@@ -58,31 +61,32 @@ ObjectModel model_named(fs::path const& mesh, int obj_id, double unit_m) {
     return model;
 }
 
-std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes) {
+std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes, std::optional<double> unit_m) {
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
         if (auto const id = numbered_object(mesh.stem().string()))
-            models[*id] = model_named(mesh, *id, files::m_per_mm);
+            models[*id] = model_named(mesh, *id, unit_m.value_or(files::m_per_mm));
     }
     return models;
 }
 
-std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes) {
+std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes, std::optional<double> unit_m) {
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
         int const id = static_cast<int>(models.size()) + 1;
-        models[id] = model_named(mesh, id, 1);
+        models[id] = model_named(mesh, id, unit_m.value_or(1));
     }
     return models;
 }
 
 /// A symmetry: a 4 x 4 matrix, row by row, that maps the model to itself [mm].
-Pose read_symmetry(JsonNode const& node) {
+Pose read_symmetry(JsonNode const& node, MendedRotations& mended) {
     std::vector<double> const m = node.numbers(16);
     Pose pose;
-    pose.rotation = files::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
+    std::string problem;
+    pose.rotation = mended.taken(files::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}), problem);
     pose.translation = files::m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
-    if (std::string const problem = files::rotation_problem(pose.rotation); !problem.empty())
+    if (!problem.empty())
         node.fail(problem + " and a translation");
     return pose;
 }
@@ -96,11 +100,25 @@ ObjectModel::Axis read_axis(JsonNode const& node) {
     return {direction.normalized(), files::m_per_mm * vector_of(node.at("offset").numbers(3))};
 }
 
-void read_info(JsonNode const& info, ObjectModel& model) {
+std::optional<ObjectModel::Bounds> read_bounds(JsonNode const& info) {
+    ObjectModel::Bounds bounds;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        std::string const name(1, "xyz"[axis]);
+        auto const min = info.find("min_" + name), size = info.find("size_" + name);
+        if (!min || !size)
+            return std::nullopt;
+        bounds.min(axis) = files::m_per_mm * min->number();
+        bounds.size(axis) = files::m_per_mm * size->number();
+    }
+    return bounds;
+}
+
+void read_info(JsonNode const& info, ObjectModel& model, MendedRotations& mended) {
     model.diameter_m = files::m_per_mm * info.at("diameter").number_above_zero();
+    model.bounds = read_bounds(info);
     if (auto const discrete = info.find("symmetries_discrete")) {
         for (JsonNode const& symmetry : discrete->items())
-            model.symmetries.push_back(read_symmetry(symmetry));
+            model.symmetries.push_back(read_symmetry(symmetry, mended));
     }
     if (auto const continuous = info.find("symmetries_continuous")) {
         for (JsonNode const& axis : continuous->items())
@@ -108,32 +126,44 @@ void read_info(JsonNode const& info, ObjectModel& model) {
     }
 }
 
-void read_infos(fs::path const& file, std::map<int, ObjectModel>& models) {
+void read_infos(fs::path const& file, std::map<int, ObjectModel>& models, std::vector<std::string>& warnings) {
     Json const json = io::read_json_file(file, "models_info.json as BOP has it");
+    for (auto& [id, model] : models)
+        model.problem =
+            fmt::format("{}: no key {}, expected one for {}", file.string(), id, model.mesh.filename().string());
+    MendedRotations mended;
     for (auto const& [id, info] : JsonNode(file, json).numbered()) {
-        if (auto const model = models.find(id); model != models.end())
-            read_info(info, model->second);
+        auto const found = models.find(id);
+        if (found == models.end())
+            continue;
+        ObjectModel& model = found->second;
+        model.problem.clear();
+        model.info = file;
+        try {
+            read_info(info, model, mended);
+        } catch (InputError const& error) {
+            model.problem = error.what();
+        }
     }
-    for (auto const& [id, model] : models) {
-        if (!model.diameter_m)
-            io::fail(file, fmt::format("no key {}, expected one for {}", id, model.mesh.filename().string()));
-    }
+    mended.tell(file.string(), warnings);
 }
 
 /// The objects of a folder, by obj_id. It holds
-///   obj_NNNNNN.ply in millimetres and models_info.json: the format of BOP; or
+///   obj_NNNNNN.ply in millimetres, and models_info.json: the format of BOP; or
 ///   mesh files in metres, named after their classes: objects are numbered from 1 in the order of their names, and a
-///   models_info.json is read if there is one.
-/// Throws InputError for a folder without meshes, a missing models_info.json, and what is wrong in it.
-std::map<int, ObjectModel> read_models_folder(fs::path const& folder) {
+///   models_info.json is read if there is one;
+/// `unit_m`, if given, is the length of a mesh's unit instead. Throws InputError for a folder without meshes, and a
+/// missing models_info.json.
+std::map<int, ObjectModel> read_models_folder(fs::path const& folder, std::optional<double> unit_m,
+                                              std::vector<std::string>& warnings) {
     std::set<fs::path> const meshes = meshes_in(folder);
-    std::map<int, ObjectModel> models = models_by_number(meshes);
+    std::map<int, ObjectModel> models = models_by_number(meshes, unit_m);
     bool const is_bop = !models.empty();
     if (!is_bop)
-        models = models_by_name(meshes);
+        models = models_by_name(meshes, unit_m);
     fs::path const infos = folder / "models_info.json";
     if (is_bop || fs::exists(infos))
-        read_infos(infos, models);
+        read_infos(infos, models, warnings);
     return models;
 }
 
@@ -191,64 +221,116 @@ fs::path split_of(fs::path const& folder, std::string const& wanted) {
     return folder / name;
 }
 
-/// Sizes of images where a dataset tells them once for all: camera.json.
+/// What camera.json says of the size of images, if it says it. It is meant for training images that are yet to be
+/// rendered; the images at hand may have another size.
 Camera common_size(fs::path const& root) {
     Camera size{0, 0, 1, 1, 0, 0};
     fs::path const file = root / "camera.json";
-    if (fs::exists(file)) {
-        Json const json = io::read_json_file(file, "camera.json as BOP has it");
-        size.width = JsonNode(file, json).at("width").integer(1);
-        size.height = JsonNode(file, json).at("height").integer(1);
+    if (!fs::exists(file))
+        return size;
+    Json const json = io::read_json_file(file, "camera.json as BOP has it");
+    JsonNode const node(file, json);
+    auto const width = node.find("width"), height = node.find("height");
+    if (width && height) {
+        size.width = width->integer(1);
+        size.height = height->integer(1);
     }
     return size;
 }
 
 /// Objects of the folders asked for, then of the dataset's own; the first folder that has an object wins.
-std::map<int, ObjectModel> models_of(std::vector<fs::path> const& asked_for, fs::path const& own) {
+std::map<int, ObjectModel> models_of(DatasetOptions const& options, fs::path const& own,
+                                     std::vector<std::string>& warnings) {
     std::map<int, ObjectModel> models;
-    for (fs::path const& folder : asked_for)
-        models.merge(read_models_folder(folder));
-    if (asked_for.empty() || fs::is_directory(own))
-        models.merge(read_models_folder(own));
+    for (fs::path const& folder : options.models)
+        models.merge(read_models_folder(folder, options.unit_m, warnings));
+    if (options.models.empty() || fs::is_directory(own))
+        models.merge(read_models_folder(own, options.unit_m, warnings));
     return models;
+}
+
+template <class Item> void append(std::vector<Item>& items, std::vector<Item> const& more) {
+    items.insert(items.end(), more.begin(), more.end());
 }
 
 fs::path bop_models(fs::path const& root, bool to_judge) {
     return to_judge && fs::is_directory(root / "models_eval") ? root / "models_eval" : root / "models";
 }
 
-std::vector<Target> read_targets(fs::path const& file, Dataset const& dataset) {
-    Json const json = io::read_json_file(file, "targets as BOP has them");
+/// Everything that has been annotated in an image.
+std::vector<Target> targets_in(DatasetImage const& image) {
+    std::map<int, int> instances;
+    for (GroundTruth const& object : image.objects)
+        ++instances[object.obj_id];
     std::vector<Target> targets;
-    for (JsonNode const& node : JsonNode(file, json).items()) {
-        Target const target{{node.at("scene_id").integer(0), node.at("im_id").integer(0)},
-                            node.at("obj_id").integer(1),
-                            node.at("inst_count").integer(1)};
-        if (dataset.find(target.image) == nullptr)
-            node.at("im_id").fail(fmt::format("an image of scene {}", target.image.scene_id));
-        targets.push_back(target);
-    }
-    std::sort(targets.begin(), targets.end(), [](Target const& a, Target const& b) {
-        return std::pair(a.image, a.obj_id) < std::pair(b.image, b.obj_id);
-    });
+    for (auto const& [obj_id, count] : instances)
+        targets.push_back({image.id, obj_id, count});
     return targets;
 }
 
-/// Everything that has been annotated.
 std::vector<Target> all_targets(std::vector<DatasetImage> const& images) {
     std::vector<Target> targets;
-    for (DatasetImage const& image : images) {
-        std::map<int, int> instances;
-        for (GroundTruth const& object : image.objects)
-            ++instances[object.obj_id];
-        for (auto const& [obj_id, count] : instances)
-            targets.push_back({image.id, obj_id, count});
-    }
+    for (DatasetImage const& image : images)
+        append(targets, targets_in(image));
     return targets;
 }
 
-void append(std::vector<DatasetImage>& images, std::vector<DatasetImage> const& more) {
-    images.insert(images.end(), more.begin(), more.end());
+/// The targets of a row. One of test_targets_bop24.json has an image, in which everything is to be found; one of
+/// test_targets_bop19.json an object, and how often it is there.
+std::vector<Target> targets_of(JsonNode const& node, DatasetImage const& image) {
+    auto const obj_id = node.find("obj_id"), count = node.find("inst_count");
+    std::vector<Target> targets = targets_in(image);
+    if (!obj_id)
+        return targets;
+    int const id = obj_id->integer(1);
+    if (count)
+        return {{image.id, id, count->integer(1)}};
+    targets.erase(std::remove_if(targets.begin(), targets.end(), [id](Target const& t) { return t.obj_id != id; }),
+                  targets.end());
+    return targets;
+}
+
+void read_targets(fs::path const& file, Dataset& dataset) {
+    Json const json = io::read_json_file(file, "targets as BOP has them");
+    for (JsonNode const& node : JsonNode(file, json).items()) {
+        ImageId const id{node.at("scene_id").integer(0), node.at("im_id").integer(0)};
+        if (DatasetImage const* const image = dataset.find(id))
+            append(dataset.targets, targets_of(node, *image));
+        else
+            ++dataset.targets_elsewhere;
+    }
+    std::sort(dataset.targets.begin(), dataset.targets.end(), [](Target const& a, Target const& b) {
+        return std::pair(a.image, a.obj_id) < std::pair(b.image, b.obj_id);
+    });
+}
+
+/// The targets of a dataset; empty if it has none. Those of the challenge's first task come first.
+fs::path targets_file(fs::path const& root) {
+    for (char const* const name : {"test_targets_bop19.json", "test_targets_bop24.json"}) {
+        if (fs::exists(root / name))
+            return root / name;
+    }
+    return {};
+}
+
+/// Half of the objects are nearer than a hand's breadth, or farther than a street is long: translations of another
+/// unit.
+void tell_of_translations(Dataset& dataset, fs::path const& split) {
+    constexpr double least_m = 0.02, most_m = 100;
+    std::vector<double> distances_m;
+    for (DatasetImage const& image : dataset.images) {
+        for (GroundTruth const& object : image.objects)
+            distances_m.push_back(object.pose.translation.norm());
+    }
+    if (distances_m.empty())
+        return;
+    auto const middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
+    std::nth_element(distances_m.begin(), middle, distances_m.end());
+    if (*middle < least_m || *middle > most_m)
+        dataset.warnings.push_back(fmt::format(
+            "{}: cam_t_m2c puts half of the objects {} than {:.3g} mm from the camera, expected millimetres",
+            (split / "*" / "scene_gt.json").string(), *middle < least_m ? "no farther" : "farther",
+            *middle / files::m_per_mm));
 }
 
 Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
@@ -256,13 +338,18 @@ Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     fs::path const root = split == folder ? parent_of(folder) : folder;
     Dataset dataset;
     dataset.folder = folder;
-    dataset.models = models_of(options.models, bop_models(root, options.to_judge));
+    dataset.models = models_of(options, bop_models(root, options.to_judge), dataset.warnings);
     Camera const size = common_size(root);
+    MendedRotations mended;
     for (auto const& [scene_id, scene] : scenes_in(split))
-        append(dataset.images, read_scene_folder(scene, scene_id, size));
-    fs::path const targets = root / "test_targets_bop19.json";
-    bool const has_targets = fs::exists(targets) && name_of(split).rfind("test", 0) == 0;
-    dataset.targets = has_targets ? read_targets(targets, dataset) : all_targets(dataset.images);
+        append(dataset.images, read_scene_folder(scene, scene_id, size, mended));
+    mended.tell((split / "*" / "scene_gt.json").string(), dataset.warnings);
+    tell_of_translations(dataset, split);
+    fs::path const targets = targets_file(root);
+    if (!targets.empty() && name_of(split).rfind("test", 0) == 0)
+        read_targets(targets, dataset);
+    else
+        dataset.targets = all_targets(dataset.images);
     return dataset;
 }
 
@@ -271,9 +358,11 @@ Dataset read_frames(fs::path const& folder, std::vector<fs::path> const& scenes,
                     DatasetOptions const& options) {
     Dataset dataset;
     dataset.folder = folder;
-    dataset.models = models_of(options.models, meshes);
+    dataset.models = models_of(options, meshes, dataset.warnings);
+    MendedRotations mended;
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        append(dataset.images, read_frames_folder(scenes[i], static_cast<int>(i) + 1, dataset.models));
+        append(dataset.images, read_frames_folder(scenes[i], static_cast<int>(i) + 1, dataset.models, mended));
+    mended.tell((folder / "frames.json").string(), dataset.warnings);
     dataset.targets = all_targets(dataset.images);
     return dataset;
 }
@@ -308,11 +397,11 @@ Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
 }
 
 Observation load_observation(DatasetImage const& image) {
-    Image<std::uint16_t> const raw = files::read_png16(image.depth);
+    Image<std::uint16_t> const raw = files::read_depth_counts(sound(image).depth);
     Observation observation{image.camera, workload::DepthImage(raw.height(), raw.width())};
-    if (image.camera.width > 0)
+    if (image.has_size)
         files::require_size(image.depth, raw.width(), raw.height(), image.camera.width, image.camera.height,
-                            "the dataset's camera");
+                            "as frames.json says");
     observation.camera.width = raw.width();
     observation.camera.height = raw.height();
     std::transform(raw.pixels().begin(), raw.pixels().end(), observation.depth.pixels().begin(),
@@ -320,7 +409,23 @@ Observation load_observation(DatasetImage const& image) {
     return observation;
 }
 
-std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std::size_t jobs) {
+void tell_of_depths(Observation const& seen, DatasetImage const& image, std::vector<std::string>& warnings) {
+    constexpr double far_m = 3, near_m = 0.1;
+    auto const& depths = seen.depth.pixels();
+    auto const count = [&](auto const& counts) { return std::count_if(depths.begin(), depths.end(), counts); };
+    auto const readings = count([](double z) { return z > 0; });
+    auto const near = count([](double z) { return z > 0 && z < near_m; });
+    auto const far = count([](double z) { return z > far_m; });
+    if (readings > 0 && (near == readings || far == readings))
+        warnings.push_back(fmt::format(
+            "{}: all of its {} readings are {} m, expected some between: {} = {:g} mm per count", image.depth.string(),
+            readings, far == readings ? fmt::format("beyond {}", far_m) : fmt::format("below {}", near_m),
+            image.has_size ? "depth_unit_m of frames.json" : "depth_scale of scene_camera.json",
+            image.depth_unit_m / files::m_per_mm));
+}
+
+std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std::size_t jobs,
+                              std::vector<std::string>& warnings) {
     std::vector<std::filesystem::path> files;
     files.reserve(models.size());
     for (ObjectModel const* const model : models)
@@ -329,15 +434,19 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
     for (std::size_t i = 0; i < meshes.size(); ++i)
         for (Eigen::Vector3d& vertex : meshes[i].vertices)
             vertex *= models[i]->unit_m;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        compare_with_info(meshes[i], *models[i], warnings);
     return meshes;
 }
 
-Mesh load_model(ObjectModel const& model) { return std::move(load_models({&model}, 1).front()); }
+Mesh load_model(ObjectModel const& model, std::vector<std::string>& warnings) {
+    return std::move(load_models({&model}, 1, warnings).front());
+}
 
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {
     auto const found = dataset.models.find(obj_id);
     if (found != dataset.models.end())
-        return found->second;
+        return sound(found->second);
     std::vector<int> known;
     for (auto const& [id, model] : dataset.models)
         known.push_back(id);

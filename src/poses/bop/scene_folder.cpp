@@ -1,5 +1,6 @@
 #include "poses/bop/scene_folder.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "dataflow/base/files/file_error.hpp"
@@ -16,15 +17,32 @@ namespace fs = std::filesystem;
 
 using Images = std::map<int, DatasetImage>;  // by im_id
 
-DatasetImage read_camera(JsonNode const& node, Camera const& size) {
+void read_camera(JsonNode const& node, DatasetImage& image) {
     std::vector<double> const k = node.at("cam_K").numbers(9);
     if (!(k[0] > 0 && k[4] > 0))
         node.at("cam_K").fail("focal lengths above 0");
-    DatasetImage image;
-    image.camera = {size.width, size.height, k[0], k[4], k[2], k[5]};
+    image.camera = {image.camera.width, image.camera.height, k[0], k[4], k[2], k[5]};
     auto const scale = node.find("depth_scale");
     image.depth_unit_m = files::m_per_mm * (scale ? scale->number_above_zero() : 1);
-    return image;
+}
+
+/// Keeps what is wrong with an item for those who ask for it.
+template <class Item, class Read> void read_into(Item& item, Read const& read) {
+    try {
+        read();
+    } catch (InputError const& error) {
+        item.problem = item.problem.empty() ? error.what() : item.problem;
+    }
+}
+
+/// NNNNNN.png, or .tif as ITODD has it.
+fs::path depth_file(fs::path const& folder, int im_id) {
+    for (char const* const extension : {".png", ".tif", ".tiff"}) {
+        fs::path const file = folder / fmt::format("{:06}{}", im_id, extension);
+        if (fs::exists(file))
+            return file;
+    }
+    return folder / fmt::format("{:06}.png", im_id);
 }
 
 Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
@@ -32,51 +50,70 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
     Json const json = io::read_json_file(file, "scene_camera.json as BOP has it");
     Images images;
     for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
-        DatasetImage image = read_camera(node, size);
+        DatasetImage& image = images[im_id];
         image.id = {scene_id, im_id};
-        image.depth = folder / "depth" / fmt::format("{:06}.png", im_id);
-        images[im_id] = image;
+        image.camera = size;
+        image.depth = depth_file(folder / "depth", im_id);
+        read_into(image, [&, &node = node] { read_camera(node, image); });
     }
     return images;
 }
 
-GroundTruth read_object(JsonNode const& node) {
-    GroundTruth object;
-    object.obj_id = node.at("obj_id").integer(1);
-    object.pose.rotation = files::matrix_of(node.at("cam_R_m2c").numbers(9));
-    if (std::string const problem = files::rotation_problem(object.pose.rotation); !problem.empty())
+Pose read_pose(JsonNode const& node, MendedRotations& mended) {
+    Pose pose;
+    std::string problem;
+    pose.rotation = mended.taken(files::matrix_of(node.at("cam_R_m2c").numbers(9)), problem);
+    if (!problem.empty())
         node.at("cam_R_m2c").fail(problem);
     std::vector<double> const t = node.at("cam_t_m2c").numbers(3);
-    object.pose.translation = files::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+    pose.translation = files::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+    return pose;
+}
+
+GroundTruth read_object(JsonNode const& node, MendedRotations& mended) {
+    GroundTruth object;
+    object.obj_id = node.at("obj_id").integer(1);
+    read_into(object, [&] { object.pose = read_pose(node, mended); });
     return object;
 }
 
-void read_objects(fs::path const& file, Images& images) {
+void read_objects(fs::path const& file, int scene_id, Images& images, MendedRotations& mended) {
     Json const json = io::read_json_file(file, "scene_gt.json as BOP has it");
     for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
-        auto const image = images.find(im_id);
-        if (image == images.end())
-            node.fail("an image that scene_camera.json has, too");
+        auto const [image, is_new] = images.try_emplace(im_id);
+        image->second.id = {scene_id, im_id};
+        if (is_new)
+            read_into(image->second, [&, &node = node] { node.fail("an image that scene_camera.json has, too"); });
         for (JsonNode const& object : node.items())
-            image->second.objects.push_back(read_object(object));
+            image->second.objects.push_back(read_object(object, mended));
     }
 }
 
+/// Of what is not to be seen bop_toolkit writes boxes of four times -1.
 void read_object_info(JsonNode const& node, GroundTruth& object) {
-    object.box = read_box(node.at("bbox_obj"));
-    object.visible_box = read_box(node.at("bbox_visib"));
-    object.visible_share = node.at("visib_fract").number();
+    if (auto const box = node.find("bbox_obj"))
+        object.box = read_box(*box);
+    if (auto const box = node.find("bbox_visib"))
+        object.visible_box = read_box(*box);
+    if (auto const share = node.find("visib_fract"))
+        object.visible_share = std::max(0.0, share->number());
+}
+
+void read_image_infos(JsonNode const& node, DatasetImage& image) {
+    std::vector<JsonNode> const infos = node.items();
+    if (image.objects.size() != infos.size())
+        node.fail("an object for each that scene_gt.json has in this image");
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        GroundTruth& object = image.objects[i];
+        read_into(object, [&] { read_object_info(infos[i], object); });
+    }
 }
 
 void read_object_infos(fs::path const& file, Images& images) {
     Json const json = io::read_json_file(file, "scene_gt_info.json as BOP has it");
     for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
-        auto const image = images.find(im_id);
-        std::vector<JsonNode> const infos = node.items();
-        if (image == images.end() || image->second.objects.size() != infos.size())
-            node.fail("an object for each that scene_gt.json has in this image");
-        for (std::size_t i = 0; i < infos.size(); ++i)
-            read_object_info(infos[i], image->second.objects[i]);
+        if (auto const image = images.find(im_id); image != images.end())
+            read_into(image->second, [&, &node = node] { read_image_infos(node, image->second); });
     }
 }
 
@@ -97,17 +134,12 @@ int object_called(JsonNode const& name, std::map<int, ObjectModel> const& models
     name.fail("the name of one of the meshes");
 }
 
-GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> const& models) {
+GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> const& models, MendedRotations& mended) {
     GroundTruth object;
     object.obj_id = object_called(node.at("class"), models);
-    std::vector<JsonNode> const rows = node.at("R").items();
-    if (rows.size() != 3)
-        node.at("R").fail("three rows");
-    for (int row = 0; row < 3; ++row) {
-        std::vector<double> const numbers = rows[static_cast<std::size_t>(row)].numbers(3);
-        object.pose.rotation.row(row) << numbers[0], numbers[1], numbers[2];
-    }
-    if (std::string const problem = files::rotation_problem(object.pose.rotation); !problem.empty())
+    std::string problem;
+    object.pose.rotation = mended.taken(files::matrix_of(node.at("R").numbers(9)), problem);
+    if (!problem.empty())
         node.at("R").fail(problem);
     std::vector<double> const t = node.at("t_scan").numbers(3);
     object.pose.translation = Eigen::Vector3d(t[0], t[1], t[2]);
@@ -121,37 +153,40 @@ int number_of(JsonNode const& id) {
     return std::stoi(text);
 }
 
-DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<int, ObjectModel> const& models) {
+DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<int, ObjectModel> const& models,
+                        MendedRotations& mended) {
     DatasetImage image;
     image.id.im_id = number_of(node.at("id"));
     JsonNode const k = node.at("intrinsics");
     image.camera = {node.at("width").integer(1),    node.at("height").integer(1), k.at("fx").number_above_zero(),
                     k.at("fy").number_above_zero(), k.at("cx").number(),          k.at("cy").number()};
+    image.has_size = true;
     image.depth_unit_m = node.at("depth_unit_m").number_above_zero();
     image.depth = folder / node.at("depth").text();
     for (JsonNode const& object : node.at("objects").items())
-        image.objects.push_back(read_frame_object(object, models));
+        image.objects.push_back(read_frame_object(object, models, mended));
     return image;
 }
 
 }  // namespace
 
-std::vector<DatasetImage> read_scene_folder(fs::path const& folder, int scene_id, Camera const& size) {
+std::vector<DatasetImage> read_scene_folder(fs::path const& folder, int scene_id, Camera const& size,
+                                            MendedRotations& mended) {
     Images images = read_cameras(folder, scene_id, size);
     if (fs::path const file = folder / "scene_gt.json"; fs::exists(file))
-        read_objects(file, images);
+        read_objects(file, scene_id, images, mended);
     if (fs::path const file = folder / "scene_gt_info.json"; fs::exists(file))
         read_object_infos(file, images);
     return values_of(images);
 }
 
 std::vector<DatasetImage> read_frames_folder(fs::path const& folder, int scene_id,
-                                             std::map<int, ObjectModel> const& models) {
+                                             std::map<int, ObjectModel> const& models, MendedRotations& mended) {
     fs::path const file = folder / "frames.json";
     Json const json = io::read_json_file(file, "frames with intrinsics and poses");
     Images images;
     for (JsonNode const& node : JsonNode(file, json).at("frames").items()) {
-        DatasetImage image = read_frame(node, folder, models);
+        DatasetImage image = read_frame(node, folder, models, mended);
         image.id.scene_id = scene_id;
         if (!images.emplace(image.id.im_id, image).second)
             node.at("id").fail("each id once");

@@ -339,6 +339,9 @@ Subcommand estimate_command() {
                 .add_option("--detections", request->bop.detections,
                             "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
                 ->type_name("FILE");
+            command.add_option("--models-in", request->bop.models_in, "Unit of the dataset's meshes, m or mm (mm)")
+                ->check(CLI::IsMember({"m", "mm"}))
+                ->type_name("UNIT");
             add_jobs(command, request->jobs, "Threads, and simulations at once");
             command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
                 ->type_name("NAME");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/say.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
@@ -74,17 +75,17 @@ bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const&
 
 /// All detections of the object in the image, or the annotated boxes.
 std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, Mesh const& mesh, Camera const& camera,
-                                     BopRequest const& request, double confidence) {
+                                     BopRequest const& request, double confidence, std::vector<std::string>& warnings) {
     std::vector<bop::Detection> boxes;
     if (request.detections.empty()) {
         for (bop::GroundTruth const& object : image.objects)
-            if (object.obj_id == request.obj_id)
+            if (object.obj_id == request.obj_id && !object.is_hidden())
                 boxes.push_back({image.id, object.obj_id, annotated_box(object, mesh, camera), confidence, -1});
         return boxes;
     }
-    for (bop::Detection const& detection : bop::read_detections(request.detections))
+    for (bop::Detection const& detection : bop::read_detections(request.detections, warnings))
         if (detection.obj_id == request.obj_id && detection.image == image.id)
-            boxes.push_back(detection);
+            boxes.push_back(bop::sound(detection));
     return boxes;
 }
 
@@ -113,7 +114,7 @@ void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& imag
                          std::vector<bop::Detection> const& boxes, int downscale) {
     for (bop::GroundTruth const& object : image.objects)
         if (object.obj_id == obj_id && !scene.truth)
-            scene.truth = scene.centred(object.pose);
+            scene.truth = scene.centred(bop::sound(object).pose);
     for (bop::Detection const& detection : boxes) {
         bop::ImageBox const& box = detection.box;
         scene.boxes.push_back({box.left / downscale, box.top / downscale, box.width / downscale, box.height / downscale,
@@ -122,6 +123,10 @@ void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& imag
 }
 
 }  // namespace
+
+std::optional<double> unit_of_models(std::string const& name) {
+    return name.empty() ? std::nullopt : std::optional(name == "m" ? 1.0 : 1e-3);
+}
 
 bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
     if (object.visible_box)
@@ -132,7 +137,8 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
                                 int obj_id, std::vector<bop::Detection> const& boxes) {
     require_mesh_and_samples(loaded);
-    Mesh const mesh = bop::load_model(bop::model_of(dataset, obj_id, dataset.folder.string()));
+    std::vector<std::string> told_before;
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, obj_id, dataset.folder.string()), told_before);
     estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(image));
     add_truth_and_boxes(scene, image, obj_id, boxes, workload_of(loaded.config).scene.downscale);
     return scene;
@@ -140,12 +146,17 @@ estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& 
 
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
     require_mesh_and_samples(loaded);
-    bop::Dataset const dataset = bop::read_dataset(request.folder);
+    bop::DatasetOptions options;
+    options.unit_m = unit_of_models(request.models_in);
+    bop::Dataset const dataset = bop::read_dataset(request.folder, options);
+    std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);
-    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"));
+    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"), warnings);
     bop::Observation const seen = bop::load_observation(image);
+    bop::tell_of_depths(seen, image, warnings);
     std::vector<bop::Detection> const boxes =
-        boxes_in(image, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence);
+        boxes_in(image, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence, warnings);
+    say_warnings(warnings);
     for (bop::Detection const& detection : boxes)
         require_overlap(detection.box, seen.camera, request);
     estimation::Scene scene = observed_scene(loaded, mesh, seen);

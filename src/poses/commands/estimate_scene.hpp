@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "dataflow/run/config/load_config.hpp"
 #include "faster/dataflow_names.hpp"
@@ -12,6 +14,7 @@ namespace faster {
 struct BopRequest {
     std::string folder;      ///< empty: none
     std::string detections;  ///< JSON file; empty: the annotated boxes
+    std::string models_in;   ///< unit of the meshes, m or mm; empty: as the dataset's kind has it
     int scene_id = 0;
     int im_id = 0;
     int obj_id = 0;
@@ -19,13 +22,16 @@ struct BopRequest {
 
 /// The scene of an image: the object's first annotated pose in it is the truth. Boxes: all detections of the object in
 /// the image or, without detections, the annotated ones of what is visible, with the confidence of
-/// `estimator.box.confidence`; an object that nobody detected has none. Throws InputError for what the dataset does not
-/// have.
+/// `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what looks like a
+/// mistake of the dataset's. Throws InputError for what the dataset does not have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
 
 /// The scene of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
                                 int obj_id, std::vector<bop::Detection> const& boxes);
+
+/// Metres per unit that is called m or mm; nothing for an empty name.
+std::optional<double> unit_of_models(std::string const& name);
 
 /// The annotated box of what is visible, or of all of it, or else what the pose says.
 bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);

@@ -21,6 +21,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "poses/bop/read_dataset.hpp"
+#include "poses/commands/estimate_scene.hpp"
 #include "poses/judging/accuracy_plot.hpp"
 #include "poses/judging/evaluation.hpp"
 #include "poses/judging/evaluation_json.hpp"
@@ -59,6 +60,7 @@ bop::Dataset load_dataset(EvaluateRequest const& request) {
     options.split = request.split;
     options.models.assign(request.models.begin(), request.models.end());
     options.to_judge = true;
+    options.unit_m = unit_of_models(request.models_in);
     return bop::read_dataset(request.files.back(), options);
 }
 
@@ -112,12 +114,37 @@ double mean_time_s(std::vector<bop::PoseEstimate> const& estimates) {
     return times.empty() ? -1 : sum / static_cast<double>(times.size());
 }
 
-poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, std::size_t jobs) {
-    auto const estimates = bop::read_pose_results(file);
+/// Says each of them once, whichever method they came up with.
+class Warnings {
+  public:
+    void say(std::vector<std::string> const& warnings) {
+        for (std::string const& warning : warnings) {
+            if (said_.insert(warning).second)
+                say_warnings({warning});
+        }
+    }
+
+  private:
+    std::set<std::string> said_;
+};
+
+void say_of_targets(bop::Dataset const& dataset, Warnings& warnings) {
+    warnings.say(dataset.warnings);
+    if (dataset.targets_elsewhere > 0)
+        warnings.say({fmt::format("{}: {} of {} targets are in images that are not at hand, and are left out",
+                                  dataset.folder.string(), dataset.targets_elsewhere,
+                                  dataset.targets_elsewhere + dataset.targets.size())});
+}
+
+poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, std::size_t jobs, Warnings& warnings) {
+    std::vector<std::string> of_file;
+    auto const estimates = bop::read_pose_results(file, of_file);
+    warnings.say(of_file);
     std::string const name = method_name(file);
     ProgressLine progress(name.c_str());
     auto judgement = poses::judge(dataset, estimates, file, jobs,
                                   [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+    warnings.say(judgement.warnings);
     return {name, std::move(judgement), mean_time_s(estimates)};
 }
 
@@ -146,10 +173,12 @@ int evaluate(EvaluateRequest const& request) {
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, evaluation_folder);
     bop::Dataset const dataset = load_dataset(request);
     announce(size_of(dataset, request), request.force);
+    Warnings warnings;
+    say_of_targets(dataset, warnings);
     std::vector<poses::JudgedMethod> methods;
     methods.reserve(results.size());
     for (std::string const& file : results)
-        methods.push_back(judged(dataset, file, jobs_or_host_cores(request.jobs)));
+        methods.push_back(judged(dataset, file, jobs_or_host_cores(request.jobs), warnings));
     poses::Evaluation const evaluation = poses::evaluate(
         dataset, std::move(methods),
         {request.visible_from, static_cast<std::uint64_t>(request.seed), static_cast<std::size_t>(request.replicates)});
@@ -178,6 +207,9 @@ Subcommand evaluate_command() {
                                 "Look for meshes and models_info.json in this folder first; may be repeated")
                     ->allow_extra_args(false)
                     ->type_name("DIR");
+                command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm)")
+                    ->check(CLI::IsMember({"m", "mm"}))
+                    ->type_name("UNIT");
                 command.add_option("--split", request->split, "Folder of the dataset's scenes; by default test")
                     ->type_name("NAME");
                 command

@@ -12,6 +12,7 @@ namespace faster {
 struct EvaluateRequest {
     std::vector<std::string> files;   ///< of results, one per method; the last is the dataset
     std::vector<std::string> models;  ///< folders to look for meshes in first
+    std::string models_in;            ///< unit of the meshes, m or mm; empty: as the dataset's kind has it
     std::string split;                ///< of the dataset; empty: `test`, or the only one
     std::string out;                  ///< folder; empty: none
     double visible_from = 0;          ///< only instances of which this share is visible

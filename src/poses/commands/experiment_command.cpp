@@ -17,6 +17,7 @@
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/layered_config.hpp"
 #include "dataflow/tools/sweeps/journal_rows.hpp"
@@ -90,10 +91,12 @@ class AnnotatedBoxes {
   public:
     explicit AnnotatedBoxes(bop::Dataset const& dataset) : dataset_(dataset) {}
 
+    std::vector<std::string> const& warnings() const { return warnings_; }
+
     std::vector<bop::ImageBox> of(bop::DatasetImage const& image, int obj_id, bool of_others) {
         std::vector<bop::ImageBox> boxes;
         for (bop::GroundTruth const& object : image.objects)
-            if ((object.obj_id != obj_id) == of_others && object.visible_share.value_or(1) > 0)
+            if ((object.obj_id != obj_id) == of_others && !object.is_hidden())
                 boxes.push_back(annotated_box(object, mesh(object.obj_id), image.camera));
         return boxes;
     }
@@ -103,11 +106,12 @@ class AnnotatedBoxes {
         auto const found = meshes_.find(obj_id);
         if (found != meshes_.end())
             return found->second;
-        return meshes_[obj_id] = bop::load_model(bop::model_of(dataset_, obj_id, dataset_.folder.string()));
+        return meshes_[obj_id] = bop::load_model(bop::model_of(dataset_, obj_id, dataset_.folder.string()), warnings_);
     }
 
     bop::Dataset const& dataset_;
     std::map<int, Mesh> meshes_;
+    std::vector<std::string> warnings_;
 };
 
 SettingData data_of(experiments::Setting const& setting, fs::path const& folder, std::uint64_t seed) {
@@ -122,6 +126,8 @@ SettingData data_of(experiments::Setting const& setting, fs::path const& folder,
             for (bop::Detection const& seen : experiments::boxes_of_detector(target, box, others, setting.boxes, seed))
                 data.boxes[{target.image, target.obj_id}].push_back(seen);
     }
+    say_warnings(data.dataset.warnings);
+    say_warnings(annotated.warnings());
     return data;
 }
 

@@ -100,7 +100,7 @@ JudgedModel judged_model(bop::ObjectModel const& model, Mesh&& mesh) {
 }
 
 /// The models that targets are of.
-Models load_models(bop::Dataset const& dataset, std::size_t jobs) {
+Models load_models(bop::Dataset const& dataset, std::size_t jobs, std::vector<std::string>& warnings) {
     Models models;
     for (bop::Target const& target : dataset.targets) {
         bop::model_of(dataset, target.obj_id, dataset.folder.string());
@@ -112,31 +112,70 @@ Models load_models(bop::Dataset const& dataset, std::size_t jobs) {
         entries.push_back(&entry);
         files.push_back(&dataset.models.at(entry.first));
     }
-    std::vector<Mesh> meshes = bop::load_models(files, jobs);  // in processes, which threads do not go with
+    std::vector<Mesh> meshes = bop::load_models(files, jobs, warnings);  // in processes, which threads do not go with
     on_threads(entries.size(), jobs,
                [&](std::size_t i) { entries[i]->second = judged_model(*files[i], std::move(meshes[i])); });
     return models;
 }
 
-void check(bop::Dataset const& dataset, bop::PoseEstimate const& estimate, std::string const& place) {
-    bop::model_of(dataset, estimate.obj_id, place);
-    if (dataset.find(estimate.image) == nullptr)
-        throw InputError(fmt::format("{}: scene_id, im_id = {}, {}, expected an image of {}", place,
-                                     estimate.image.scene_id, estimate.image.im_id, dataset.folder.string()));
+/// Where an estimate stands, and what it is of.
+std::string place_of(bop::PoseEstimate const& estimate, std::filesystem::path const& file) {
+    return fmt::format("{}:{}: scene_id, im_id, obj_id = {}, {}, {}", file.string(), estimate.line,
+                       estimate.image.scene_id, estimate.image.im_id, estimate.obj_id);
 }
 
 /// Estimates by target, the best score first; of equal scores the one that stands first.
-std::map<TargetName, Estimates> by_target(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
-                                          std::filesystem::path const& file) {
-    std::map<TargetName, Estimates> groups;
-    for (bop::PoseEstimate const& estimate : estimates) {
-        check(dataset, estimate, fmt::format("{}:{}", file.string(), estimate.line));
-        groups[{estimate.image, estimate.obj_id}].push_back(&estimate);
+class EstimatesByTarget {
+  public:
+    EstimatesByTarget(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
+                      std::filesystem::path const& file, std::vector<std::string>& warnings)
+        : dataset_(dataset), file_(file) {
+        for (bop::Target const& target : dataset.targets)
+            groups_[{target.image, target.obj_id}];
+        for (bop::PoseEstimate const& estimate : estimates)
+            sort_in(estimate);
+        require_some(estimates);
+        for (auto& [name, group] : groups_)
+            std::stable_sort(group.begin(), group.end(),
+                             [](auto const* a, auto const* b) { return a->score > b->score; });
+        tell(estimates.size(), warnings);
     }
-    for (auto& [name, group] : groups)
-        std::stable_sort(group.begin(), group.end(), [](auto const* a, auto const* b) { return a->score > b->score; });
-    return groups;
-}
+
+    std::map<TargetName, Estimates> const& groups() const { return groups_; }
+
+  private:
+    void sort_in(bop::PoseEstimate const& estimate) {
+        auto const group = groups_.find({estimate.image, estimate.obj_id});
+        if (group != groups_.end()) {
+            group->second.push_back(&bop::sound(estimate));
+            ++taken_;
+        } else if (dataset_.find(estimate.image) == nullptr || dataset_.models.count(estimate.obj_id) == 0) {
+            first_unknown_ = unknown_++ == 0 ? place_of(estimate, file_) : first_unknown_;
+        }
+    }
+
+    void require_some(std::vector<bop::PoseEstimate> const& estimates) const {
+        if (taken_ == 0 && !estimates.empty() && !dataset_.targets.empty()) {
+            bop::Target const& target = dataset_.targets.front();
+            throw InputError(
+                fmt::format("{}, and no row of the {} is of a target of {}, expected rows such as {}, {}, {}",
+                            place_of(estimates.front(), file_), estimates.size(), dataset_.folder.string(),
+                            target.image.scene_id, target.image.im_id, target.obj_id));
+        }
+    }
+
+    void tell(std::size_t rows, std::vector<std::string>& warnings) const {
+        if (unknown_ > 0)
+            warnings.push_back(fmt::format("{}, which {} does not have; {} of {} rows are left out for that",
+                                           first_unknown_, dataset_.folder.string(), unknown_, rows));
+    }
+
+    bop::Dataset const& dataset_;
+    std::filesystem::path const& file_;
+    std::map<TargetName, Estimates> groups_;
+    std::size_t taken_ = 0, unknown_ = 0;
+    std::string first_unknown_;
+};
 
 Estimates best(std::map<TargetName, Estimates> const& groups, bop::Target const& target) {
     auto const found = groups.find({target.image, target.obj_id});
@@ -146,23 +185,71 @@ Estimates best(std::map<TargetName, Estimates> const& groups, bop::Target const&
     return {found->second.begin(), found->second.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// The most visible ones, in the order of the file.
-Truths most_visible(bop::Dataset const& dataset, bop::Target const& target) {
+Truths truths_of(bop::Dataset const& dataset, bop::Target const& target) {
     Truths truths;
     for (bop::GroundTruth const& object : dataset.find(target.image)->objects) {
         if (object.obj_id == target.obj_id)
-            truths.push_back(&object);
+            truths.push_back(&bop::sound(object));
     }
-    auto const count = static_cast<std::size_t>(target.inst_count);
-    if (truths.size() < count)
-        throw InputError(fmt::format("{}: scene {}, image {} has object {} {} times, expected {} as the targets say",
-                                     dataset.folder.string(), target.image.scene_id, target.image.im_id, target.obj_id,
-                                     truths.size(), count));
+    return truths;
+}
+
+/// The most visible ones, in the order of the file; as many as there are to be found.
+Truths most_visible(bop::Dataset const& dataset, bop::Target const& target) {
+    Truths truths = truths_of(dataset, target);
     std::stable_sort(truths.begin(), truths.end(), [](auto const* a, auto const* b) {
         return a->visible_share.value_or(0) > b->visible_share.value_or(0);
     });
-    truths.resize(count);
+    truths.resize(std::min(truths.size(), static_cast<std::size_t>(target.inst_count)));
     return truths;
+}
+
+/// Targets may ask for more than has been annotated.
+void tell_of_missing_truths(bop::Dataset const& dataset, std::vector<std::string>& warnings) {
+    std::size_t missing = 0, asked = 0;
+    std::string first;
+    for (bop::Target const& target : dataset.targets) {
+        std::size_t const there = truths_of(dataset, target).size(),
+                          count = static_cast<std::size_t>(target.inst_count);
+        asked += count;
+        if (there >= count)
+            continue;
+        missing += count - there;
+        if (first.empty())
+            first = fmt::format("{}: scene {}, image {} has object {} {} times, expected {} as the targets say",
+                                dataset.folder.string(), target.image.scene_id, target.image.im_id, target.obj_id,
+                                there, count);
+    }
+    if (missing > 0)
+        warnings.push_back(
+            fmt::format("{}; {} of {} instances have no true pose, and are not counted", first, missing, asked));
+}
+
+double median(std::vector<double> values) {
+    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Half of the estimates are a hundred times as near as half of the true poses are, or as far.
+void tell_of_unit(bop::Dataset const& dataset, std::map<TargetName, Estimates> const& groups,
+                  std::filesystem::path const& file, std::vector<std::string>& warnings) {
+    constexpr double too_much = 100, mm_per_m = 1000;
+    std::vector<double> estimated, annotated;
+    for (auto const& [name, group] : groups) {
+        for (bop::PoseEstimate const* const estimate : group)
+            estimated.push_back(mm_per_m * estimate->pose.translation.norm());
+        for (bop::GroundTruth const* const truth : truths_of(dataset, {name.first, name.second, 1}))
+            annotated.push_back(mm_per_m * truth->pose.translation.norm());
+    }
+    if (estimated.empty() || annotated.empty())
+        return;
+    double const found = median(estimated), expected = median(annotated);
+    if (found * too_much < expected || found > expected * too_much)
+        warnings.push_back(
+            fmt::format("{}: column t puts half of the objects within {:.3g} mm, the true poses within {:.3g} mm: t is "
+                        "in millimetres",
+                        file.string(), found, expected));
 }
 
 template <class Error> PairErrors pairs(Estimates const& estimates, Truths const& truths, Error const& error) {
@@ -235,8 +322,12 @@ std::vector<Pose> symmetries_of(bop::ObjectModel const& model) {
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
                 std::filesystem::path const& file, std::size_t jobs,
                 std::function<void(std::size_t done, std::size_t all)> const& progress) {
-    auto const groups = by_target(dataset, estimates, file);
-    Models const models = load_models(dataset, jobs);
+    Judgement judgement;
+    EstimatesByTarget const sorted(dataset, estimates, file, judgement.warnings);
+    auto const& groups = sorted.groups();
+    Models const models = load_models(dataset, jobs, judgement.warnings);
+    tell_of_missing_truths(dataset, judgement.warnings);
+    tell_of_unit(dataset, groups, file, judgement.warnings);
     std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
     CountedProgress done(dataset.targets.size(), progress);
@@ -247,7 +338,6 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
         errors[i] = judge_target(target, counted, most_visible(dataset, target), models.at(target.obj_id));
         done.one_more();
     });
-    Judgement judgement;
     judgement.left_out = estimates.size() - std::accumulate(used.begin(), used.end(), std::size_t{0});
     for (auto const& of_target : errors)
         judgement.instances.insert(judgement.instances.end(), of_target.begin(), of_target.end());

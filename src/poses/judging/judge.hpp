@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "poses/bop/dataset.hpp"
@@ -43,12 +44,13 @@ struct InstanceErrors {
 struct Judgement {
     std::vector<InstanceErrors> instances;  ///< in the order of the targets
     std::size_t left_out = 0;               ///< estimates of an object that is no target in their image, or too many
+    std::vector<std::string> warnings;      ///< what looks like a mistake of the dataset or the estimates
 };
 
 /// Compares estimates with the dataset's targets, as BOP does: of each target's estimates, only the inst_count best by
-/// score count, and of its true poses the inst_count most visible ones. `jobs` threads; the result does not depend on
-/// them. `progress` is told how many targets are done. Throws InputError naming `file` and line: an object or an image
-/// that the dataset does not have; and the dataset, if it has fewer true poses than a target says.
+/// score count, and of its true poses the inst_count most visible ones, or as many as there are. `jobs` threads; the
+/// result does not depend on them. `progress` is told how many targets are done. Throws InputError naming `file` and
+/// line: a matrix of a target's estimate that is no rotation; and if no estimate is of a target.
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
                 std::filesystem::path const& file, std::size_t jobs,
                 std::function<void(std::size_t done, std::size_t all)> const& progress = {});

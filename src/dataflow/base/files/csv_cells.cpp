@@ -53,6 +53,17 @@ class Table {
         text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
         line_ = 1;
         read_header(take_until(text, '\n'));
+        read_rows(text, read_row);
+    }
+
+    void read_without_header(std::string_view text, CsvCellReader const& read_row) {
+        text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+        read_header(fmt::format("{}", fmt::join(columns_, ",")));
+        read_rows(text, read_row);
+    }
+
+  private:
+    void read_rows(std::string_view text, CsvCellReader const& read_row) {
         while (!text.empty()) {
             ++line_;
             split_row(take_until(text, '\n'));
@@ -60,7 +71,6 @@ class Table {
         }
     }
 
-  private:
     static constexpr std::size_t most_columns = 10'000;
     static constexpr std::size_t skipped = static_cast<std::size_t>(-1);
 
@@ -112,6 +122,17 @@ void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> 
                     CsvCellReader const& read_row) {
     std::string const text = read_file(path);
     Table(path, columns).read(text, read_row);
+}
+
+void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& columns,
+                       CsvCellReader const& read_row) {
+    std::string const text = read_file(path);
+    std::string_view const content = without_byte_order_mark(text);
+    bool const has_row_first = !content.empty() && content.front() >= '0' && content.front() <= '9';
+    if (has_row_first)
+        Table(path, columns).read_without_header(content, read_row);
+    else
+        Table(path, columns).read(content, read_row);
 }
 
 bool has_csv_column(std::filesystem::path const& path, std::string const& column) {

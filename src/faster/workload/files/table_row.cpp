@@ -67,9 +67,13 @@ Eigen::Vector3d TableRow::vector(std::size_t column) const {
     return {t[0], t[1], t[2]};
 }
 
+std::string TableRow::complaint(std::size_t column, std::string const& expected) const {
+    return fmt::format("{}:{}: column {} = {}, expected {}", path_.string(), line_, columns_[column],
+                       cells_[column].empty() ? "nothing" : shortened(cells_[column]), expected);
+}
+
 void TableRow::fail(std::size_t column, std::string const& expected) const {
-    throw InputError(fmt::format("{}:{}: column {} = {}, expected {}", path_.string(), line_, columns_[column],
-                                 cells_[column].empty() ? "nothing" : shortened(cells_[column]), expected));
+    throw InputError(complaint(column, expected));
 }
 
 }  // namespace faster::files

@@ -23,6 +23,8 @@ class TableRow {
     std::vector<double> numbers(std::size_t column, std::size_t count) const;
     /// Of nine numbers, row by row.
     Eigen::Matrix3d rotation(std::size_t column) const;
+    /// The complaint that throwing would make.
+    std::string complaint(std::size_t column, std::string const& expected) const;
     /// Of three numbers.
     Eigen::Vector3d vector(std::size_t column) const;
     [[noreturn]] void fail(std::size_t column, std::string const& expected) const;

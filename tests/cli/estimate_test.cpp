@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <regex>
@@ -269,6 +270,82 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
         check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image", "such as --scene "});
     }
+}
+
+/// A detector's box of each object of BopFolder in image 0 of scene 1, and of one in image 3.
+std::string some_boxes(double left) {
+    std::string text;
+    for (auto const& [image, object] : {std::pair(0, 1), std::pair(0, 5), std::pair(3, 5)})
+        text += fmt::format(R"({}{{"scene_id": 1, "image_id": {}, "category_id": {}, "bbox": [{}, 10.5, 20, 20.25], )"
+                            R"("score": 0.5, "time": 0.1}})",
+                            text.empty() ? "[" : ", ", image, object, left);
+    return text + "]";
+}
+
+TEST_CASE("Every target with a box is looked for, and an interrupted estimate of all goes on", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    dataset.write("boxes.json", some_boxes(20));
+    auto const all = [&](Words more) {
+        more.insert(more.begin(), {"--all", "--bop", dataset.path().string()});
+        return workspace.estimate(more);
+    };
+    Words const words{"--detections", (dataset / "boxes.json").string(), "--out", "all",
+                      "--set",        "estimator.iterations=2"};
+    CommandResult const first = all(words);
+    require_done(first);
+    CHECK_THAT(first.out, Contains("8 targets, 5 without a box; 3 estimates, 0 of them done already") &&
+                              Contains("written: all/results.csv"));
+    std::string const results = workspace.text("all/results.csv");
+    std::vector<std::string> const lines = lines_of(results);
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0] == "scene_id,im_id,obj_id,score,R,t,time");
+    CHECK(lines[1].rfind("1,0,1,", 0) == 0);
+    CHECK(lines[3].rfind("1,3,5,", 0) == 0);
+    for (std::size_t i = 1; i < 4; ++i)
+        CHECK(lines[i].substr(lines[i].size() - 3) == ",-1");
+
+    CommandResult const again = all(words);
+    require_done(again);
+    CHECK_THAT(again.out, Contains("3 of them done already"));
+    CHECK(workspace.text("all/results.csv") == results);
+    dataset.replace("boxes.json", "[20,", "[21,");  // one box is another
+    CHECK_THAT(all(words).out, Contains("2 of them done already"));
+    CHECK(workspace.text("all/results.csv") != results);
+    require_done(workspace.run({"evaluate", "all/results.csv", dataset.path().string()}));
+}
+
+TEST_CASE("Instances of an object are looked for in the best boxes one by one", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    dataset.write("test_targets_bop19.json", R"([{"scene_id": 1, "im_id": 0, "obj_id": 5, "inst_count": 2}])");
+    std::string text;
+    for (char const* const score : {"0.2", "0.9", "0.5"})
+        text += fmt::format(
+            R"({}{{"scene_id": 1, "image_id": 0, "category_id": 5, "bbox": [20, 10, 20, 20], "score": {}}})",
+            text.empty() ? "[" : ", ", score);
+    dataset.write("boxes.json", text + "]");
+    CommandResult const result =
+        workspace.estimate({"--all", "--bop", dataset.path().string(), "--detections",
+                            (dataset / "boxes.json").string(), "--out", "all", "--set", "estimator.iterations=1"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("1 targets, 0 without a box; 2 estimates"));
+    CHECK(lines_of(workspace.text("all/results.csv")).size() == 3);
+}
+
+TEST_CASE("An estimate of all needs a dataset, a folder and boxes, and is of no single object", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    std::string const folder = dataset.path().string();
+    check_bad_input(workspace.estimate({"--all", "--out", "all"}), {"--all", "--bop DIR and --out DIR"});
+    check_bad_input(workspace.estimate({"--all", "--bop", folder}), {"--all", "--bop DIR and --out DIR"});
+    check_bad_input(workspace.estimate({"--all", "--bop", folder, "--out", "all", "--object", "1"}),
+                    {"--all: expected none of --scene"});
+    dataset.write("boxes.json", "[]");
+    check_bad_input(workspace.estimate(
+                        {"--all", "--bop", folder, "--out", "all", "--detections", (dataset / "boxes.json").string()}),
+                    {"boxes.json: has a box for none of the 8 targets"});
+    CHECK_FALSE(workspace.has("all"));
 }
 
 TEST_CASE("A run does not know the keys of estimate", "[estimate]") {

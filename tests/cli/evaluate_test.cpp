@@ -66,8 +66,9 @@ TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[eval
     require_done(result);
     CHECK_THAT(result.out, Contains("8 instances in 4 images") &&
                                Contains("| all | right | 8 | 8 | 100.0 (100.0 .. 100.0) |") &&
-                               Contains("Points more than right") && Contains("right: 0.250 s per image") &&
-                               Contains("written: out"));
+                               Contains("| mean | right | 8 | 8 | - | - | 100.0 (100.0 .. 100.0) |") &&
+                               Contains("| AR |") && Contains("Points more than right") &&
+                               Contains("right: 0.250 s per image") && Contains("written: out"));
     CHECK_THAT(workspace.text("out/evaluation.html"), Contains("<code>faster-sim evaluate "));
     for (std::string const file : {"scores.csv", "errors.csv", "curves.csv", "evaluation.html"})
         CHECK_THAT(workspace.text("out/" + file), Contains("off"));

@@ -42,7 +42,7 @@ double area_with_arrays(std::vector<double> errors) {
 }
 
 InstanceErrors instance(int im_id, double add_m, double add_s_m, int hits) {
-    return {{1, im_id}, 1, std::nullopt, add_m, add_s_m, add_m, hits};
+    return {{1, im_id}, 1, std::nullopt, add_m, add_s_m, add_m, hits, 0, hits / 2, 0.25};
 }
 
 TEST_CASE("The area under the curve of accuracy, by hand", "[pose_scores]") {
@@ -86,11 +86,61 @@ TEST_CASE("Scores by hand, with images that count several times or not at all", 
     CHECK(once[4] == 0);
     CHECK(once[5] == Approx(100.0 / 3));
     CHECK(once[6] == Approx(60));
+    CHECK(once[7] == Approx(100 * (0.9 + 0.8) / 3));  // plain areas
+    CHECK(once[8] == Approx(100 * (0.5 + 0.8) / 3));
+    CHECK(once[9] == Approx(30));
+    CHECK(once[10] == Approx(25));
+    CHECK(once[11] == Approx((60 + 30 + 25) / 3.0));
     Scores const drawn = scored.scores({3, 1, 0});
-    CHECK(drawn[0] == Approx(100 * area_under_accuracy({0.01, 0.01, 0.01, inf})));
+    CHECK(drawn[7] == Approx(100 * 3 * 0.9 / 4));
+    CHECK(drawn[0] == Approx(drawn[7] + once[0] - once[7]));  // the toolbox's is more by as much as in all images
     CHECK(drawn[2] == Approx(75));
     CHECK(drawn[6] == Approx(100 * 24.0 / 40));
     CHECK(std::isnan(scored.scores({0, 0, 0})[0]));
+}
+
+TEST_CASE("Intervals of all areas surround their values", "[pose_scores]") {
+    auto const seed = static_cast<std::uint64_t>(GENERATE(range(1, 11)));
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<InstanceErrors> instances;
+    std::vector<std::size_t> images;
+    for (int i = 0; i < 2 + static_cast<int>(seed); ++i) {
+        instances.push_back(instance(i, 0.12 * random.uniform(), 0.12 * random.uniform(), 3));
+        images.push_back(static_cast<std::size_t>(i));
+    }
+    ScoredInstances const scored(instances, images);
+    Scores const value = scored.scores(ImageWeights(images.size(), 1));
+    for (std::size_t score = 0; score < score_count; ++score) {
+        std::vector<double> replicates;
+        for (ImageWeights const& draw : drawn_images(images.size(), 200, seed))
+            replicates.push_back(scored.scores(draw)[score]);
+        Interval const interval = interval_of(value[score], replicates);
+        CAPTURE(score_facts[score].name);
+        CHECK(interval.low <= value[score]);
+        CHECK(value[score] <= interval.high);
+        double mean = 0;
+        for (double const replicate : replicates)
+            mean += replicate / 200;
+        CHECK(std::abs(mean - value[score]) < 12);  // a draw is no worse than the whole
+    }
+}
+
+TEST_CASE("A single instance has the toolbox's whole area, however far off, and its own plain one", "[pose_scores]") {
+    ScoredInstances const scored({instance(0, 0.037, 0.037, 0)}, {0});
+    CHECK(scored.scores({1})[0] == Approx(100));
+    CHECK(scored.scores({1})[7] == Approx(63));
+    CHECK(scored.scores({2})[7] == Approx(63));
+}
+
+TEST_CASE("What is not known of an instance is not known of all", "[pose_scores]") {
+    std::vector<InstanceErrors> instances{instance(0, 0.01, 0.01, 8), instance(1, 0.01, 0.01, 8)};
+    instances[1].vsd_recall.reset();
+    ScoredInstances const scored(instances, {0, 1});
+    CHECK(std::isnan(scored.scores({1, 1})[10]));
+    CHECK(std::isnan(scored.scores({1, 1})[11]));
+    CHECK(scored.scores({1, 1})[6] == Approx(80));
+    CHECK(scored.scores({1, 0})[10] == Approx(25));
 }
 
 TEST_CASE("Estimates take the nearest true pose that is left, the best score first", "[pose_scores]") {
@@ -126,6 +176,8 @@ TEST_CASE("An interval is the middle 95 per cent", "[pose_scores]") {
     CHECK(interval.high == Approx(39));
     CHECK(interval_of(3, {}).low == 3);
     CHECK(interval_of(3, {4}).high == 4);
+    CHECK(interval_of(3, {4}).low == 3);  // it surrounds its value
+    CHECK(interval_of(40.5, replicates).high == 40.5);
 }
 
 TEST_CASE("The interval of a share is as wide as the binomial distribution says", "[pose_scores]") {

@@ -61,8 +61,9 @@ struct ObjectModel {
     int obj_id = 0;
     std::string name;  ///< of its file, without extension: obj_000005, or 005_tomato_soup_can
     std::filesystem::path mesh;
-    double unit_m = 1;                 ///< metres per unit of the mesh file
-    std::optional<double> diameter_m;  ///< largest distance between two of its points
+    std::filesystem::path judged_mesh;  ///< with which poses are judged; empty: the same
+    double unit_m = 1;                  ///< metres per unit of the mesh file
+    std::optional<double> diameter_m;   ///< largest distance between two of its points
     struct Axis {
         Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of length 1
         Eigen::Vector3d offset = Eigen::Vector3d::Zero();      ///< a point on it [m]

@@ -339,6 +339,9 @@ Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     Dataset dataset;
     dataset.folder = folder;
     dataset.models = models_of(options, bop_models(root, options.to_judge), dataset.warnings);
+    for (auto& [id, model] : dataset.models)
+        if (fs::path const judged = root / "models_eval" / model.mesh.filename(); fs::exists(judged))
+            model.judged_mesh = judged;
     Camera const size = common_size(root);
     MendedRotations mended;
     for (auto const& [scene_id, scene] : scenes_in(split))
@@ -441,6 +444,12 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
 
 Mesh load_model(ObjectModel const& model, std::vector<std::string>& warnings) {
     return std::move(load_models({&model}, 1, warnings).front());
+}
+
+Mesh load_judged_model(ObjectModel const& model, std::vector<std::string>& warnings) {
+    ObjectModel judged = model;
+    judged.mesh = model.judged_mesh.empty() ? model.mesh : model.judged_mesh;
+    return load_model(judged, warnings);
 }
 
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {

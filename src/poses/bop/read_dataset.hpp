@@ -44,6 +44,9 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
 /// One mesh, in the same way.
 Mesh load_model(ObjectModel const& model, std::vector<std::string>& warnings);
 
+/// The mesh with which poses are judged.
+Mesh load_judged_model(ObjectModel const& model, std::vector<std::string>& warnings);
+
 /// The model of an object, which is sound(); throws the InputError "PLACE: obj_id = 7, expected one of the dataset's:
 /// 1, 2, 5".
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place);

@@ -28,6 +28,7 @@
 #include "faster/workload/input_warnings.hpp"
 #include "modules/vertex_transform/explicit_triangles.hpp"
 #include "poses/bop/pose_results.hpp"
+#include "poses/commands/estimate_all.hpp"
 #include "poses/commands/estimate_pictures.hpp"
 #include "poses/commands/estimate_report.hpp"
 #include "poses/commands/estimate_scene.hpp"
@@ -51,6 +52,7 @@ struct EstimateRequest {
     std::vector<std::uint64_t> traces;    ///< iterations to write as stimulus traces
     std::int64_t jobs = 0;                ///< threads and processes; 0: the host's cores
     BopRequest bop;                       ///< instead of the configured workload
+    bool all = false;                     ///< every target of the dataset
     bool untimed = false;                 ///< without the accelerator's cycles
     std::uint64_t recorded_iteration = 0;
     std::string events;          ///< file of that iteration's events; empty: none
@@ -278,10 +280,24 @@ std::vector<std::string> overrides_of(EstimateRequest const& request) {
     return overrides;
 }
 
+int estimate_all_of(EstimateRequest const& request, LoadedConfig const& loaded) {
+    if (request.bop.folder.empty() || request.out.empty())
+        throw InputError("--all: expected --bop DIR and --out DIR as well");
+    bool const is_of_one = request.bop.scene_id != 0 || request.bop.im_id != 0 || request.bop.obj_id != 0 ||
+                           !request.traces.empty() || !request.pictures.empty() || request.records();
+    if (is_of_one)
+        throw InputError(
+            "--all: expected none of --scene, --image, --object, --pictures, --traces, --events, --vcd and --timeline, "
+            "which are of one object");
+    return estimate_all({request.bop, request.out, request.jobs, request.force}, loaded);
+}
+
 /// Looks for an object's pose by the thesis's second stage. Throws InputError on bad input. Exit code 3 if the
 /// accelerator deadlocks.
 int estimate_pose(EstimateRequest const& request) {
     LoadedConfig const loaded = load_config(request.config, overrides_of(request));
+    if (request.all)
+        return estimate_all_of(request, loaded);
     if (!request.traces.empty() && request.out.empty())
         throw InputError("--traces: expected --out DIR as well");
     if (request.records() && (request.untimed || estimator_of(loaded.config).backend == EstimatorBackend::grip))
@@ -339,6 +355,9 @@ Subcommand estimate_command() {
                 .add_option("--detections", request->bop.detections,
                             "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
                 ->type_name("FILE");
+            command.add_flag("--all", request->all,
+                             "Every target of the dataset, without cycles: results.csv in the folder of --out, which "
+                             "goes on where it was");
             command.add_option("--models-in", request->bop.models_in, "Unit of the dataset's meshes, m or mm (mm)")
                 ->check(CLI::IsMember({"m", "mm"}))
                 ->type_name("UNIT");

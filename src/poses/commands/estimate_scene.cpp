@@ -110,6 +110,15 @@ estimation::Scene observed_scene(LoadedConfig const& loaded, Mesh const& mesh, b
     return scene;
 }
 
+/// As `evaluate` judges: by the vertices of the mesh that is for it.
+void add_judged_points(estimation::Scene& scene, bop::ObjectModel const& model, Mesh const& mesh) {
+    std::vector<std::string> told_by_evaluate;
+    scene.judged_points =
+        model.judged_mesh.empty() ? mesh.vertices : bop::load_judged_model(model, told_by_evaluate).vertices;
+    for (Eigen::Vector3d& point : scene.judged_points)
+        point += scene.own_origin;
+}
+
 void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& image, int obj_id,
                          std::vector<bop::Detection> const& boxes, int downscale) {
     for (bop::GroundTruth const& object : image.objects)
@@ -138,8 +147,10 @@ estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& 
                                 int obj_id, std::vector<bop::Detection> const& boxes) {
     require_mesh_and_samples(loaded);
     std::vector<std::string> told_before;
-    Mesh const mesh = bop::load_model(bop::model_of(dataset, obj_id, dataset.folder.string()), told_before);
+    bop::ObjectModel const& model = bop::model_of(dataset, obj_id, dataset.folder.string());
+    Mesh const mesh = bop::load_model(model, told_before);
     estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(image));
+    add_judged_points(scene, model, mesh);
     add_truth_and_boxes(scene, image, obj_id, boxes, workload_of(loaded.config).scene.downscale);
     return scene;
 }
@@ -151,7 +162,8 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
     bop::Dataset const dataset = bop::read_dataset(request.folder, options);
     std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);
-    Mesh const mesh = bop::load_model(bop::model_of(dataset, request.obj_id, "--object"), warnings);
+    bop::ObjectModel const& model = bop::model_of(dataset, request.obj_id, "--object");
+    Mesh const mesh = bop::load_model(model, warnings);
     bop::Observation const seen = bop::load_observation(image);
     bop::tell_of_depths(seen, image, warnings);
     std::vector<bop::Detection> const boxes =
@@ -160,6 +172,7 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
     for (bop::Detection const& detection : boxes)
         require_overlap(detection.box, seen.camera, request);
     estimation::Scene scene = observed_scene(loaded, mesh, seen);
+    add_judged_points(scene, model, mesh);
     add_truth_and_boxes(scene, image, request.obj_id, boxes, workload_of(loaded.config).scene.downscale);
     return scene;
 }

@@ -144,7 +144,8 @@ Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfi
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose) {
     if (!scene.truth)
         return std::nullopt;
-    poses::Points const& points = scene.observed.posed.mesh.vertices;
+    poses::Points const& points =
+        scene.judged_points.empty() ? scene.observed.posed.mesh.vertices : scene.judged_points;
     return PoseDistances{poses::add(points, pose, *scene.truth), poses::add_s(points, pose, *scene.truth)};
 }
 

@@ -37,7 +37,7 @@ std::string scorer_name(RunConfig const& config);
 /// What an estimate of that weight is worth.
 Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config);
 
-/// ADD and ADD-S of a pose, by the vertices of the scene's mesh; nothing if the truth is not known.
+/// ADD and ADD-S of a pose, by the scene's judged points; nothing if the truth is not known.
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose);
 
 }  // namespace faster

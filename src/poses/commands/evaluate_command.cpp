@@ -136,13 +136,14 @@ void say_of_targets(bop::Dataset const& dataset, Warnings& warnings) {
                                   dataset.targets_elsewhere + dataset.targets.size())});
 }
 
-poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, std::size_t jobs, Warnings& warnings) {
+poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, poses::JudgeOptions const& options,
+                           Warnings& warnings) {
     std::vector<std::string> of_file;
     auto const estimates = bop::read_pose_results(file, of_file);
     warnings.say(of_file);
     std::string const name = method_name(file);
     ProgressLine progress(name.c_str());
-    auto judgement = poses::judge(dataset, estimates, file, jobs,
+    auto judgement = poses::judge(dataset, estimates, file, options,
                                   [&](std::size_t done, std::size_t all) { progress.show(done, all); });
     warnings.say(judgement.warnings);
     return {name, std::move(judgement), mean_time_s(estimates)};
@@ -162,7 +163,7 @@ void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
 
 }  // namespace
 
-int evaluate(EvaluateRequest const& request) {
+poses::Evaluation evaluate(EvaluateRequest const& request) {
     std::vector<std::string> const results(request.files.begin(), request.files.end() - 1);
     check_methods(results);
     CommandPaths paths;
@@ -175,11 +176,14 @@ int evaluate(EvaluateRequest const& request) {
     announce(size_of(dataset, request), request.force);
     Warnings warnings;
     say_of_targets(dataset, warnings);
+    poses::JudgeOptions options;
+    options.jobs = jobs_or_host_cores(request.jobs);
+    options.vsd_delta_m = request.vsd_delta_mm / 1000;
     std::vector<poses::JudgedMethod> methods;
     methods.reserve(results.size());
     for (std::string const& file : results)
-        methods.push_back(judged(dataset, file, jobs_or_host_cores(request.jobs), warnings));
-    poses::Evaluation const evaluation = poses::evaluate(
+        methods.push_back(judged(dataset, file, options, warnings));
+    poses::Evaluation evaluation = poses::evaluate(
         dataset, std::move(methods),
         {request.visible_from, static_cast<std::uint64_t>(request.seed), static_cast<std::size_t>(request.replicates)});
     if (folder)
@@ -187,7 +191,7 @@ int evaluate(EvaluateRequest const& request) {
     say("{}", poses::evaluation_markdown(evaluation));
     if (folder)
         say("\nwritten: {}\n", request.out);
-    return exit_done;
+    return evaluation;
 }
 
 Subcommand evaluate_command() {
@@ -217,6 +221,12 @@ Subcommand evaluate_command() {
                                 "Only instances of which at least this share is visible, as annotated")
                     ->type_name("SHARE")
                     ->check(number_in(0, 1));
+                command
+                    .add_option("--vsd-delta-mm", request->vsd_delta_mm,
+                                "VSD: how far behind a reading a pixel still counts as visible; BOP has 5 for ITODD")
+                    ->type_name("MM")
+                    ->check(number_in(0, 1000))
+                    ->capture_default_str();
                 command.add_option("--seed", request->seed, "Of the bootstrap")
                     ->type_name("N")
                     ->check(CLI::NonNegativeNumber)
@@ -227,7 +237,10 @@ Subcommand evaluate_command() {
                     ->capture_default_str();
                 add_jobs(command, request->jobs, "Threads");
                 add_force(command, request->force);
-                return [request] { return evaluate(*request); };
+                return [request] {
+                    evaluate(*request);
+                    return exit_done;
+                };
             }};
 }
 

@@ -5,6 +5,7 @@
 
 #include "dataflow/commands/subcommand.hpp"
 #include "faster/dataflow_names.hpp"
+#include "poses/judging/evaluation.hpp"
 
 namespace faster {
 
@@ -16,6 +17,7 @@ struct EvaluateRequest {
     std::string split;                ///< of the dataset; empty: `test`, or the only one
     std::string out;                  ///< folder; empty: none
     double visible_from = 0;          ///< only instances of which this share is visible
+    double vsd_delta_mm = 15;         ///< of VSD
     std::int64_t seed = 1;            ///< of the bootstrap
     std::int64_t replicates = 1000;   ///< of the bootstrap
     std::int64_t jobs = 0;            ///< threads; 0: the host's cores
@@ -23,7 +25,7 @@ struct EvaluateRequest {
 };
 
 /// Judges estimated poses, prints a table, and writes tables, plots and a page. Throws InputError on bad input.
-int evaluate(EvaluateRequest const& request);
+poses::Evaluation evaluate(EvaluateRequest const& request);
 
 /// `evaluate`.
 Subcommand evaluate_command();

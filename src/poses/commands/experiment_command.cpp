@@ -13,7 +13,6 @@
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
-#include "dataflow/base/process_pool.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
@@ -23,10 +22,9 @@
 #include "dataflow/tools/sweeps/journal_rows.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"
-#include "poses/bop/pose_results.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
-#include "poses/commands/estimate_size.hpp"
+#include "poses/commands/estimate_worker.hpp"
 #include "poses/commands/evaluate_command.hpp"
 #include "poses/commands/experiment_estimates.hpp"
 #include "poses/commands/experiment_failures.hpp"
@@ -49,25 +47,6 @@ struct ExperimentRequest {
 };
 
 namespace fs = std::filesystem;
-
-constexpr char const* journal_file = "journal";
-
-/// A new or empty folder, or that of an experiment.
-void take_folder(fs::path const& folder) {
-    std::error_code error;
-    if (fs::exists(folder) && !fs::is_directory(folder))
-        throw InputError(folder.string() + ": is a file, expected a folder for an experiment");
-    fs::create_directories(folder, error);
-    if (error)
-        throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
-    bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                                     [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
-    bool const has_journal =
-        fs::is_regular_file(folder / journal_file) && sweeps::may_be_journal(io::read_file(folder / journal_file));
-    if (!has_journal && !is_free)
-        throw InputError(folder.string() +
-                         ": holds other files, expected a new or empty folder or that of an experiment");
-}
 
 std::vector<MethodData> methods_of(experiments::Experiment const& experiment) {
     std::vector<fs::path> files;
@@ -157,66 +136,6 @@ std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs:
     return settings;
 }
 
-/// Does what the journal does not have.
-class Worker {
-  public:
-    Worker(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal& journal) : journal_(journal) {
-        for (WantedEstimate const& each : wanted)
-            if (journal.find(each.id) == nullptr)
-                pending_.push_back(&each);
-    }
-
-    std::size_t pending() const { return pending_.size(); }
-    /// Of an estimate by each method, the first stands for all.
-    WorkSize size(std::size_t jobs) const {
-        std::map<MethodData const*, double> seconds;
-        WorkSize size;
-        size.command = "experiment";
-        size.amount = fmt::format("{} estimates", pending_.size());
-        for (WantedEstimate const* const each : pending_) {
-            auto const [of_method, is_first] = seconds.try_emplace(each->method, 0);
-            if (is_first)
-                of_method->second = seconds_of_estimate(each->method->loaded.config, scene_of(*each).observed, false);
-            size.seconds += of_method->second / static_cast<double>(jobs);
-        }
-        return size;
-    }
-    std::size_t failed() const { return failed_; }
-
-    void work(std::size_t jobs, std::size_t all) {
-        processes::SignalWatch const watch;
-        std::size_t done = all - pending_.size();
-        ProgressLine progress("estimates", done);
-        processes::TaskStream stream;
-        stream.next = [this](std::size_t number) { return task(number); };
-        stream.ended = [&](std::size_t number, processes::Outcome const& outcome) {
-            take(*pending_[number], outcome);
-            progress.show(++done, all);
-        };
-        processes::run_stream(stream, jobs, watch);
-    }
-
-  private:
-    std::optional<processes::Task> task(std::size_t number) const {
-        if (number >= pending_.size())
-            return std::nullopt;
-        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); }};
-    }
-
-    void take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
-        if (outcome.kind == processes::Outcome::Kind::done)
-            return journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
-        ++failed_;
-        fmt::print(stderr, "{}, {}: object {} in image {} of scene {}: the estimate crashed, failed or took too long\n",
-                   wanted.setting->name, wanted.method->name, wanted.target.obj_id, wanted.target.image.im_id,
-                   wanted.target.image.scene_id);
-    }
-
-    experiments::EstimateJournal& journal_;
-    std::vector<WantedEstimate const*> pending_;
-    std::size_t failed_ = 0;
-};
-
 /// Of the estimates of a method in a setting that are there.
 template <class Take>
 void for_each_result(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
@@ -225,21 +144,6 @@ void for_each_result(std::vector<WantedEstimate> const& wanted, experiments::Est
         if (each.setting == &setting && each.method == &method)
             if (experiments::EstimateResult const* const result = journal.find(each.id))
                 take(each, *result);
-}
-
-std::string results_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
-                        SettingData const& setting, MethodData const& method) {
-    std::vector<bop::PoseEstimate> estimates;
-    for_each_result(wanted, journal, setting, method,
-                    [&](WantedEstimate const& each, experiments::EstimateResult const& result) {
-                        bop::PoseEstimate estimate;
-                        estimate.image = each.target.image;
-                        estimate.obj_id = each.target.obj_id;
-                        estimate.score = result.weight;
-                        estimate.pose = result.pose;
-                        estimates.push_back(estimate);
-                    });
-    return bop::pose_results_csv(estimates);
 }
 
 /// Of the largest number that a share of `values` does not exceed.
@@ -278,19 +182,22 @@ std::string convergence_csv(std::vector<WantedEstimate> const& wanted, experimen
 }
 
 /// A row per estimate.
-std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal) {
+std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                          JudgedErrors const& errors) {
     std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,truth_weight,verdict,adds_mm\n";
     for (WantedEstimate const& each : wanted)
-        if (experiments::EstimateResult const* const result = journal.find(each.id))
+        if (experiments::EstimateResult const* const result = journal.find(each.id)) {
+            std::optional<PoseDistances> const off = errors.of(each);
             fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", each.setting->name,
                            each.method->name, each.target.image.scene_id, each.target.image.im_id, each.target.obj_id,
-                           each.setting->boxes_of(each.target).size(), result->weight, result->truth_weight,
-                           result->verdict,
-                           result->adds_mm.empty() ? "" : fmt::format("{:.4f}", result->adds_mm.back()));
+                           each.boxes.size(), result->weight, result->truth_weight, result->verdict,
+                           off ? fmt::format("{:.4f}", 1000 * off->adds_m) : "");
+        }
     return text;
 }
 
-void judge(fs::path const& out, SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs) {
+void judge(fs::path const& out, SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs,
+           JudgedErrors& errors) {
     EvaluateRequest request;
     for (MethodData const& method : methods)
         request.files.push_back((out / "results" / setting.name / (method.name + ".csv")).string());
@@ -298,7 +205,9 @@ void judge(fs::path const& out, SettingData const& setting, std::vector<MethodDa
     request.out = (out / "evaluation" / setting.name).string();
     request.jobs = static_cast<std::int64_t>(jobs);
     fmt::print("\n# {}\n\n", setting.name);
-    evaluate(request);
+    poses::Evaluation const evaluation = evaluate(request);
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        errors.add(setting, methods[i], evaluation.methods[i].judgement);
 }
 
 void write_results(fs::path const& out, std::vector<WantedEstimate> const& wanted,
@@ -308,10 +217,9 @@ void write_results(fs::path const& out, std::vector<WantedEstimate> const& wante
         fs::create_directories(out / "results" / setting.name);
         for (MethodData const& method : methods)
             io::write_file_atomically(out / "results" / setting.name / (method.name + ".csv"),
-                                      results_csv(wanted, journal, setting, method));
+                                      results_of(wanted, journal, setting, method));
     }
     io::write_file_atomically(out / "convergence.csv", convergence_csv(wanted, journal, settings, methods));
-    io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal));
 }
 
 /// Which estimates are wrong, why, and what the worst look like.
@@ -336,20 +244,22 @@ int experiment(ExperimentRequest const& request) {
     std::vector<MethodData> const methods = methods_of(wish);
     fs::path const out = request.out;
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
-    take_folder(out);
+    take_folder_of_estimates(out, "an experiment");
     io::FolderLock const lock(out);
-    experiments::EstimateJournal journal(out / journal_file);
+    experiments::EstimateJournal journal(out / journal_of_estimates);
     std::vector<SettingData> const settings = prepared(wish, out, jobs);
     std::vector<WantedEstimate> const wanted = wanted_estimates(settings, methods);
-    Worker worker(wanted, journal);
-    announce(worker.size(jobs), request.force);
+    EstimateWorker worker(wanted, journal);
+    announce(worker.size("experiment", jobs), request.force);
     fmt::print("{} estimates, {} of them done already\n", wanted.size(), wanted.size() - worker.pending());
     std::fflush(stdout);
     worker.work(jobs, wanted.size());
     write_results(out, wanted, journal, settings, methods);
+    JudgedErrors errors;
     for (SettingData const& setting : settings)
-        judge(out, setting, methods, jobs);
-    std::vector<Failure> const failures = failures_among(wanted, journal, jobs);
+        judge(out, setting, methods, jobs, errors);
+    io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal, errors));
+    std::vector<Failure> const failures = failures_among(wanted, journal, errors, jobs);
     write_failures(out, failures, settings, request.failures);
     fmt::print("\n# failures by reason\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods), request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;

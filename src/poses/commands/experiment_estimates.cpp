@@ -11,6 +11,7 @@
 #include "dataflow/run/config/resolved_config.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
+#include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
 #include "poses/commands/estimate_scorers.hpp"
 #include "poses/estimation/estimator.hpp"
@@ -51,9 +52,10 @@ std::string pose_identity(Pose const& pose) {
     return text + fmt::format("{} {} {}", pose.translation.x(), pose.translation.y(), pose.translation.z());
 }
 
-std::string target_text(SettingData const& setting, bop::Target const& target, Contents& contents) {
+std::string target_text(SettingData const& setting, bop::Target const& target, std::vector<bop::Detection> const& boxes,
+                        Contents& contents) {
     bop::DatasetImage const& image = *setting.dataset.find(target.image);
-    bop::ObjectModel const& model = setting.dataset.models.at(target.obj_id);
+    bop::ObjectModel const& model = bop::model_of(setting.dataset, target.obj_id, setting.dataset.folder.string());
     Camera const& c = image.camera;
     std::string text =
         fmt::format("{} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),
@@ -61,9 +63,23 @@ std::string target_text(SettingData const& setting, bop::Target const& target, C
     for (bop::GroundTruth const& object : image.objects)
         if (object.obj_id == target.obj_id)
             text += pose_identity(object.pose) + "\n";
-    for (bop::Detection const& box : setting.boxes_of(target))
+    for (bop::Detection const& box : boxes)
         text += fmt::format("{} {} {} {} {}\n", box.box.left, box.box.top, box.box.width, box.box.height, box.score);
     return text;
+}
+
+/// The boxes of each estimate of a target: all of them, or the best by score one by one.
+std::vector<std::vector<bop::Detection>> looks_at(SettingData const& setting, bop::Target const& target) {
+    std::vector<bop::Detection> boxes = setting.boxes_of(target);
+    if (!setting.by_instance || target.inst_count < 2)
+        return {boxes};
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](bop::Detection const& a, bop::Detection const& b) { return a.score > b.score; });
+    boxes.resize(std::min(boxes.size(), static_cast<std::size_t>(target.inst_count)));
+    std::vector<std::vector<bop::Detection>> looks;
+    for (bop::Detection const& box : boxes)
+        looks.push_back({box});
+    return looks;
 }
 
 std::string id_of(std::string const& keys, std::string const& target) {
@@ -104,9 +120,11 @@ std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& set
     std::vector<WantedEstimate> wanted;
     for (SettingData const& setting : settings)
         for (bop::Target const& target : setting.dataset.targets) {
-            std::string const text = target_text(setting, target, contents);
-            for (std::size_t i = 0; i < methods.size(); ++i)
-                wanted.push_back({&setting, &methods[i], target, id_of(keys[i], text)});
+            for (std::vector<bop::Detection> const& boxes : looks_at(setting, target)) {
+                std::string const text = target_text(setting, target, boxes, contents);
+                for (std::size_t i = 0; i < methods.size(); ++i)
+                    wanted.push_back({&setting, &methods[i], target, boxes, id_of(keys[i], text)});
+            }
         }
     std::stable_sort(wanted.begin(), wanted.end(), [](WantedEstimate const& a, WantedEstimate const& b) {
         return a.target.image.im_id < b.target.image.im_id;
@@ -117,7 +135,7 @@ std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& set
 estimation::Scene scene_of(WantedEstimate const& wanted) {
     SettingData const& setting = *wanted.setting;
     return dataset_scene(wanted.method->loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
-                         wanted.target.obj_id, setting.boxes_of(wanted.target));
+                         wanted.target.obj_id, wanted.boxes);
 }
 
 experiments::EstimateResult estimated(WantedEstimate const& wanted) {

@@ -179,15 +179,32 @@ FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResul
     return result.weight >= result.truth_weight ? FailureReason::score : FailureReason::search;
 }
 
-std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::EstimateResult const& result) {
-    estimation::Scene const scene = scene_of(wanted);
-    std::optional<PoseDistances> const off = distances_from_truth(scene, scene.centred(result.pose));
+std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::EstimateResult const& result,
+                                 std::optional<PoseDistances> const& off) {
     if (!off || off->add_m < wrong_m)
         return std::nullopt;
+    estimation::Scene const scene = scene_of(wanted);
     return Failure{&wanted, &result, 1000 * off->add_m, 1000 * off->adds_m, reason_of(wanted, result, scene, *off)};
 }
 
 }  // namespace
+
+void JudgedErrors::add(SettingData const& setting, MethodData const& method, poses::Judgement const& judgement) {
+    for (poses::InstanceErrors const& instance : judgement.instances) {
+        if (!std::isfinite(instance.add_s_m))
+            continue;
+        PoseDistances const distances{instance.add_m, instance.add_s_m};
+        auto const [found, is_new] =
+            distances_.emplace(Key{&setting, &method, instance.image, instance.obj_id}, distances);
+        if (!is_new && distances.adds_m < found->second.adds_m)
+            found->second = distances;
+    }
+}
+
+std::optional<PoseDistances> JudgedErrors::of(WantedEstimate const& wanted) const {
+    auto const found = distances_.find({wanted.setting, wanted.method, wanted.target.image, wanted.target.obj_id});
+    return found == distances_.end() ? std::nullopt : std::optional(found->second);
+}
 
 std::vector<Failure> worst_of(std::vector<Failure> const& failures, SettingData const& setting, std::size_t most) {
     std::map<FailureReason, std::vector<Failure>> by_reason;
@@ -216,14 +233,15 @@ Image<Colour> failure_sheet(std::vector<Failure> const& failures) {
 }
 
 std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
-                                    experiments::EstimateJournal const& journal, std::size_t jobs) {
+                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors,
+                                    std::size_t jobs) {
     std::vector<std::optional<Failure>> found(wanted.size());
     ProgressLine progress("estimates looked at");
     std::mutex mutex;
     std::size_t done = 0;
     on_threads(wanted.size(), jobs, [&](std::size_t i) {
         if (experiments::EstimateResult const* const result = journal.find(wanted[i].id))
-            found[i] = looked_at(wanted[i], *result);
+            found[i] = looked_at(wanted[i], *result, errors.of(wanted[i]));
         std::lock_guard<std::mutex> const lock(mutex);
         progress.show(++done, wanted.size());
     });

@@ -1,13 +1,17 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "faster/data/image.hpp"
 #include "faster/workload/pictures/colour.hpp"
+#include "poses/commands/estimate_report.hpp"
 #include "poses/commands/experiment_estimates.hpp"
+#include "poses/judging/judge.hpp"
 
 namespace faster {
 
@@ -33,9 +37,23 @@ struct Failure {
     char const* reason_name() const { return failure_reasons[static_cast<std::size_t>(reason)]; }
 };
 
+/// How far off estimates are, as `evaluate` says: by the meshes that it judges with.
+class JudgedErrors {
+  public:
+    /// Of the judged estimates of a method in a setting.
+    void add(SettingData const& setting, MethodData const& method, poses::Judgement const& judgement);
+    /// Nothing if the truth is not known.
+    std::optional<PoseDistances> of(WantedEstimate const& wanted) const;
+
+  private:
+    using Key = std::tuple<SettingData const*, MethodData const*, bop::ImageId, int>;
+    std::map<Key, PoseDistances> distances_;
+};
+
 /// Of all estimates that are there, in their order. Those whose truth is not known are none.
 std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
-                                    experiments::EstimateJournal const& journal, std::size_t jobs);
+                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors,
+                                    std::size_t jobs);
 
 /// A row per failure.
 std::string failures_csv(std::vector<Failure> const& failures);

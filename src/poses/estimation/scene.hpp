@@ -18,6 +18,9 @@ struct Scene {
     /// Where the first stage found the object; empty: nowhere, so it is looked for in the whole image.
     std::vector<DetectionConfig> boxes;
     std::optional<Pose> truth;  ///< if known; of the frame of `observed`
+    /// By which distances from the truth are told, in the frame of `observed`; empty: the vertices of its mesh, which
+    /// is a simplified one.
+    std::vector<Eigen::Vector3d> judged_points;
 
     /// A pose of the frame of `observed` as one of the mesh's own frame, and back.
     Pose own(Pose pose) const;

@@ -37,7 +37,7 @@ Interval interval_of(double value, std::vector<double> replicates) {
     if (replicates.empty())
         return {value, value, value};
     std::sort(replicates.begin(), replicates.end());
-    return {value, quantile(replicates, 0.025), quantile(replicates, 0.975)};
+    return {value, std::min(value, quantile(replicates, 0.025)), std::max(value, quantile(replicates, 0.975))};
 }
 
 }  // namespace faster::poses

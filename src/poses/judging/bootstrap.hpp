@@ -19,7 +19,8 @@ struct Interval {
 std::vector<ImageWeights> drawn_images(std::size_t images, std::size_t count, std::uint64_t seed);
 
 /// The middle 95 % of `replicates` around `value`: their quantiles 0.025 and 0.975, linear between order statistics
-/// (type 7 of Hyndman and Fan, 1996). Replicates that are NaN are left out; without any, the value stands alone.
+/// (type 7 of Hyndman and Fan, 1996), and the value itself, should it be outside. Replicates that are NaN are left out;
+/// without any, the value stands alone.
 Interval interval_of(double value, std::vector<double> replicates);
 
 }  // namespace faster::poses

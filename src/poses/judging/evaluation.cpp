@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -72,7 +73,7 @@ std::array<Interval, score_count> intervals(Replicates const& replicates, Replic
     return result;
 }
 
-/// Score by score the mean of the rows' that are known.
+/// Score by score the mean of the rows' that are known, of those scores of which a mean says something.
 Replicates mean_of(std::vector<Replicates> const& rows) {
     Replicates means(rows.front().size());
     for (std::size_t i = 0; i < means.size(); ++i) {
@@ -83,7 +84,7 @@ Replicates mean_of(std::vector<Replicates> const& rows) {
                 sum += is_known ? row[i][score] : 0;
                 known += is_known ? 1 : 0;
             }
-            means[i][score] = sum / known;
+            means[i][score] = score_facts[score].has_mean ? sum / known : std::numeric_limits<double>::quiet_NaN();
         }
     }
     return means;

@@ -50,7 +50,7 @@ struct Evaluation {
     std::uint64_t seed = 0;
     std::size_t replicates = 0;
     std::vector<JudgedMethod> methods;
-    std::vector<ScoreRow> rows;  ///< by method; objects by id, then all, then mean
+    std::vector<ScoreRow> rows;  ///< by method; objects by id, then all, then mean; a score that is not known is NaN
     std::vector<AccuracyCurve> curves;
 };
 

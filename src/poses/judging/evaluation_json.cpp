@@ -16,6 +16,8 @@ double rounded(double value, double digits) { return std::round(value * digits) 
 
 Json json_of(Interval const& interval) {
     constexpr double digits = 1e4;
+    if (std::isnan(interval.value))
+        return nullptr;
     return {rounded(interval.value, digits), rounded(interval.low, digits), rounded(interval.high, digits)};
 }
 

@@ -10,10 +10,14 @@ namespace faster::poses {
 namespace {
 
 std::string range(Interval const& interval) {
+    if (std::isnan(interval.value))
+        return " - |";
     return fmt::format(" {:.1f} ({:.1f} .. {:.1f}) |", interval.value, interval.low, interval.high);
 }
 
 std::string signed_range(Interval const& interval) {
+    if (std::isnan(interval.value))
+        return " - |";
     return fmt::format(" {:+.1f} ({:+.1f} .. {:+.1f}) |", interval.value, interval.low, interval.high);
 }
 
@@ -110,7 +114,9 @@ std::string scores_csv(Evaluation const& evaluation) {
                             row.instances, row.estimated);
         for (std::size_t score = 0; score < score_count; ++score) {
             for (Interval const& interval : {row.scores[score], row.more_than_first[score]})
-                text += fmt::format(",{:.4f},{:.4f},{:.4f}", interval.value, interval.low, interval.high);
+                text += std::isnan(interval.value)
+                            ? ",,,"
+                            : fmt::format(",{:.4f},{:.4f},{:.4f}", interval.value, interval.low, interval.high);
         }
         text += "\n";
     }
@@ -118,13 +124,16 @@ std::string scores_csv(Evaluation const& evaluation) {
 }
 
 std::string errors_csv(Evaluation const& evaluation) {
-    std::string text = "method,scene_id,im_id,obj_id,visible_share,add_m,add_s_m,mssd_m,mssd_hits\n";
+    std::string text =
+        "method,scene_id,im_id,obj_id,visible_share,add_m,add_s_m,mssd_m,mssd_hits,mspd_px,mspd_hits,vsd_recall\n";
     for (JudgedMethod const& method : evaluation.methods) {
         for (InstanceErrors const& instance : method.judgement.instances)
-            text += fmt::format(
-                "{},{},{},{},{},{},{},{},{}\n", csv_cell(method.name), instance.image.scene_id, instance.image.im_id,
-                instance.obj_id, instance.visible_share ? fmt::format("{:.4f}", *instance.visible_share) : "",
-                known(instance.add_m), known(instance.add_s_m), known(instance.mssd_m), instance.mssd_hits);
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(method.name), instance.image.scene_id,
+                                instance.image.im_id, instance.obj_id,
+                                instance.visible_share ? fmt::format("{:.4f}", *instance.visible_share) : "",
+                                known(instance.add_m), known(instance.add_s_m), known(instance.mssd_m),
+                                instance.mssd_hits, known(instance.mspd_px), instance.mspd_hits,
+                                instance.vsd_recall ? fmt::format("{:.2f}", *instance.vsd_recall) : "");
     }
     return text;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -15,7 +16,9 @@
 #include "dataflow/base/random.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/read_dataset.hpp"
+#include "poses/judging/mesh_symmetries.hpp"
 #include "poses/judging/pose_error.hpp"
+#include "poses/judging/visible_surface.hpp"
 
 namespace faster::poses {
 
@@ -81,7 +84,7 @@ double const add_limit_m = std::nextafter(largest_add_m, 1.0);
 
 /// What a model's errors are worked out with.
 struct JudgedModel {
-    Points points;
+    Mesh mesh;
     std::vector<Pose> symmetries;
     double diameter_m = 0;
 };
@@ -93,9 +96,10 @@ using TargetName = std::pair<bop::ImageId, int>;
 
 JudgedModel judged_model(bop::ObjectModel const& model, Mesh&& mesh) {
     JudgedModel judged;
-    judged.points = std::move(mesh.vertices);
-    judged.symmetries = symmetries_of(model);
-    judged.diameter_m = model.diameter_m ? *model.diameter_m : diameter_of(judged.points);
+    judged.mesh = std::move(mesh);
+    judged.symmetries =
+        model.info.empty() ? symmetries_of(with_symmetries_of_mesh(model, judged.mesh)) : symmetries_of(model);
+    judged.diameter_m = model.diameter_m ? *model.diameter_m : diameter_of(judged.mesh.vertices);
     return judged;
 }
 
@@ -262,34 +266,117 @@ template <class Error> PairErrors pairs(Estimates const& estimates, Truths const
     return errors;
 }
 
-std::vector<int> hits(PairErrors const& errors, std::size_t truths, double diameter_m) {
+std::vector<int> hits(PairErrors const& errors, std::size_t truths, double step) {
     std::vector<int> hits(truths, 0);
-    for (int threshold = 1; threshold <= mssd_thresholds; ++threshold) {
-        auto const found = matched_below(errors, truths, 0.05 * threshold * diameter_m);
+    for (int threshold = 1; threshold <= recall_thresholds; ++threshold) {
+        auto const found = matched_below(errors, truths, step * threshold);
         for (std::size_t g = 0; g < truths; ++g)
             hits[g] += std::isfinite(found[g]) ? 1 : 0;
     }
     return hits;
 }
 
-std::vector<InstanceErrors> judge_target(bop::Target const& target, Estimates const& estimates, Truths const& truths,
-                                         JudgedModel const& model) {
-    std::size_t const n = truths.size();
-    auto const adds =
-        matched(pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add(model.points, e, t); }), n,
-                add_limit_m);
-    auto const adds_s =
-        matched(pairs(estimates, truths, [&](Pose const& e, Pose const& t) { return add_s(model.points, e, t); }), n,
-                add_limit_m);
-    PairErrors const mssds = pairs(
-        estimates, truths, [&](Pose const& e, Pose const& t) { return mssd(model.points, model.symmetries, e, t); });
-    auto const largest = matched(mssds, n, 0.05 * mssd_thresholds * model.diameter_m);
-    auto const found = hits(mssds, n, model.diameter_m);
-    std::vector<InstanceErrors> errors;
-    for (std::size_t g = 0; g < n; ++g)
-        errors.push_back(
-            {target.image, target.obj_id, truths[g]->visible_share, adds[g], adds_s[g], largest[g], found[g]});
-    return errors;
+/// The image of a target, and what its camera saw, if that is at hand.
+struct JudgedImage {
+    JudgedImage(bop::DatasetImage const& image) : camera(image.camera) {
+        std::error_code ignored;
+        if (image.problem.empty() && std::filesystem::exists(image.depth, ignored)) {
+            bop::Observation const observation = bop::load_observation(image);
+            camera = observation.camera;
+            seen = seen_distances(observation);
+        } else if (camera.width == 0) {
+            camera.width = static_cast<int>(2 * camera.cx + 1);
+        }
+    }
+    /// BOP's thresholds are those of images of 640 pixels' width.
+    double pixel_scale() const { return 640.0 / std::max(1, camera.width); }
+
+    Camera camera;
+    std::optional<DistanceImage> seen;
+};
+
+/// Judges the estimates of a target.
+class TargetJudge {
+  public:
+    TargetJudge(Estimates const& estimates, Truths const& truths, JudgedModel const& model)
+        : estimates_(estimates), truths_(truths), model_(model) {}
+
+    std::vector<InstanceErrors> errors(bop::Target const& target, JudgedImage const& image, double vsd_delta_m) const {
+        Points const& points = model_.mesh.vertices;
+        std::size_t const n = truths_.size();
+        auto const adds =
+            matched(by_pose([&](auto const& e, auto const& t) { return add(points, e, t); }), n, add_limit_m);
+        auto const adds_s =
+            matched(by_pose([&](auto const& e, auto const& t) { return add_s(points, e, t); }), n, add_limit_m);
+        PairErrors const mssds =
+            by_pose([&](auto const& e, auto const& t) { return mssd(points, model_.symmetries, e, t); });
+        PairErrors const mspds = by_pose([&](auto const& e, auto const& t) {
+            return image.pixel_scale() * mspd(points, model_.symmetries, e, t, image.camera);
+        });
+        auto const largest = matched(mssds, n, recall_step * recall_thresholds * model_.diameter_m);
+        auto const largest_px = matched(mspds, n, recall_step_px * recall_thresholds);
+        auto const found = hits(mssds, n, recall_step * model_.diameter_m), found_px = hits(mspds, n, recall_step_px);
+        std::vector<InstanceErrors> errors;
+        for (std::size_t g = 0; g < n; ++g)
+            errors.push_back({target.image, target.obj_id, truths_[g]->visible_share, adds[g], adds_s[g], largest[g],
+                              found[g], largest_px[g], found_px[g], std::nullopt});
+        if (image.seen)
+            add_vsd(image, vsd_delta_m, errors);
+        return errors;
+    }
+
+  private:
+    static constexpr double recall_step = 0.05, recall_step_px = 5;
+
+    template <class Error> PairErrors by_pose(Error const& error) const { return pairs(estimates_, truths_, error); }
+
+    template <class Item>
+    std::vector<DistanceImage> drawn(std::vector<Item const*> const& items, Camera const& camera) const {
+        std::vector<DistanceImage> images;
+        for (Item const* const item : items)
+            images.push_back(drawn_distances(model_.mesh, item->pose, camera));
+        return images;
+    }
+
+    void add_vsd(JudgedImage const& image, double delta_m, std::vector<InstanceErrors>& errors) const {
+        auto const estimates = drawn(estimates_, image.camera), truths = drawn(truths_, image.camera);
+        std::array<PairErrors, vsd_tolerances> by_tolerance;
+        for (DistanceImage const& estimate : estimates) {
+            for (PairErrors& pair_errors : by_tolerance)
+                pair_errors.emplace_back();
+            for (DistanceImage const& truth : truths) {
+                auto const each = vsd(*image.seen, estimate, truth, delta_m, model_.diameter_m);
+                for (std::size_t i = 0; i < vsd_tolerances; ++i)
+                    by_tolerance[i].back().push_back(each[i]);
+            }
+        }
+        for (InstanceErrors& instance : errors)
+            instance.vsd_recall = 0;
+        for (PairErrors const& pair_errors : by_tolerance) {
+            auto const found = hits(pair_errors, errors.size(), recall_step);
+            for (std::size_t g = 0; g < errors.size(); ++g)
+                *errors[g].vsd_recall += found[g] / (1.0 * recall_thresholds * vsd_tolerances);
+        }
+    }
+
+    Estimates const& estimates_;
+    Truths const& truths_;
+    JudgedModel const& model_;
+};
+
+/// Targets of one image: their numbers.
+struct TargetRange {
+    std::size_t begin = 0, end = 0;
+};
+
+std::vector<TargetRange> by_image(std::vector<bop::Target> const& targets) {
+    std::vector<TargetRange> ranges;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (i == 0 || !(targets[i].image == targets[i - 1].image))
+            ranges.push_back({i, i});
+        ++ranges.back().end;
+    }
+    return ranges;
 }
 
 }  // namespace
@@ -320,23 +407,29 @@ std::vector<Pose> symmetries_of(bop::ObjectModel const& model) {
 }
 
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
-                std::filesystem::path const& file, std::size_t jobs,
+                std::filesystem::path const& file, JudgeOptions const& options,
                 std::function<void(std::size_t done, std::size_t all)> const& progress) {
     Judgement judgement;
     EstimatesByTarget const sorted(dataset, estimates, file, judgement.warnings);
     auto const& groups = sorted.groups();
-    Models const models = load_models(dataset, jobs, judgement.warnings);
+    Models const models = load_models(dataset, options.jobs, judgement.warnings);
     tell_of_missing_truths(dataset, judgement.warnings);
     tell_of_unit(dataset, groups, file, judgement.warnings);
     std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
+    std::vector<TargetRange> const ranges = by_image(dataset.targets);
     CountedProgress done(dataset.targets.size(), progress);
-    on_threads(dataset.targets.size(), jobs, [&](std::size_t i) {
-        bop::Target const& target = dataset.targets[i];
-        Estimates const counted = best(groups, target);
-        used[i] = counted.size();
-        errors[i] = judge_target(target, counted, most_visible(dataset, target), models.at(target.obj_id));
-        done.one_more();
+    on_threads(ranges.size(), options.jobs, [&](std::size_t range) {
+        JudgedImage const image(*dataset.find(dataset.targets[ranges[range].begin].image));
+        for (std::size_t i = ranges[range].begin; i < ranges[range].end; ++i) {
+            bop::Target const& target = dataset.targets[i];
+            Estimates const counted = best(groups, target);
+            used[i] = counted.size();
+            Truths const truths = most_visible(dataset, target);
+            errors[i] =
+                TargetJudge(counted, truths, models.at(target.obj_id)).errors(target, image, options.vsd_delta_m);
+            done.one_more();
+        }
     });
     judgement.left_out = estimates.size() - std::accumulate(used.begin(), used.end(), std::size_t{0});
     for (auto const& of_target : errors)

@@ -28,7 +28,7 @@ std::vector<double> matched(PairErrors const& errors, std::size_t truths, double
 std::vector<Pose> symmetries_of(bop::ObjectModel const& model);
 
 constexpr double largest_add_m = 0.1;  ///< ADD and ADD-S beyond are failures
-constexpr int mssd_thresholds = 10;    ///< 0.05, 0.10, ... 0.50 of the diameter
+constexpr int recall_thresholds = 10;  ///< MSSD: 0.05, 0.10, ... 0.50 of the diameter; MSPD: 5, 10, ... 50 px
 
 /// An instance of an object that was to be found, and how far the estimate is off; infinity where there is none.
 struct InstanceErrors {
@@ -38,7 +38,15 @@ struct InstanceErrors {
     double add_m = 0;
     double add_s_m = 0;
     double mssd_m = 0;
-    int mssd_hits = 0;  ///< at how many of the thresholds it counts as found
+    int mssd_hits = 0;   ///< at how many of the thresholds it counts as found
+    double mspd_px = 0;  ///< of an image of 640 pixels' width
+    int mspd_hits = 0;
+    std::optional<double> vsd_recall = {};  ///< share of tolerances and thresholds; not known without a depth image
+};
+
+struct JudgeOptions {
+    std::size_t jobs = 1;        ///< threads; the result does not depend on them
+    double vsd_delta_m = 0.015;  ///< of VSD; BOP has 5 mm for ITODD
 };
 
 struct Judgement {
@@ -48,11 +56,11 @@ struct Judgement {
 };
 
 /// Compares estimates with the dataset's targets, as BOP does: of each target's estimates, only the inst_count best by
-/// score count, and of its true poses the inst_count most visible ones, or as many as there are. `jobs` threads; the
-/// result does not depend on them. `progress` is told how many targets are done. Throws InputError naming `file` and
+/// score count, and of its true poses the inst_count most visible ones, or as many as there are. `progress` is told how
+/// many targets are done. Throws InputError naming `file` and
 /// line: a matrix of a target's estimate that is no rotation; and if no estimate is of a target.
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
-                std::filesystem::path const& file, std::size_t jobs,
+                std::filesystem::path const& file, JudgeOptions const& options,
                 std::function<void(std::size_t done, std::size_t all)> const& progress = {});
 
 }  // namespace faster::poses

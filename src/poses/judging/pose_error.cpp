@@ -65,6 +65,15 @@ double mean_nearest_distance(Points const& from, Points const& to) {
     return sum / static_cast<double>(from.size());
 }
 
+double largest_nearest_distance(Points const& from, Points const& to) {
+    Cloud const cloud{to};
+    Tree const tree(3, cloud);
+    double largest = 0;
+    for (Eigen::Vector3d const& point : from)
+        largest = std::max(largest, nearest_distance(tree, point));
+    return largest;
+}
+
 double add(Points const& points, Pose const& estimate, Pose const& truth) {
     double sum = 0;
     for (Eigen::Vector3d const& point : points)
@@ -81,6 +90,28 @@ double mssd(Points const& points, std::vector<Pose> const& symmetries, Pose cons
     double least = std::numeric_limits<double>::infinity();
     for (Pose const& symmetry : symmetries)
         least = std::min(least, largest_squared_distance(estimated, points, chained(truth, symmetry), least));
+    return std::sqrt(least);
+}
+
+double mspd(Points const& points, std::vector<Pose> const& symmetries, Pose const& estimate, Pose const& truth,
+            Camera const& camera) {
+    auto const place = [&](Pose const& pose, Eigen::Vector3d const& point) {
+        Eigen::Vector3d const p = pose.rotation * point + pose.translation;
+        return Eigen::Vector2d(camera.fx * p.x() / p.z() + camera.cx, camera.fy * p.y() / p.z() + camera.cy);
+    };
+    std::vector<Eigen::Vector2d> estimated;
+    for (Eigen::Vector3d const& point : points)
+        estimated.push_back(place(estimate, point));
+    double least = std::numeric_limits<double>::infinity();
+    for (Pose const& symmetry : symmetries) {
+        Pose const pose = chained(truth, symmetry);
+        double largest = 0;
+        for (std::size_t i = 0; i < points.size() && largest < least; ++i) {
+            double const square = (estimated[i] - place(pose, points[i])).squaredNorm();
+            largest = std::isfinite(square) ? std::max(largest, square) : least;
+        }
+        least = std::min(least, largest);
+    }
     return std::sqrt(least);
 }
 

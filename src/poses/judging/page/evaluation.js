@@ -62,13 +62,14 @@ function show_accuracy() {
 }
 
 function with_range(scores, name, sign) {
+  if (!scores[name]) return "-";
   const [value, low, high] = scores[name].map((number) => (sign && number > 0 ? "+" : "") + decimal(number, 1));
   return `${value} (${low} to ${high})`;
 }
 
 function score_columns(of, sign) {
   return Object.entries(data.scores).map(([name, title]) =>
-    figure(title, (row) => row[of][name][0], (row) => with_range(row[of], name, sign)));
+    figure(title, (row) => row[of][name] ? row[of][name][0] : -Infinity, (row) => with_range(row[of], name, sign)));
 }
 
 /// An object's methods below each other.

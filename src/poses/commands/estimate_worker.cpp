@@ -1,0 +1,97 @@
+#include "poses/commands/estimate_worker.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/progress_line.hpp"
+#include "faster/dataflow_names.hpp"
+#include "poses/bop/pose_results.hpp"
+#include "poses/commands/estimate_size.hpp"
+
+namespace faster {
+
+namespace fs = std::filesystem;
+
+void take_folder_of_estimates(fs::path const& folder, std::string const& kind) {
+    std::error_code error;
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw InputError(fmt::format("{}: is a file, expected a folder for {}", folder.string(), kind));
+    fs::create_directories(folder, error);
+    if (error)
+        throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+    bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                                     [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
+    if (!fs::exists(folder / journal_of_estimates) && !is_free)
+        throw InputError(
+            fmt::format("{}: holds other files, expected a new or empty folder or that of {}", folder.string(), kind));
+}
+
+EstimateWorker::EstimateWorker(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal& journal)
+    : journal_(journal) {
+    for (WantedEstimate const& each : wanted)
+        if (journal.find(each.id) == nullptr)
+            pending_.push_back(&each);
+}
+
+/// Of an estimate by each method, the first stands for all.
+WorkSize EstimateWorker::size(char const* command, std::size_t jobs) const {
+    std::map<MethodData const*, double> seconds;
+    WorkSize size;
+    size.command = command;
+    size.amount = fmt::format("{} estimates", pending_.size());
+    for (WantedEstimate const* const each : pending_) {
+        auto const [of_method, is_first] = seconds.try_emplace(each->method, 0);
+        if (is_first)
+            of_method->second = seconds_of_estimate(each->method->loaded.config, scene_of(*each).observed, false);
+        size.seconds += of_method->second / static_cast<double>(jobs);
+    }
+    return size;
+}
+
+void EstimateWorker::work(std::size_t jobs, std::size_t all) {
+    processes::SignalWatch const watch;
+    std::size_t done = all - pending_.size();
+    ProgressLine progress("estimates", done);
+    processes::TaskStream stream;
+    stream.next = [this](std::size_t number) -> std::optional<processes::Task> {
+        if (number >= pending_.size())
+            return std::nullopt;
+        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); }};
+    };
+    stream.ended = [&](std::size_t number, processes::Outcome const& outcome) {
+        take(*pending_[number], outcome);
+        progress.show(++done, all);
+    };
+    processes::run_stream(stream, jobs, watch);
+}
+
+void EstimateWorker::take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
+    if (outcome.kind == processes::Outcome::Kind::done)
+        return journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
+    ++failed_;
+    fmt::print(stderr, "{}, {}: object {} in image {} of scene {}: the estimate crashed, failed or took too long\n",
+               wanted.setting->name, wanted.method->name, wanted.target.obj_id, wanted.target.image.im_id,
+               wanted.target.image.scene_id);
+}
+
+std::string results_of(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                       SettingData const& setting, MethodData const& method) {
+    std::vector<bop::PoseEstimate> estimates;
+    for (WantedEstimate const& each : wanted) {
+        experiments::EstimateResult const* const result = journal.find(each.id);
+        if (each.setting != &setting || each.method != &method || result == nullptr)
+            continue;
+        bop::PoseEstimate estimate;
+        estimate.image = each.target.image;
+        estimate.obj_id = each.target.obj_id;
+        estimate.score = result->weight;
+        estimate.pose = result->pose;
+        estimates.push_back(estimate);
+    }
+    return bop::pose_results_csv(estimates);
+}
+
+}  // namespace faster

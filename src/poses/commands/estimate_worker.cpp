@@ -5,8 +5,10 @@
 #include <map>
 #include <optional>
 
+#include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
+#include "dataflow/tools/sweeps/journal_rows.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/pose_results.hpp"
 #include "poses/commands/estimate_size.hpp"
@@ -24,7 +26,9 @@ void take_folder_of_estimates(fs::path const& folder, std::string const& kind) {
         throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
     bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
                                      [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
-    if (!fs::exists(folder / journal_of_estimates) && !is_free)
+    fs::path const journal = folder / journal_of_estimates;
+    bool const has_journal = fs::is_regular_file(journal) && sweeps::may_be_journal(io::read_file(journal));
+    if (!has_journal && !is_free)
         throw InputError(
             fmt::format("{}: holds other files, expected a new or empty folder or that of {}", folder.string(), kind));
 }

@@ -4,7 +4,7 @@
     scripts/reference.py            renews the page
     scripts/reference.py --check    says whether it is up to date
 
-What a design includes is what the examples and their tutorial do: tool/simple_tool.hpp, and what that includes.
+What a design includes is what the examples and their tutorial do: dataflow/commands/simple_tool.hpp, and what that includes.
 """
 
 import re
@@ -32,7 +32,7 @@ def headers() -> list[Path]:
             if (rooms / name).exists():
                 found += [rooms / name, *(rooms / inner for inner in included(rooms / name) if name.endswith("simple_tool.hpp"))]
     # The types of what these describe.
-    for name in ("kernel/machine/module_description.hpp", "kernel/config/simple_design.hpp", "channels/process_clock.hpp"):
+    for name in ("dataflow/core/machine/module_description.hpp", "dataflow/run/config/simple_design.hpp", "channels/process_clock.hpp"):
         found += sorted(rooms.rglob(Path(name).name))
     return list(dict.fromkeys(found))
 

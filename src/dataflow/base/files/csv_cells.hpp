@@ -19,7 +19,7 @@ using CsvCellReader = std::function<void(std::size_t line, std::string_view cons
 void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> const& columns,
                     CsvCellReader const& read_row);
 
-/// The same of a table whose first line may be missing: if it begins with a digit it is a row, and the columns of the
+/// Reads a table whose first line may be missing, as above: if it begins with a digit it is a row, and the columns of the
 /// table are those that are asked for, in that order.
 void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& columns,
                        CsvCellReader const& read_row);

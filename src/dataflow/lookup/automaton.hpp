@@ -7,14 +7,14 @@
 #include "dataflow/base/uninitialized.hpp"
 #include "dataflow/lookup/cut_trial.hpp"
 #include "dataflow/lookup/numbered_transitions.hpp"
-#include "dataflow/lookup/phrase.hpp"
-#include "dataflow/lookup/phrase_book.hpp"
 #include "dataflow/lookup/relative_state.hpp"
 #include "dataflow/lookup/state_table.hpp"
 #include "dataflow/lookup/transition.hpp"
 #include "dataflow/lookup/transition_bench.hpp"
 #include "dataflow/lookup/transition_store.hpp"
 #include "dataflow/lookup/transition_table.hpp"
+#include "dataflow/phrases/phrase.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 
 namespace dataflow::timing {
 

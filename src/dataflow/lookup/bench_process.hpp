@@ -6,9 +6,9 @@
 #include "dataflow/core/time/process_rules.hpp"
 #include "dataflow/core/time/trail.hpp"
 #include "dataflow/lookup/bench_fifo.hpp"
-#include "dataflow/lookup/group.hpp"
 #include "dataflow/lookup/relative_state.hpp"
 #include "dataflow/lookup/state_words.hpp"
+#include "dataflow/phrases/group.hpp"
 
 namespace dataflow::timing {
 

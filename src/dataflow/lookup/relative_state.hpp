@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "dataflow/lookup/figure_block.hpp"
-#include "dataflow/lookup/group.hpp"
 #include "dataflow/lookup/state_words.hpp"
 #include "dataflow/lookup/transition.hpp"
+#include "dataflow/phrases/group.hpp"
 
 namespace dataflow::timing {
 

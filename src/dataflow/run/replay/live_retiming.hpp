@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dataflow/core/machine/core_share.hpp"
-#include "dataflow/lookup/phrase_cutter.hpp"
+#include "dataflow/phrases/phrase_cutter.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/run/replay/lead_core.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"

@@ -3,7 +3,7 @@
 
 #include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/core/time/core_timing.hpp"
-#include "dataflow/lookup/group.hpp"
+#include "dataflow/phrases/group.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"
 

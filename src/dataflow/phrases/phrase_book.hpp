@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "dataflow/lookup/phrase.hpp"
 #include "dataflow/lookup/transition.hpp"
+#include "dataflow/phrases/phrase.hpp"
 
 namespace dataflow::timing {
 

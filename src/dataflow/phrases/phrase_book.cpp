@@ -1,4 +1,4 @@
-#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 
 #include <algorithm>
 

@@ -91,4 +91,13 @@ void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {
     pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
 }
 
+void write_next(Group const& group, Script& script) {
+    PhraseBook::Number const number = *script.next++;
+    PhraseBook::Entry const& entry = (*script.book)[number];
+    script.due -= entry.due;
+    Phrase::write(
+        script.book->codes(number), entry.size, group,
+        [&script](unsigned member, Ports::Number next_ports, bool) { script.next_ports[member] = next_ports; });
+}
+
 }  // namespace dataflow::timing

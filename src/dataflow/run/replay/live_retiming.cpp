@@ -31,7 +31,7 @@ class LiveRetiming::Window : public ScriptSource {
 
 struct LiveRetiming::Core {
     Core(CoreShare its_share, timing::PhraseBook const& book, timing::Lead const& lead,
-         std::unique_ptr<timing::CoreTiming> its_timing)
+         std::unique_ptr<timing::PhraseCore> its_timing)
         : share(its_share),
           timing(std::move(its_timing)),
           window(book, share.first),
@@ -55,7 +55,7 @@ struct LiveRetiming::Core {
     }
 
     CoreShare share;
-    std::unique_ptr<timing::CoreTiming> timing;
+    std::unique_ptr<timing::PhraseCore> timing;
     Window window;
     SampleOperations plain;  ///< of the sample at hand, if it is not scripted
     Replay replay;
@@ -64,10 +64,10 @@ struct LiveRetiming::Core {
 LiveRetiming::LiveRetiming(timing::CoreTiming const& blueprint, Machine const& machine,
                            std::vector<CoreShare> const& shares)
     : machine_(machine), lead_(blueprint, machine.lead), cutter_(blueprint, machine.lead) {
-    auto const automaton = std::make_shared<timing::Automaton>();
+    std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     for (CoreShare const& share : shares) {
-        std::unique_ptr<timing::CoreTiming> timing = core_variant(blueprint, machine);
-        timing->let_follow(machine.lead, automaton);
+        std::unique_ptr<timing::PhraseCore> timing = core_variant(blueprint, machine);
+        timing->let_follow(machine.lead, answers);
         cores_.push_back(std::make_unique<Core>(share, book_, machine.lead, std::move(timing)));
     }
 }

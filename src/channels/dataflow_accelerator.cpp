@@ -30,7 +30,7 @@ void DataflowAccelerator::join_by_memory(timing::ExternalMemory const& shape) {
         cores_[core]->use_memory(memory_.get(), core, &memory_asked_);
     }
     if (engine_ == Engine::decoupled) {
-        let_cores_share_automaton();
+        let_cores_share_answers();
         return;
     }
     SC_THREAD(serve_memory);
@@ -60,16 +60,16 @@ void DataflowAccelerator::wake(timing::MemorySystem::Target const& target) {
     cores_[target.core]->memory_event(target.process).notify(sc_core::SC_ZERO_TIME);
 }
 
-/// They are all alike, so what one automaton has learnt of a core's timing serves all of them.
-void DataflowAccelerator::let_cores_share_automaton() {
-    auto const automaton = std::make_shared<timing::Automaton>();
+/// They are all alike, so what is known of one core's timing serves all of them.
+void DataflowAccelerator::let_cores_share_answers() {
+    std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     for (std::unique_ptr<DataflowCore> const& core : cores_)
         if (!machine_->lead.followers.empty())
-            core->timing().let_follow(machine_->lead, automaton);
+            core->timing().let_follow(machine_->lead, answers);
 }
 
 void DataflowAccelerator::let_cores_take_turns() {
-    let_cores_share_automaton();
+    let_cores_share_answers();
     for (std::size_t core = 1; core < cores_.size(); ++core)
         cores_[core]->run_after(*cores_[core - 1]);
 }

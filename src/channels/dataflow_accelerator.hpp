@@ -44,7 +44,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     bool is_left() const { return is_left_; }
 
   private:
-    void let_cores_share_automaton();
+    void let_cores_share_answers();
     void let_cores_take_turns();
     void join_by_memory(timing::ExternalMemory const& shape);
     void serve_memory();

@@ -15,14 +15,14 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
       time_base_(time_base),
       is_turn_over_(share.count == 0) {
     for (MachineFifo const& fifo : machine_->fifos)
-        timing_.add_fifo(fifo.shape());
+        timing_->add_fifo(fifo.shape());
     for (std::size_t process = 0; process < machine_->process_places(); ++process)
-        timing_.add_process(machine_->processes[process].name);
+        timing_->add_process(machine_->processes[process].name);
     for (std::size_t const stream : streams_of(*machine_)) {
-        timing_.add_stream(machine_->streams[stream].name, machine_->streams[stream].enters_by());
+        timing_->add_stream(machine_->streams[stream].name, machine_->streams[stream].enters_by());
         memory_events_.resize(machine_->process_places());
     }
-    begun_.resize(timing_.processes().size());
+    begun_.resize(timing_->processes().size());
 }
 
 std::vector<FifoChannel*> const& DataflowCore::channels() const {
@@ -37,7 +37,7 @@ std::vector<FifoChannel*> const& DataflowCore::channels() const {
 void DataflowCore::find_channels(sc_core::sc_object const& parent) const {
     for (sc_core::sc_object* const child : parent.get_child_objects()) {
         if (auto* const channel = dynamic_cast<FifoChannel*>(child))
-            channels_.at(timing_.number_of(channel->timing())) = channel;
+            channels_.at(timing_->number_of(channel->timing())) = channel;
         find_channels(*child);
     }
 }
@@ -91,7 +91,7 @@ void DataflowCore::catch_up() {
     if (memory_ != nullptr)
         memory_->note_sample();
     else
-        timing_.resolve(false);
+        timing_->resolve(false);
 }
 
 void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {

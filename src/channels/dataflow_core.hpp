@@ -15,7 +15,7 @@
 #include "dataflow/base/write_distances.hpp"
 #include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/tools/recording/running_core.hpp"
 
@@ -41,8 +41,8 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// The samples that this core does.
     CoreShare share() const override { return share_; }
     TimeBase const& time_base() const { return time_base_; }
-    timing::CoreTiming& timing() override { return timing_; }
-    timing::CoreTiming const& timing() const { return timing_; }
+    timing::PhraseCore& timing() override { return *timing_; }
+    timing::PhraseCore const& timing() const { return *timing_; }
 
     /// By number of the FIFO in the machine; null where the core has no such channel. Once the core is constructed.
     std::vector<FifoChannel*> const& channels() const;
@@ -115,7 +115,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
 
   protected:
     /// Of a FIFO by its name in the machine, to make its channel with.
-    timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_.fifo(machine_->fifo(fifo)); }
+    timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_->fifo(machine_->fifo(fifo)); }
 
     /// A FIFO that needs no member and no ports: its modules ask for it by fifo(). In the constructor only.
     template <class Token> void make_fifo(std::string const& name) {
@@ -131,7 +131,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::shared_ptr<Machine const> machine_;
     CoreShare share_;
     TimeBase time_base_;
-    timing::CoreTiming timing_;
+    std::unique_ptr<timing::PhraseCore> timing_ = timing::make_core();
     timing::MemorySystem* memory_ = nullptr;
     EntryCall entry_call_;
     std::size_t number_ = 0;

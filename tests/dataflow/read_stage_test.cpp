@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/core/time/path_sweep.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace read_stage_test {
@@ -349,7 +349,8 @@ class Timed {
         return outcome;
     }
 
-    CoreTiming core_;
+    std::unique_ptr<PhraseCore> const made_ = make_core();
+    CoreTiming& core_ = *made_;
     std::vector<OperationLog> logs_;  ///< what the processes have yet to say
 };
 

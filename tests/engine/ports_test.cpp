@@ -1,11 +1,12 @@
 #include "dataflow/core/time/ports.hpp"
 
 #include <catch2/catch.hpp>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/bytes.hpp"
 #include "dataflow/run/replay/operation_check.hpp"
 #include "dataflow/run/replay/operation_columns.hpp"
@@ -87,7 +88,8 @@ struct Star {
         return figures;
     }
 
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     ProcessTiming* hub = nullptr;
 };
 
@@ -159,7 +161,8 @@ TEST_CASE("Loops of many ports take the same cycles at once and step by step", "
 }
 
 TEST_CASE("A loop without stalls takes (n - 1) II + L, however many ports it has", "[ports][timing]") {
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     ProcessTiming& writer = core.add_process("writer");
     LoopShape loop;
     loop.depth = 30;

@@ -63,7 +63,7 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
     Asked asked;
     Machine const machine = raster_machine(config);
     auto const core = replay::core_variant(*run.run().blueprint, machine);
-    core->let_follow(machine.lead, std::make_shared<timing::Automaton>());
+    core->let_follow(machine.lead, timing::make_answers());
     replay::PlainReader reader(run.run(), run.lead());
     auto const plain = [&](std::size_t sample) {
         ++asked.plain;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/lookup/followed_core.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace dataflow::timing::automaton_test {
@@ -30,7 +30,7 @@ enum Process : unsigned { source, driver, divider, builder, drawer, collector };
 /// A core in the manner of the machine's: a source of vertices, a driver that scans, a divider, a builder that takes
 /// one or two iterations per edge token, a drawer that reads commands one ahead, and a collector.
 struct Machine {
-    CoreTiming core;
+    FollowedCore core;
 
     Machine(unsigned seed, bool irregular) {
         Dice dice(seed);

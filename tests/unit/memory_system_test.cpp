@@ -3,9 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <random>
 
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace dataflow::timing::memory_system_test {
@@ -58,7 +59,8 @@ class Reader {
     Cycles loop_cycles() const { return process_.local_time() - entered; }
 
   private:
-    CoreTiming core_;
+    std::unique_ptr<PhraseCore> made_ = make_core();
+    CoreTiming& core_ = *made_;
     ProcessTiming& process_;
 };
 

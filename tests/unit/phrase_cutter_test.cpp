@@ -1,4 +1,4 @@
-#include "dataflow/lookup/phrase_cutter.hpp"
+#include "dataflow/phrases/phrase_cutter.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,12 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/core/time/fifo_timing.hpp"
 #include "dataflow/core/time/initiation_interval.hpp"
 #include "dataflow/core/time/process_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace dataflow::timing::timing_test {
@@ -123,7 +124,8 @@ TEST_CASE("The stages of a squeezing pipeline are room in front of its FIFO", "[
 
 /// A unit of some stages that reads numbers which are there from cycle 0 on, and whose results wait for a reader.
 struct FlushingUnit {
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     FifoTiming& in = core.add_fifo(shape("in", 100));
     FifoTiming& out;
     ProcessTiming& unit = core.add_process("unit");
@@ -192,7 +194,8 @@ TEST_CASE("An unlimited FIFO is as one with room for everything, however far its
             std::vector<std::vector<Cycles>> stamps;
             std::vector<Cycles> stalls;
             for (std::uint64_t const capacity : {std::uint64_t{20'000}, FifoShape::unlimited}) {
-                CoreTiming core;
+                std::unique_ptr<PhraseCore> const made = make_core();
+                CoreTiming& core = *made;
                 FifoTiming& tokens = core.add_fifo(shape("tokens", capacity));
                 FifoTiming& go = core.add_fifo(shape("go", 1));
                 ProcessTiming& writer = core.add_process("writer");
@@ -271,7 +274,8 @@ TEST_CASE("A pipelined loop whose tokens leave in one stage", "[timing]") {
     // r: 3 (2 + 1), 7, 11, 15, 19. s: 2, 3, 4 (r0 + 1: just in time), 8 (r1 + 1: 3 late), 12 (r2 + 1: 3 late).
     // The last write is in the loop's last step: it ends at 13.
     bool const one_step_at_a_time = GENERATE(false, true);
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     FifoTiming& fifo = core.add_fifo(shape("fifo", 2));
     ProcessTiming& writer = core.add_process("writer");
     ProcessTiming& reader = core.add_process("reader");
@@ -300,7 +304,8 @@ TEST_CASE("A pipelined loop freezes with tokens of several iterations in it", "[
     //   1 late. The loop ends at 16: 6 steps and 10 cycles of waiting, all charged to b.
     // a is read at 1, 2, 3 and, 8 late, 12.
     bool const one_step_at_a_time = GENERATE(false, true);
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     FifoTiming& a = core.add_fifo(shape("a", 2));
     FifoTiming& b = core.add_fifo(shape("b", 1));
     ProcessTiming& writer = core.add_process("writer");
@@ -328,7 +333,8 @@ TEST_CASE("A pipelined loop freezes with tokens of several iterations in it", "[
 TEST_CASE("An unaligned loop without stalls takes (n - 1) II + L", "[timing]") {
     // II=2 L=5, a in stage 0, b in stage 3: a at 0, 2, 4, b at 3, 5, 7; ends at 2 * 2 + 5 = 9.
     bool const one_step_at_a_time = GENERATE(false, true);
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     FifoTiming& a = core.add_fifo(shape("a", 9));
     FifoTiming& b = core.add_fifo(shape("b", 9));
     ProcessTiming& writer = core.add_process("writer");
@@ -352,7 +358,8 @@ TEST_CASE("An unaligned loop without stalls takes (n - 1) II + L", "[timing]") {
 }
 
 TEST_CASE("Accesses that nobody answers are waits, with both ends named", "[timing]") {
-    CoreTiming core;
+    std::unique_ptr<PhraseCore> const made = make_core();
+    CoreTiming& core = *made;
     FifoTiming& fifo = core.add_fifo(shape("fifo", 1));
     ProcessTiming& writer = core.add_process("writer");
     ProcessTiming& reader = core.add_process("reader");

@@ -7,14 +7,15 @@
 #include "dataflow/base/uninitialized.hpp"
 #include "dataflow/lookup/cut_trial.hpp"
 #include "dataflow/lookup/numbered_transitions.hpp"
-#include "dataflow/lookup/phrase.hpp"
-#include "dataflow/lookup/phrase_book.hpp"
 #include "dataflow/lookup/relative_state.hpp"
 #include "dataflow/lookup/state_table.hpp"
 #include "dataflow/lookup/transition.hpp"
 #include "dataflow/lookup/transition_bench.hpp"
 #include "dataflow/lookup/transition_store.hpp"
 #include "dataflow/lookup/transition_table.hpp"
+#include "dataflow/phrases/phrase.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 
 namespace dataflow::timing {
 
@@ -24,7 +25,7 @@ class CoreTiming;
 /// the next phrase of operations, how long that takes, what it costs whom, and the state after it; each such transition
 /// is worked out once, operation by operation on a core of its own, and looked up from then on. Exact: equal states
 /// have equal futures. May be shared by cores of the same shape.
-class Automaton {
+class Automaton : public Answers, public Passages {
   public:
     struct Progress {
         bool moved = false;  ///< took some phrases
@@ -32,7 +33,9 @@ class Automaton {
     };
 
     Automaton();
-    ~Automaton();
+    ~Automaton() override;
+    Automaton(Automaton const&) = delete;
+    Automaton& operator=(Automaton const&) = delete;
 
     /// Whether a core can be followed at all. The first core asked about gives the shape.
     bool fits(CoreTiming const& core, Lead const& lead, Group const& group);
@@ -59,11 +62,11 @@ class Automaton {
     /// Moves walks that have set out on, until one is at its end or comes to what cannot be worked out: which. A
     /// look-up waits for the one before it in the same walk; those of several walks take turns.
     std::size_t go_on(std::vector<Walk*> const& walks);
+    /// The walks of cores that are followed.
+    std::size_t go_on(std::vector<PhraseCore*> const& cores) override;
     /// Ends a walk: moves the core to where it got. Whether it got anywhere.
     bool arrive(Walk& walk);
     static bool is_where_script_goes_on(Group const& group);
-    /// Appends the next phrase of a script to the logs.
-    static void write_next(Group const& group, Script& script);
 
     /// Enters what the session still holds in the counters of the core's processes and FIFOs.
     void settle(Group const& group, Session& session) const;
@@ -71,8 +74,8 @@ class Automaton {
     /// From now on, tells the trails of the cores what decides their times. Before the first is followed.
     void leave_trails() { leaves_trails_ = true; }
     /// What a transition that is remembered takes, and what decides it, from its begin on.
-    Cycles cycles(std::uint32_t transition) const { return store_.brief(transition).cycles(); }
-    std::vector<TrailEvent> const& trail(std::uint32_t transition) const { return store_.trail(transition); }
+    Cycles cycles(std::uint32_t transition) const override { return store_.brief(transition).cycles(); }
+    std::vector<TrailEvent> const& trail(std::uint32_t transition) const override { return store_.trail(transition); }
 
     /// The core cannot be followed, or repeats itself too rarely.
     bool gave_up() const { return decided_ && !usable_; }

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "dataflow/base/each_bit.hpp"
-#include "dataflow/core/time/process_rules.hpp"
+#include "dataflow/core/time/bulk_runs.hpp"
 #include "dataflow/core/time/trail.hpp"
 #include "dataflow/lookup/bench_fifo.hpp"
-#include "dataflow/lookup/group.hpp"
 #include "dataflow/lookup/relative_state.hpp"
 #include "dataflow/lookup/state_words.hpp"
+#include "dataflow/phrases/group.hpp"
 
 namespace dataflow::timing {
 
@@ -25,9 +25,9 @@ struct BenchPort {
 
 /// A process on the bench: does by ProcessRules what ProcessTiming does, at times relative to the driver's at the
 /// begin. Knows its FIFOs in the group, and only what a phrase can say.
-class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
+class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
   public:
-    using Rules = ProcessRules<BenchProcess, BenchPort>;
+    using Rules = BulkRuns<BenchProcess, BenchPort>;
     using Rules::finished;
     using Rules::flushes;
     using Rules::leave_trail;
@@ -111,6 +111,7 @@ class BenchProcess : private ProcessRules<BenchProcess, BenchPort> {
     std::uint64_t iterations() const { return state_.iterations - (entered_ ? 0 : iterations_before_); }
 
   private:
+    friend ProcessRules<BenchProcess, BenchPort>;
     friend Rules;
     struct LoopFigures {
         FigureBlock* first;

@@ -2,10 +2,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "dataflow/core/time/lookup_view.hpp"
 #include "dataflow/lookup/figure_block.hpp"
-#include "dataflow/lookup/group.hpp"
 #include "dataflow/lookup/state_words.hpp"
 #include "dataflow/lookup/transition.hpp"
+#include "dataflow/phrases/group.hpp"
 
 namespace dataflow::timing {
 
@@ -40,9 +41,9 @@ class RelativeState {
     void enter(FigureTotals const& figures);
 
     bool is_in_loop(unsigned member) const { return process(member).in_loop(); }
-    std::uint64_t entries(unsigned member) const { return process(member).figures_.loops_entered; }
+    std::uint64_t entries(unsigned member) const { return view(member).figures().loops_entered; }
     std::uint64_t iterations(unsigned member) const { return process(member).iterations(); }
-    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).state_.iterations = iterations; }
+    void set_iterations(unsigned member, std::uint64_t iterations) { process(member).set_iterations(iterations); }
     /// Moves a follower back to when its waiting for a port began.
     void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
@@ -51,6 +52,7 @@ class RelativeState {
 
   private:
     ProcessTiming& process(unsigned member) const { return *group_->members()[member].process; }
+    ProcessTiming::View view(unsigned member) const { return ProcessTiming::View(process(member)); }
     Ports::Number next_ports(unsigned member) const;
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);

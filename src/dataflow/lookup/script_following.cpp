@@ -44,15 +44,6 @@ bool Automaton::is_where_script_goes_on(Group const& group) {
     return true;
 }
 
-void Automaton::write_next(Group const& group, Script& script) {
-    PhraseBook::Number const number = *script.next++;
-    PhraseBook::Entry const& entry = (*script.book)[number];
-    script.due -= entry.due;
-    Phrase::write(
-        script.book->codes(number), entry.size, group,
-        [&script](unsigned member, Ports::Number next_ports, bool) { script.next_ports[member] = next_ports; });
-}
-
 bool Automaton::set_out(Walk& walk) {
     session_ = walk.session;
     walk.begin = walk.counted = walk.script->next;

@@ -11,10 +11,12 @@ namespace {
 constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
 constexpr unsigned most_others = 16;        // that go on between two looks
 constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
+
+using View = ProcessTiming::View;
 }  // namespace
 
 ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    if (given_up_[process.index()] == process.run_ || !leads(process) || !find_group(processes))
+    if (given_up_[process.index()] == View(process).run() || !leads(process) || !find_group(processes))
         return 0;
     take(now_);
     if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
@@ -28,10 +30,10 @@ ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTimin
 
 /// Who leads does so until its run is over, or others go on much more often.
 bool SteadyState::leads(ProcessTiming& process) {
-    bool const led = leader_ != nullptr && leader_->is_running(1) && leader_->run_ == leader_run_;
+    bool const led = leader_ != nullptr && leader_->is_running(1) && View(*leader_).run() == leader_run_;
     if (!led || (leader_ != &process && ++others_ > most_others)) {
         leader_ = &process;
-        leader_run_ = process.run_;
+        leader_run_ = View(process).run();
         looks_ = 0;
     }
     if (leader_ == &process)
@@ -40,28 +42,29 @@ bool SteadyState::leads(ProcessTiming& process) {
 }
 
 void SteadyState::give_up() {
-    for (ProcessTiming const* member : group_)
-        given_up_[member->index()] = member->run_;
+    for (ProcessTiming* member : group_)
+        given_up_[member->index()] = View(*member).run();
     leader_ = nullptr;
 }
 
 /// Of the iterations at hand, and of those that an unaligned loop still has on their way.
-Ports SteadyState::ports_of(ProcessTiming const& process) {
-    Ports ports(process.log_.front().ports());
+Ports SteadyState::ports_of(ProcessTiming& process) {
+    Ports ports(process.log().front().ports());
     for (std::uint64_t lag = first_lag(process), lags = lags_of(process); lag <= lags; ++lag)
-        ports = ports | Ports(process.state_.delayed(lag));
+        ports = ports | Ports(View(process).state().delayed(lag));
     return ports;
 }
 
 /// Iterations whose ports are in the delay line, before the next one to begin; and the place of the latest.
-std::uint64_t SteadyState::lags_of(ProcessTiming const& process) {
-    return process.plan().aligned ? 0 : std::min(process.state_.pipeline.iteration, process.plan().longest_lag);
+std::uint64_t SteadyState::lags_of(ProcessTiming& process) {
+    View const view(process);
+    return view.plan().aligned ? 0 : std::min(view.state().pipeline.iteration, view.plan().longest_lag);
 }
-std::uint64_t SteadyState::first_lag(ProcessTiming const& process) { return process.state_.pipeline.open ? 0 : 1; }
+std::uint64_t SteadyState::first_lag(ProcessTiming& process) { return View(process).state().pipeline.open ? 0 : 1; }
 
-bool SteadyState::accesses(ProcessTiming const& process, FifoTiming const& fifo) {
+bool SteadyState::accesses(ProcessTiming& process, FifoTiming const& fifo) {
     bool accesses = false;
-    for (ProcessPort const& port : process.port_set(ports_of(process).number()))
+    for (ProcessPort const& port : View(process).port_set(ports_of(process).number()))
         accesses = accesses || port.fifo == &fifo;
     return accesses;
 }
@@ -87,7 +90,7 @@ bool SteadyState::find_group(std::deque<ProcessTiming>& processes) {
 
 /// Of a member, which makes the processes behind those that are closed members as well.
 bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes) {
-    for (ProcessPort const& port : member.port_set(ports_of(member).number())) {
+    for (ProcessPort const& port : View(member).port_set(ports_of(member).number())) {
         End end{&member, port.number, port.fifo, port.writes, 0};
         end.free = free_accesses(end);
         ends_.push_back(end);
@@ -104,26 +107,34 @@ bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& pro
     return true;
 }
 
-/// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept with the port,
+/// Accesses of a run are an initiation interval apart at least. What that says of those to come is kept by port,
 /// so that each is looked at once.
 std::uint64_t SteadyState::free_accesses(End const& end) {
     if (end.writes && end.fifo->is_unlimited())
         return end.known();
-    ProcessTiming const& process = *end.process;
-    ProcessPort& port = end.process->ports_[end.port];
+    View const process(*end.process);
+    FreeAccesses& known = known_free(end);
     std::uint64_t const next = end.accesses();
-    if (port.free_in_run != process.run_ || port.free_until < next) {
-        port.free_in_run = process.run_;
-        port.free_until = next;
+    if (known.in_run != process.run() || known.until < next) {
+        known.in_run = process.run();
+        known.until = next;
     }
-    std::uint64_t free = port.free_until - next;
+    std::uint64_t free = known.until - next;
     Cycles const interval = process.plan().ii;
-    if (free < end.known() && end.earliest(end.known() - 1) <= process.state_.time + free * interval)
+    Cycles const time = process.state().time;
+    if (free < end.known() && end.earliest(end.known() - 1) <= time + free * interval)
         free = end.known();  // none is legal later than the one behind it
-    while (free < end.known() && end.earliest(free) <= process.state_.time + free * interval)
+    while (free < end.known() && end.earliest(free) <= time + free * interval)
         ++free;
-    port.free_until = next + free;
+    known.until = next + free;
     return free;
+}
+
+SteadyState::FreeAccesses& SteadyState::known_free(End const& end) {
+    std::vector<FreeAccesses>& of_ports = free_[end.process->index()];
+    if (of_ports.size() <= end.port)
+        of_ports.resize(end.process->port_count());
+    return of_ports[end.port];
 }
 
 bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
@@ -132,49 +143,52 @@ bool SteadyState::is_between_closed_ends(FifoTiming const& fifo) const {
 }
 
 /// Where an unaligned loop stands in its iteration, and what it has yet to write.
-void SteadyState::take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative) {
-    PipelinePosition const& at = process.state_.pipeline;
-    Operation const& operation = process.log_.front();
+void SteadyState::take_pipeline(ProcessTiming& process, std::vector<std::int64_t>& relative) {
+    ProcessState<Cycles> const& state = View(process).state();
+    PipelinePosition const& at = state.pipeline;
+    Operation const& operation = process.log().front();
     std::uint64_t const lags = lags_of(process);
     for (std::uint64_t const word :
          {std::uint64_t{operation.ports()}, std::uint64_t{operation.gap()}, std::uint64_t{at.open},
           std::uint64_t{at.phase}, at.offset, std::uint64_t{at.gap_left}, lags})
         relative.push_back(static_cast<std::int64_t>(word));
     for (std::uint64_t lag = first_lag(process); lag <= lags; ++lag)
-        relative.push_back(process.state_.delayed(lag));
+        relative.push_back(state.delayed(lag));
 }
 
 void SteadyState::shift_pipeline(ProcessTiming& process, std::uint64_t iterations) {
-    std::vector<Ports::Number>& line = process.state_.delay_line;
+    ProcessState<Cycles>& state = View(process).state();
+    std::vector<Ports::Number>& line = state.delay_line;
     std::rotate(line.rbegin(), line.rbegin() + static_cast<std::ptrdiff_t>(iterations % line.size()), line.rend());
-    process.state_.pipeline.iteration += iterations;
+    state.pipeline.iteration += iterations;
 }
 
 void SteadyState::take(Snapshot& snapshot) const {
-    Cycles const origin = leader_->state_.time;
+    Cycles const origin = leader_->local_time();
     auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
     snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
     snapshot.relative.clear();
     snapshot.growing.assign(1, origin);
-    for (ProcessTiming const* process : group_) {
+    for (ProcessTiming* process : group_) {
+        View const view(*process);
         snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
-        snapshot.relative.push_back(static_cast<std::int64_t>(process->run_));
-        snapshot.relative.push_back(since(process->state_.time));
-        if (!process->plan().aligned)
+        snapshot.relative.push_back(static_cast<std::int64_t>(view.run()));
+        snapshot.relative.push_back(since(process->local_time()));
+        if (!view.plan().aligned)
             take_pipeline(*process, snapshot.relative);
-        snapshot.growing.push_back(process->figures_.empty_stall_cycles);
-        snapshot.growing.push_back(process->figures_.full_stall_cycles);
-        snapshot.growing.push_back(process->state_.iterations);
+        snapshot.growing.push_back(process->empty_stall_cycles());
+        snapshot.growing.push_back(process->full_stall_cycles());
+        snapshot.growing.push_back(process->iterations());
     }
     for (FifoTiming const* fifo : fifos_)
-        snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy_));
+        snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy()));
     for (End const& end : ends_) {
         snapshot.relative.push_back(end.open() ? 1 : 0);
         // An open end has made nobody wait since, or it would not go on like this.
         snapshot.relative.push_back(static_cast<std::int64_t>(end.open() ? end.stalls() : end.known()));
         // A time before the local time of who waits for it decides nothing: it could as well be that time.
         for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
-            snapshot.relative.push_back(since(std::max(end.process->state_.time, end.earliest(i))));
+            snapshot.relative.push_back(since(std::max(end.process->local_time(), end.earliest(i))));
         snapshot.growing.push_back(end.accesses());
         snapshot.growing.push_back(end.stalls());
     }
@@ -183,7 +197,7 @@ void SteadyState::take(Snapshot& snapshot) const {
 std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
     std::uint64_t periods = ~std::uint64_t{0};
     for (std::size_t i = 0; i < group_.size(); ++i) {
-        Operation const& operation = group_[i]->log_.front();
+        Operation const& operation = group_[i]->log().front();
         std::uint64_t const iterations = now.growing[3 * i + 3] - before_.growing[3 * i + 3];
         std::uint64_t const done = iterations / (1U + operation.gap());
         if (done == 0)
@@ -208,15 +222,16 @@ ProcessMask SteadyState::jump(Snapshot const& now) {
     Cycles const cycles = growth(at++);
     leave_trail(periods, cycles / periods);
     for (ProcessTiming* process : group_) {
-        process->state_.time += cycles;
-        process->figures_.empty_stall_cycles += growth(at++);
-        process->figures_.full_stall_cycles += growth(at++);
+        View const view(*process);
+        view.state().time += cycles;
+        view.figures().empty_stall_cycles += growth(at++);
+        view.figures().full_stall_cycles += growth(at++);
         std::uint64_t const iterations = growth(at++);
-        process->state_.iterations += iterations;
-        if (!process->plan().aligned)
+        view.state().iterations += iterations;
+        if (!view.plan().aligned)
             shift_pipeline(*process, iterations);
-        process->figures_.loops[process->state_.loop].iterations += iterations;
-        Operation& operation = process->log_.front();
+        view.figures().loops[view.state().loop].iterations += iterations;
+        Operation& operation = process->log().front();
         operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
     }
     // Open ends first, as who is behind them may need what they write or the room they make.
@@ -231,7 +246,7 @@ ProcessMask SteadyState::jump(Snapshot const& now) {
 ProcessMask SteadyState::behind_open_ends() const {
     ProcessMask processes = 0;
     for (End const& end : ends_)
-        processes |= end.open() ? end.process->ports_[end.port].neighbour : 0U;
+        processes |= end.open() ? View(*end.process).port(end.port).neighbour : 0U;
     return processes;
 }
 
@@ -257,8 +272,9 @@ bool SteadyState::trail_remembers(Snapshot const& snapshot) const {
 
 /// As if `tokens` more had gone through in `cycles`, and nothing else had changed.
 void SteadyState::shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles) {
-    fifo.rules_.readable.shift(tokens, cycles);
-    fifo.rules_.free.shift(tokens, cycles);
+    FifoTiming::View const view(fifo);
+    view.rules().readable.shift(tokens, cycles);
+    view.rules().free.shift(tokens, cycles);
 }
 
 /// What happened in the last period happens again in each.

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "dataflow/core/time/process_timing.hpp"
+#include "dataflow/core/time/lookup_view.hpp"
 
 namespace dataflow::timing {
 
@@ -45,17 +45,24 @@ class SteadyState {
         Cycles stalls() const { return writes ? fifo->full_stall_cycles() : fifo->empty_stall_cycles(); }
     };
 
+    /// Accesses before one, in the run of a number, have nothing to wait for.
+    struct FreeAccesses {
+        std::uint64_t until = 0;
+        std::uint64_t in_run = ~std::uint64_t{0};
+    };
+
     bool leads(ProcessTiming& process);
     void give_up();
     bool find_group(std::deque<ProcessTiming>& processes);
     bool add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes);
-    static std::uint64_t free_accesses(End const& end);
+    std::uint64_t free_accesses(End const& end);
+    FreeAccesses& known_free(End const& end);
     bool is_between_closed_ends(FifoTiming const& fifo) const;
-    static std::uint64_t lags_of(ProcessTiming const& process);
-    static std::uint64_t first_lag(ProcessTiming const& process);
-    static Ports ports_of(ProcessTiming const& process);
-    static bool accesses(ProcessTiming const& process, FifoTiming const& fifo);
-    static void take_pipeline(ProcessTiming const& process, std::vector<std::int64_t>& relative);
+    static std::uint64_t lags_of(ProcessTiming& process);
+    static std::uint64_t first_lag(ProcessTiming& process);
+    static Ports ports_of(ProcessTiming& process);
+    static bool accesses(ProcessTiming& process, FifoTiming const& fifo);
+    static void take_pipeline(ProcessTiming& process, std::vector<std::int64_t>& relative);
     static void shift_pipeline(ProcessTiming& process, std::uint64_t iterations);
     void take(Snapshot& snapshot) const;
     ProcessMask jump(Snapshot const& now);
@@ -72,9 +79,10 @@ class SteadyState {
     std::vector<FifoTiming*> fifos_;  // those between closed ends
     ProcessTiming* leader_ = nullptr;
     std::uint64_t leader_run_ = 0;
-    unsigned looks_ = 0;                                             // at this run so far
-    unsigned others_ = 0;                                            // that went on since the last
-    std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};  // numbers of runs, by process
+    unsigned looks_ = 0;                                                   // at this run so far
+    unsigned others_ = 0;                                                  // that went on since the last
+    std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};        // numbers of runs, by process
+    std::array<std::vector<FreeAccesses>, 8 * sizeof(ProcessMask)> free_;  // by process and port
     Snapshot before_;
     Snapshot now_;
 };

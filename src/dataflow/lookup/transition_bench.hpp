@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dataflow/lookup/bench_process.hpp"
-#include "dataflow/lookup/phrase.hpp"
 #include "dataflow/lookup/transition.hpp"
+#include "dataflow/phrases/phrase.hpp"
 
 namespace dataflow::timing {
 

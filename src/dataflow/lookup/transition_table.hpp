@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dataflow/lookup/print.hpp"
+#include "dataflow/phrases/print.hpp"
 
 namespace dataflow::timing {
 

@@ -19,8 +19,8 @@ using CsvCellReader = std::function<void(std::size_t line, std::string_view cons
 void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> const& columns,
                     CsvCellReader const& read_row);
 
-/// Reads a table whose first line may be missing, as above: if it begins with a digit it is a row, and the columns of the
-/// table are those that are asked for, in that order.
+/// Reads a table whose first line may be missing, as above: if it begins with a digit it is a row, and the columns of
+/// the table are those that are asked for, in that order.
 void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& columns,
                        CsvCellReader const& read_row);
 

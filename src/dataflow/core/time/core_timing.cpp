@@ -30,6 +30,8 @@ std::size_t CoreTiming::number_of(MemoryStream const& stream) const {
 }
 
 void CoreTiming::connect() {
+    if (!ends_.empty())
+        return;
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
@@ -47,8 +49,7 @@ void CoreTiming::connect() {
             process.set_neighbour(port, other < 0 ? 0 : bit(other));
         }
     find_patient();
-    if (automaton_ != nullptr)
-        group_ = std::make_unique<Group>(*this, lead_);
+    note_connected();
 }
 
 std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
@@ -72,8 +73,7 @@ std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
 }
 
 std::unique_ptr<CoreTiming> CoreTiming::copy() {
-    if (automaton_ != nullptr && group_ != nullptr)
-        automaton_->settle(*group_, session_);
+    complete_counters();
     std::unique_ptr<CoreTiming> same = blank_copy();
     for (std::size_t i = 0; i < fifos_.size(); ++i)
         same->fifos_[i] = fifos_[i];
@@ -82,13 +82,6 @@ std::unique_ptr<CoreTiming> CoreTiming::copy() {
     for (std::size_t i = 0; i < processes_.size(); ++i)
         same->processes_[i].take_state(processes_[i]);
     return same;
-}
-
-void CoreTiming::let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton) {
-    if (lead.followers.empty())
-        return;
-    lead_ = lead;
-    automaton_ = std::move(automaton);
 }
 
 /// Two processes with nothing but deep FIFOs between them.
@@ -116,8 +109,8 @@ void CoreTiming::settle(ProcessMask runnable, ProcessMask held) {
         if (process.finished())
             continue;
         ProcessMask woken = 0;
-        if (process.is_running(SteadyState::worthwhile_count))
-            woken = steady_state_.observe(process, processes_);
+        if (process.is_running(ProcessTiming::long_count))
+            woken = run_ahead(process);
         woken = (woken | process.advance()) & ~held;
         runnable |= woken & ~patient_[index];
         later |= woken & patient_[index];
@@ -149,135 +142,41 @@ Cycles CoreTiming::unknown_from() const {
 }
 
 void CoreTiming::resolve(bool to_the_end) {
+    connect();
     go_on(to_the_end);
-    if (to_the_end && automaton_ != nullptr)
-        automaton_->settle(*group_, session_);
+    if (to_the_end)
+        complete_counters();
     for (ProcessTiming& process : processes_)
         process.log().compact();
     shorten_trail();
 }
 
-void CoreTiming::resume(ProcessMask processes) {
-    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
-        resolve_processes(processes);
-    } else {
-        go_on(true);
-        shorten_trail();
-    }
-}
-
-void CoreTiming::go_on(bool to_the_end) {
-    if (ends_.empty())
-        connect();
-    ProcessMask const all = all_processes();
-    if (automaton_ == nullptr || !automaton_->fits(*this, lead_, *group_)) {
-        do
-            settle(all, 0);
-        while (keep_more());
-    } else if (group_has_started(all)) {
-        for (;;) {
-            settle(all, bit(lead_.driver));
-            Automaton::Progress const progress = automaton_->follow(*group_, session_);
-            if (progress.later && !to_the_end)
-                break;
-            if (!let_driver_go() && !progress.moved)
-                break;
-        }
-    }
+void CoreTiming::go_on(bool /*to_the_end*/) {
+    do
+        settle(all_processes(), 0);
+    while (keep_more());
 }
 
 void CoreTiming::resolve_processes(ProcessMask processes) {
-    if (ends_.empty())
-        connect();
+    connect();
     settle(processes, 0);
     while (!streams_.empty() && keep_more())
         settle(all_processes(), 0);
     shorten_trail();
 }
 
-void CoreTiming::take_up(Script& script) {
-    if (ends_.empty())
-        connect();
-    walk_ = {group_.get(), &session_, &script, nullptr, nullptr, nullptr, 0};
-    follows_ = automaton_->fits(*this, lead_, *group_);
-}
-
-bool CoreTiming::set_out() {
-    while (!walk_.script->done()) {
-        if (follows_ && group_has_started(all_processes())) {
-            settle(all_processes(), bit(lead_.driver));
-            if (Automaton::is_where_script_goes_on(*group_) && automaton_->set_out(walk_))
-                return true;
-            if (let_driver_go())
-                continue;
-        }
-        if (follows_ && awaits_memory())
-            return false;
-        write_next();
-    }
-    return false;
-}
-
-/// The driver waits for somebody who may wait for the memory.
-bool CoreTiming::awaits_memory() const { return !streams_.empty() && !group_->driver().finished(); }
-
-void CoreTiming::arrive() {
-    bool const moved = automaton_->arrive(walk_);
-    if (!let_driver_go() && !moved && !walk_.script->done())
-        write_next();
-}
-
-void CoreTiming::let_walk() { automaton_->go_on({&walk_}); }
-
-void CoreTiming::walk_through() {
-    while (set_out()) {
-        let_walk();
-        arrive();
-    }
-}
-
-void CoreTiming::write_next() {
-    // A driver with operations left waits for somebody, and will wait however many more there are.
-    follows_ = follows_ && group_->driver().finished();
-    Automaton::write_next(*group_, *walk_.script);
-}
-
 void CoreTiming::leave_trail(std::size_t length) {
     trail_ = std::make_unique<Trail>(length);
     for (ProcessTiming& process : processes_)
         process.set_trail(trail_.get());
-    if (automaton_ != nullptr)
-        automaton_->leave_trails();
+    note_trail(*trail_);
 }
 
 void CoreTiming::shorten_trail() {
     if (trail_ == nullptr || !trail_->is_long())
         return;
-    if (ends_.empty())
-        connect();
+    connect();
     forget_trunk(*this, *trail_);
-}
-
-/// What a process waited before its first access is no stall, and no state of the automaton tells it: until all of the
-/// group have begun, the driver goes step by step.
-bool CoreTiming::group_has_started(ProcessMask all) {
-    auto const has_begun = [](Group::Member const& member) { return member.process->has_accessed(); };
-    while (!started_) {
-        settle(all, bit(lead_.driver));
-        started_ = std::all_of(group_->members().begin(), group_->members().end(), has_begun);
-        ProcessTiming& driver = processes_[lead_.driver];
-        if (started_ || driver.front() != ProcessTiming::Status::ready)
-            break;
-        driver.commit_front();
-    }
-    return started_;
-}
-
-/// Up to the next sample at most; false: it could not move.
-bool CoreTiming::let_driver_go() {
-    ProcessTiming& driver = processes_[lead_.driver];
-    std::size_t const before = driver.log().pending();
-    return driver.advance(true) != 0 || driver.log().pending() != before;
 }
 
 /// Who has to go on before a process can.
@@ -291,8 +190,7 @@ std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned
 }
 
 std::vector<Wait> CoreTiming::waits() {
-    if (ends_.empty())
-        connect();
+    connect();
     std::vector<Wait> waits;
     for (ProcessTiming& process : processes_) {
         ProcessTiming::Status const status = process.front();

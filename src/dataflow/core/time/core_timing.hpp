@@ -6,8 +6,7 @@
 
 #include "dataflow/core/memory/memory_stream.hpp"
 #include "dataflow/core/time/process_timing.hpp"
-#include "dataflow/lookup/automaton.hpp"
-#include "dataflow/lookup/steady_state.hpp"
+#include "dataflow/core/time/trail.hpp"
 
 namespace dataflow::timing {
 
@@ -26,10 +25,16 @@ struct Wait {
 };
 
 /// The FIFOs and processes of one core, and the calculation of their times. Which process goes first never
-/// matters: an access gets its cycle once everything that decides it is known.
+/// matters: an access gets its cycle once everything that decides it is known. Who remembers answers derives from this,
+/// and gives cycles by what it remembers: the same ones.
 class CoreTiming {
   public:
     static constexpr std::size_t most_processes = 64;  ///< a bit each
+
+    CoreTiming() = default;
+    virtual ~CoreTiming() = default;
+    CoreTiming(CoreTiming const&) = delete;
+    CoreTiming& operator=(CoreTiming const&) = delete;
 
     FifoTiming& add_fifo(FifoShape shape);
     /// The shape may be that of another process of the same ports.
@@ -49,44 +54,17 @@ class CoreTiming {
     /// end.
     void resolve(bool to_the_end = true);
 
-    /// Gives cycles to what can have them once some processes, a bit each, have got tokens from memory; with or without
-    /// an automaton.
-    void resume(ProcessMask processes);
+    /// Gives cycles where some processes, a bit each, have got tokens from memory.
+    virtual void resume(ProcessMask processes) { resolve_processes(processes); }
 
-    /// Gives cycles to what can have them where only some processes, a bit each, have more to do than before; without
-    /// automaton.
+    /// Works out what can be where only some processes, a bit each, have more to do than before.
     void resolve_processes(ProcessMask processes);
 
-    /// Gives cycles to all that a script says, which goes on where the logs end: what cannot be done yet is in the logs
-    /// then. There must be an automaton. In parts, so that cores that share an automaton can take turns:
-    ///
-    ///     core.take_up(script);
-    ///     while (core.set_out()) {
-    ///         automaton.go_on({&core.walk()});
-    ///         core.arrive();
-    ///     }
-    void take_up(Script& script);
-    /// Otherwise all of a script goes to the logs.
-    bool follows_script() const { return follows_; }
-    /// As far as a walk; false: the script is done, or, behind a memory, the driver waits: it goes on from there once
-    /// the memory has brought more.
-    bool set_out();
-    Automaton::Walk& walk() { return walk_; }
-    void arrive();
-    /// The walk between set_out() and arrive(), for a core that does not take turns.
-    void let_walk();
-    /// The whole script from take_up() on, for a core that does not take turns.
-    void walk_through();
-
-    /// A core that stands where this one does and goes on by itself, from the operations logged so far; without
-    /// automaton.
+    /// A core that stands where this one does and goes on by itself, from the operations logged so far. It
+    /// remembers nothing.
     std::unique_ptr<CoreTiming> copy();
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
     std::unique_ptr<CoreTiming> blank_copy() const;
-    /// Lets an automaton, which may be shared with cores of the same shape, follow the group of a lead. A lead without
-    /// followers has nothing to follow: the core stays as it is.
-    void let_follow(Lead const& lead, std::shared_ptr<Automaton> automaton);
-
     /// Takes down what decides the times from now on. Before anything has happened.
     void leave_trail(std::size_t length = Trail::usual_length);
     Trail const* trail() const { return trail_.get(); }
@@ -94,7 +72,6 @@ class CoreTiming {
     std::vector<TrailEvent> take_trail(Cycles origin) { return trail_->take(origin); }
     /// Keeps the trail short. Now and then, between operations.
     void shorten_trail();
-    Automaton const* automaton() const { return automaton_.get(); }
 
     FifoTiming& fifo(std::size_t number) { return fifos_[number]; }
     ProcessTiming& process(std::size_t number) { return processes_[number]; }
@@ -112,36 +89,40 @@ class CoreTiming {
     /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
     std::vector<Wait> waits();
 
-  private:
+  protected:
+    // What a core that remembers answers does in its own way.
+
+    /// Gives cycles to what is logged, as resolve() says.
+    virtual void go_on(bool to_the_end);
+    /// Before a process goes on that has many equal iterations to do, ProcessTiming::long_count at least: may do the
+    /// most of them at once, and others' that only feed each other with it. Who else may go on because of it.
+    virtual ProcessMask run_ahead(ProcessTiming& /*process*/) { return 0; }
+    /// Enters in the counters of processes and FIFOs what is kept elsewhere.
+    virtual void complete_counters() {}
+    /// Everybody's FIFOs are known now.
+    virtual void note_connected() {}
+    virtual void note_trail(Trail& /*trail*/) {}
+
+    /// Before anything is worked out.
     void connect();
-    void go_on(bool to_the_end);
-    std::string name_at_other_end(ProcessTiming const& process, unsigned port) const;
-    void find_patient();
-    /// All but the processes `held`, a bit each.
+    /// All that can be done by `runnable`, and by those that may go on because of it, but for `held`; a bit each.
     void settle(ProcessMask runnable, ProcessMask held);
-    bool keep_more();
-    bool group_has_started(ProcessMask all);
-    bool let_driver_go();
-    bool awaits_memory() const;
     ProcessMask all_processes() const {
         return processes_.empty() ? 0 : ~ProcessMask{0} >> (most_processes - processes_.size());
     }
-    void write_next();
+    std::deque<ProcessTiming>& own_processes() { return processes_; }
+
+  private:
+    std::string name_at_other_end(ProcessTiming const& process, unsigned port) const;
+    void find_patient();
+    bool keep_more();
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<MemoryStream> streams_;
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;            // by FIFO
     std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has
-    SteadyState steady_state_;
     std::unique_ptr<Trail> trail_;
-    std::shared_ptr<Automaton> automaton_;
-    std::unique_ptr<Group> group_;
-    Automaton::Session session_;
-    Automaton::Walk walk_;
-    bool follows_ = false;  ///< the script at hand
-    Lead lead_;
-    bool started_ = false;
 };
 
 }  // namespace dataflow::timing

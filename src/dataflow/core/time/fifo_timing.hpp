@@ -66,10 +66,10 @@ class FifoTiming {
 
     void add_stall(bool writes, Cycles cycles) { (writes ? full_stall_cycles_ : empty_stall_cycles_) += cycles; }
 
-  private:
-    friend class SteadyState;
-    friend class RelativeState;
+    /// For who remembers answers: see lookup_view.hpp.
+    class View;
 
+  private:
     /// Both times that decide a new largest occupancy never fall from one token to the next: most runs have none, as
     /// the last token before theirs shows.
     void note_writes(std::uint64_t count) {

@@ -179,12 +179,12 @@ std::uint32_t PathSweep::periods_to_pass(Events const& events, std::size_t i, Cy
 }
 
 void PathSweep::pass_followed(TrailEvent const& event) {
-    Automaton const& automaton = *core_.automaton();
+    Passages const& passages = *trail_.passages();
     Cycles end = event.time;
     for (std::uint32_t left = event.count; left > 0; --left) {
         Trail::Transition const transition = trail_.transitions()[--next_transition_];
-        Cycles const begin = end - automaton.cycles(transition);
-        Events const& events = automaton.trail(transition);
+        Cycles const begin = end - passages.cycles(transition);
+        Events const& events = passages.trail(transition);
         pass(events, 0, events.size(), begin);
         end = begin;
     }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "dataflow/core/time/fifo_rules.hpp"
@@ -55,13 +54,13 @@ template <class Time> struct ProcessState {
 /// the steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
 /// takes and by waiting for accesses to become legal; nothing else.
 ///
+/// Iterations are done one by one here. Nobody waits for that long: BulkRuns does many at a time.
+///
 /// `Process`, which derives from this, knows the FIFOs at its ports and counts what happens. `Port` has a number and an
 /// end of a FIFO, and so decides how cycles are held (see FifoRules), and with them the local time. `Process` has
 ///
 ///     std::vector<Port> ports_                      in program order of a step
-///     bool goes_by_steps() const                    true: iterations one by one, so that each can be looked at
-///     bool may_go_on()                              false: stops in front of the next access, whatever it is
-///     bool may_access(Ports::Number ports)           the same of a single step
+///     bool may_access(Ports::Number ports)           false: stops in front of the step, whatever it is
 ///     void wait_for(Port const&)                    stops, as the earliest cycle of an access there is not known
 ///     void charge(Port const&, Time stall)          has waited so long, up to the local time, for an access
 ///     void performs(Ports::Number ports, Time arrival)  a step takes place at the local time
@@ -77,9 +76,6 @@ template <class Process, class Port> class ProcessRules {
   public:
     using Line = typename Port::Line;
     using Time = typename Line::Time;
-    static constexpr unsigned most_in_run = 4;  ///< ports of iterations that are done many at a time
-    /// Equal iterations from which on it pays to look for a steady state.
-    static constexpr std::uint32_t long_count = 64;
 
     ProcessState<Time> const& state() const { return state_; }
     OperationLog const& log() const { return log_; }
@@ -99,18 +95,9 @@ template <class Process, class Port> class ProcessRules {
         return state_.in_loop ? state_.time + static_cast<Time>(std::min<std::int64_t>(plan_->drain, 0)) : state_.time;
     }
 
-    /// What it has yet to read and to write must be told. Not of a loop that takes from memory: see alike_iterations().
+    /// What it has yet to read and to write must be told. Not of a loop that takes from memory: see BulkRuns.
     bool has_delay_line() const { return state_.in_loop && !plan_->aligned && !is_in_memory_loop(); }
     bool is_in_memory_loop() const { return state_.in_loop && shape_->loops[state_.loop].uses_memory; }
-    /// Iterations at hand of a loop that takes from memory, if all that are in its pipeline access what they do: as
-    /// long as what they take is there, each does what an iteration does of a loop that takes nothing.
-    std::uint32_t alike_iterations() const {
-        if (log_.exhausted() || !is_in_memory_loop())
-            return 0;
-        Operation const& operation = log_.front();
-        bool const is_plain = operation.kind() == Kind::iterate && operation.own_tail_ports() == 0;
-        return is_plain && is_uniform(operation) ? operation.count() : 0;
-    }
 
     /// Takes up where another state has left a process: its loop, from 1 on, or 0, and how many iterations have begun.
     /// What it has yet to write is a delay line, from the latest iteration on. Of a loop that takes from memory only
@@ -183,7 +170,7 @@ template <class Process, class Port> class ProcessRules {
             case Kind::iterate:
             case Kind::mixed:
             case Kind::flanked:
-                return plan_->aligned ? iterate(operation) : iterate_in_pipeline(log_.front());
+                return self().do_iterations(operation);
         }
         log_.consume();
         return true;
@@ -244,13 +231,6 @@ template <class Process, class Port> class ProcessRules {
                 self().note(out, 1);
             });
     }
-    /// In the pipeline, which is full of iterations that access the same ports.
-    void go_on_alike(Ports::Number ports, std::uint64_t iterations) {
-        state_.pipeline.iteration += iterations;
-        state_.pipeline.alike += iterations;
-        for (std::uint64_t lag = std::min(iterations, plan_->longest_lag); lag > 0; --lag)
-            state_.delayed(lag) = ports;
-    }
     /// All of an iteration that is split off an operation, which may become its tail; or the next is the front one.
     void take_off(Operation& operation, std::uint32_t count) {
         operation.subtract(count);
@@ -281,7 +261,6 @@ template <class Process, class Port> class ProcessRules {
     Trail* trail_ = nullptr;
     std::uint64_t run_ = 0;  ///< a number that no two operations of iterations have
 
-  private:
     Process& self() { return static_cast<Process&>(*this); }
     Process const& self() const { return static_cast<Process const&>(*this); }
 
@@ -451,6 +430,11 @@ template <class Process, class Port> class ProcessRules {
 
     // The pipelined loop.
 
+    /// Iterations of the front operation, as many as can be done: true if the log is to be looked at again.
+    bool do_iterations(Operation const& /*whole*/) {
+        return plan_->aligned ? iterate_by_step(log_.front()) : iterate_in_pipeline(log_.front());
+    }
+
     void enter(unsigned loop) {
         be_in_loop(loop + 1);
         state_.iterations = 0;
@@ -483,8 +467,6 @@ template <class Process, class Port> class ProcessRules {
 
     /// Of a loop that is not aligned: an iteration with accesses, or one of the silent ones behind it.
     bool iterate_in_pipeline(Operation& operation) {
-        if (is_uniform(operation))
-            return run_in_pipeline(operation);
         std::uint32_t& gap_left = state_.pipeline.gap_left;
         if (!pass_phases(gap_left > 0 ? Ports::Number{0} : operation.ports(), true))
             return false;
@@ -493,41 +475,6 @@ template <class Process, class Port> class ProcessRules {
         if (gap_left == 0)
             take_off(operation, 1);
         return true;
-    }
-
-    /// Of a loop that takes from memory, which is in no group of the lookups: all iterations in the pipeline access
-    /// what the next ones do, in one step of each. So every step does the same.
-    bool is_uniform(Operation const& operation) const {
-        PipelinePosition const& pipeline = state_.pipeline;
-        if (!shape_->loops[state_.loop].uses_memory || plan_->phases.size() != 1 || plan_->phases.front().offset > 0 ||
-            self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 || operation.gap() > 0 ||
-            operation.ports() == 0 || operation.count() < 2 || pipeline.alike < plan_->longest_lag)
-            return false;
-        bool const goes_on = plan_->longest_lag == 0 || state_.delayed(1) == operation.ports();
-        return goes_on && are_in_one_step(operation.ports());
-    }
-
-    /// Of a loop with one step.
-    bool are_in_one_step(Ports::Number ports) const {
-        std::size_t const all = port_set(ports).size();
-        auto const& known = plan_->phases.front().ports;
-        return all <= most_in_run &&
-               all == static_cast<std::size_t>(std::count_if(known.begin(), known.end(), [ports](auto const& port) {
-                   return Ports(ports).has(port.first);
-               }));
-    }
-
-    bool run_in_pipeline(Operation& operation) {
-        std::uint32_t const wanted = operation.count();
-        Time const stride = static_cast<Time>(plan_->ii);
-        std::uint32_t const done =
-            run(port_set(operation.ports()), wanted, [stride](std::uint32_t /*i*/) { return stride; });
-        if (done == 0)
-            return false;
-        go_on_alike(operation.ports(), done);
-        count(done);
-        take_off(operation, done);
-        return done == wanted;
     }
 
     /// The II steps of an iteration that accesses `ports`, whose tokens leave in this or later iterations. False: it
@@ -563,16 +510,8 @@ template <class Process, class Port> class ProcessRules {
 
     // Aligned loops: all accesses of an iteration are one step.
 
-    bool iterate(Operation const& whole) {
-        bool const by_steps = self().goes_by_steps() || port_set(whole.ports()).size() > most_in_run;
-        if (!by_steps && whole.kind() == Kind::mixed)
-            return run_mix(whole);
-        if (!by_steps && is_line(whole))
-            return run_line(whole);
-        Operation& operation = log_.front();
-        if (operation.ports() == 0)
-            return pass_silence(operation);
-        return by_steps ? iterate_by_step(operation) : run_iterations(operation);
+    bool iterate_by_step(Operation& operation) {
+        return operation.ports() == 0 ? pass_silence(operation) : iterate_in_step(operation);
     }
 
     bool pass_silence(Operation& operation) {
@@ -584,7 +523,7 @@ template <class Process, class Port> class ProcessRules {
         return true;
     }
 
-    bool iterate_by_step(Operation& operation) {
+    bool iterate_in_step(Operation& operation) {
         if (!perform(operation.ports()))
             return false;
         std::uint64_t const iterations = 1U + operation.gap();
@@ -595,239 +534,7 @@ template <class Process, class Port> class ProcessRules {
         return true;
     }
 
-    bool run_iterations(Operation& operation) {
-        Time const stride = static_cast<Time>(plan_->ii * (1U + operation.gap()));
-        std::uint32_t const wanted = operation.count();
-        std::uint32_t const done =
-            run(port_set(operation.ports()), wanted, [stride](std::uint32_t /*i*/) { return stride; });
-        if (done == 0)
-            return false;
-        count(std::uint64_t{done} * (1U + operation.gap()));
-        take_off(operation, done);
-        return done == wanted;
-    }
-
-    bool run_mix(Operation const& mix) {
-        auto const interval = static_cast<Time>(plan_->ii);
-        std::uint32_t const gaps = mix.gaps();
-        std::uint32_t const done = run(port_set(mix.ports()), mix.length(), [interval, gaps](std::uint32_t i) {
-            return ((gaps >> i) & 1U) != 0 ? 2 * interval : interval;
-        });
-        if (done == 0)
-            return false;
-        std::uint32_t const silent = gaps & Operation::gap_bits(1, done);
-        count(done + (silent != 0 ? static_cast<std::uint64_t>(__builtin_popcount(silent)) : 0));
-        bool const is_over = done == mix.length();
-        log_.consume(is_over ? 1 : 0, is_over ? 0 : done);
-        return is_over;
-    }
-
-    /// Iterations of which all earliest cycles are known, one after the other. Each accesses all ports of a set, or is
-    /// a tail that accesses only the last.
-    template <unsigned N> class Burst {
-      public:
-        Burst(ProcessRules& process, PortSet const& set, std::uint64_t whole, std::uint64_t all)
-            : process_(process), set_(set), time_(process.state_.time) {
-            for (unsigned i = 0; i < N; ++i) {
-                FifoEnd<Line> const& end = set[i].end;
-                earliest_[i] = end.consumes->reader();
-                appended_[i] = end.appends->writer(i + 1 < N ? whole : all);
-                later_[i] = end.later;
-            }
-        }
-
-        /// Whether any of the accesses to come may have to wait: those of a FIFO never become legal earlier than the
-        /// one before.
-        bool may_wait(std::uint64_t whole, std::uint64_t all) const {
-            bool waits = whole == 0;
-            for (unsigned i = 0; i < N && !waits; ++i)
-                waits = earliest_[i][(i + 1 < N ? whole : all) - 1] > time_;
-            return waits;
-        }
-
-        /// The next iteration is `stride` cycles after this one.
-        template <bool MayWait> [[gnu::always_inline]] void iterate(bool is_tail, Time stride) {
-            unsigned waited_for = N;
-            Time const arrival = time_;
-            for (unsigned i = is_tail ? N - 1 : 0; MayWait && i < N; ++i) {
-                Time const later = std::max<Time>(earliest_[i][accesses_of(i)], time_);
-                stalls_[i] += later - time_;
-                waited_for = later > time_ ? i : waited_for;
-                time_ = later;
-            }
-            if (process_.trail_ != nullptr && waited_for < N)
-                process_.self().note_wait(set_[waited_for],
-                                          Region::of_loop(process_.state_.loop, Region::Part::iterations), 0, arrival,
-                                          time_);
-            for (unsigned i = is_tail ? N - 1 : 0; i < N; ++i)
-                appended_[i][accesses_of(i)] = static_cast<typename Line::Cycle>(time_ + later_[i]);
-            whole_ += is_tail ? 0 : 1;
-            ++all_;
-            time_ += stride;
-        }
-
-        void end() {
-            process_.state_.time = time_;
-            for (unsigned i = 0; i < N; ++i) {
-                Port const& port = set_[i];
-                std::uint64_t const accesses = accesses_of(i);
-                if (accesses > 0) {
-                    port.end.consumes->consume(accesses);
-                    port.end.appends->done(accesses);
-                    process_.self().note(port, accesses);
-                }
-                if (stalls_[i] > 0)
-                    process_.self().charge(port, stalls_[i]);
-            }
-        }
-
-      private:
-        std::uint64_t accesses_of(unsigned port) const { return port + 1 < N ? whole_ : all_; }
-
-        ProcessRules& process_;
-        PortSet const& set_;
-        typename Line::Reader earliest_[N];
-        typename Line::Writer appended_[N];
-        Time later_[N];
-        Time stalls_[N] = {};
-        Time time_;
-        std::uint64_t whole_ = 0;  ///< iterations that were no tails
-        std::uint64_t all_ = 0;
-    };
-
-    static std::uint64_t known(PortSet const& set, std::size_t ports) {
-        std::uint64_t known = ~std::uint64_t{0};
-        for (std::size_t i = 0; i < ports; ++i)
-            known = std::min(known, set[i].end.known());
-        return known;
-    }
-    /// For the first port of which no more are known.
-    void wait_behind(PortSet const& set, std::uint64_t known) {
-        for (Port const& port : set)
-            if (port.end.known() <= known) {
-                self().wait_for(port);
-                return;
-            }
-    }
-
-    /// Up to `wanted` iterations that access all ports of a set, as long as their earliest cycles are known: how many.
-    template <class Stride> std::uint32_t run(PortSet const& set, std::uint32_t wanted, Stride const& stride) {
-        std::uint64_t const known_of_all = known(set, set.size());
-        if (known_of_all < wanted) {
-            wait_behind(set, known_of_all);
-            wanted = static_cast<std::uint32_t>(known_of_all);
-        }
-        if (wanted == 0 || !self().may_go_on())
-            return 0;
-        switch (set.size()) {
-            case 1:
-                run<1>(set, wanted, stride);
-                break;
-            case 2:
-                run<2>(set, wanted, stride);
-                break;
-            case 3:
-                run<3>(set, wanted, stride);
-                break;
-            default:
-                run<most_in_run>(set, wanted, stride);
-                break;
-        }
-        return wanted;
-    }
-    template <unsigned N, class Stride> void run(PortSet const& set, std::uint32_t wanted, Stride const& stride) {
-        Burst<N> burst(*this, set, wanted, wanted);
-        auto const run = [&](auto may_wait) {
-            for (std::uint32_t k = 0; k < wanted; ++k)
-                burst.template iterate<decltype(may_wait)::value>(false, stride(k));
-        };
-        burst.may_wait(wanted, wanted) ? run(std::true_type()) : run(std::false_type());
-        burst.end();
-    }
-
-    // Lines: iterations with tails that access the last of their ports, in one piece.
-
-    /// The longest are done as iterations, so that a steady state is seen.
-    static bool is_line(Operation const& operation) {
-        bool const is_long = operation.kind() == Kind::iterate && operation.count() >= long_count;
-        return operation.has_last_port_as_tail() && !is_long;
-    }
-    /// Iterations that access something.
-    static std::uint32_t length_of_line(Operation const& line) {
-        return line.count() + (line.kind() == Kind::flanked ? 2U : 1U);
-    }
-    /// How many of them can be done if the ports of whole ones let `known` be done, and the tails' port so many of all.
-    static std::uint32_t reachable(Operation const& line, std::uint64_t known, std::uint64_t known_of_tails) {
-        bool const is_flanked = line.kind() == Kind::flanked;
-        std::uint64_t const length = length_of_line(line);
-        std::uint64_t const whole = length - (is_flanked ? 2 : 1);
-        std::uint64_t const reachable = known >= whole ? length : known + (is_flanked && known > 0 ? 1 : 0);
-        return static_cast<std::uint32_t>(std::min(reachable, known_of_tails));
-    }
-    static std::uint32_t tails_of(Operation const& line, std::uint32_t done) {
-        return (done == length_of_line(line) ? 1U : 0U) + (line.kind() == Kind::flanked && done > 1 ? 1U : 0U);
-    }
-
-    bool run_line(Operation const& line) {
-        PortSet const& set = port_set(line.ports());
-        std::size_t const ports = set.size();
-        std::uint64_t const known_of_whole = known(set, ports - 1);
-        std::uint32_t const done = reachable(line, known_of_whole, set.back().end.known());
-        bool const is_over = done == length_of_line(line);
-        if (!is_over)
-            wait_behind(set, std::min<std::uint64_t>(known_of_whole, done));
-        if (done == 0 || !self().may_go_on())
-            return false;
-        switch (ports) {
-            case 2:
-                run_line<2>(set, line, done);
-                break;
-            case 3:
-                run_line<3>(set, line, done);
-                break;
-            default:
-                run_line<most_in_run>(set, line, done);
-                break;
-        }
-        end_line(line, done);
-        return is_over;
-    }
-
-    template <unsigned N> void run_line(PortSet const& set, Operation const& line, std::uint32_t count) {
-        std::uint32_t const last = length_of_line(line) - 1;
-        std::uint32_t const other_tail = line.kind() == Kind::flanked ? 1 : last;
-        auto const interval = static_cast<Time>(plan_->ii);
-        std::uint32_t const whole = count - tails_of(line, count);
-        Burst<N> burst(*this, set, whole, count);
-        auto const run = [&](auto may_wait) {
-            for (std::uint32_t k = 0; k < count; ++k) {
-                bool const is_tail = k == last || k == other_tail;
-                std::uint32_t const silent = k == last ? line.tail_gap() : is_tail ? 0U : line.gap();
-                burst.template iterate<decltype(may_wait)::value>(is_tail, interval * static_cast<Time>(1U + silent));
-            }
-        };
-        burst.may_wait(whole, count) ? run(std::true_type()) : run(std::false_type());
-        burst.end();
-    }
-
-    /// Counts the iterations done, and leaves the others in the log.
-    void end_line(Operation const& line, std::uint32_t done) {
-        bool const is_flanked = line.kind() == Kind::flanked;
-        bool const is_over = done == length_of_line(line);
-        count(done + std::uint64_t{done - tails_of(line, done)} * line.gap() + (is_over ? line.tail_gap() : 0U));
-        ++run_;
-        if (is_over) {
-            log_.consume();
-            return;
-        }
-        std::uint32_t const of_rest = is_flanked ? done - std::min(done, 2U) : done;
-        log_.whole_front() = is_flanked ? line.rest() : line;
-        if (of_rest > 0)
-            log_.consume(0, of_rest);
-        if (is_flanked && done == 1)
-            log_.put_back(Operation(Kind::iterate, line.tail_ports(), 0, 1));
-    }
-
+  private:
     [[gnu::noinline]] void make_port_set(Ports::Number ports) const {
         if (ports >= sets_.size())
             sets_.resize(Ports::is_mask(ports) ? Ports::masks : Ports::numbers);

@@ -6,9 +6,9 @@
 
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/base/source_site.hpp"
+#include "dataflow/core/time/bulk_runs.hpp"
 #include "dataflow/core/time/fifo_timing.hpp"
 #include "dataflow/core/time/operation.hpp"
-#include "dataflow/core/time/process_rules.hpp"
 #include "dataflow/core/time/process_shape.hpp"
 #include "dataflow/core/time/step_observer.hpp"
 #include "dataflow/core/time/trail.hpp"
@@ -42,9 +42,6 @@ struct ProcessPort {
     FifoTiming* fifo = nullptr;
     bool writes = false;
     ProcessMask neighbour = 0;  ///< the process at the other end, as a bit
-    // For SteadyState: accesses before this one, in the run of this number, have nothing to wait for.
-    std::uint64_t free_until = 0;
-    std::uint64_t free_in_run = ~std::uint64_t{0};
 };
 
 /// What happened in one process of a core.
@@ -61,11 +58,12 @@ struct ProcessFigures {
     std::vector<Cycles> stamps;
 };
 
-/// Gives every operation of one process of a core its cycle, by ProcessRules, and counts what happens. Both engines
-/// drive it: `lockstep` stops in front of each step (front, commit_front), `decoupled` goes as far as it can (advance).
-class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
+/// Gives every operation of one process of a core its cycle, by ProcessRules and BulkRuns, and counts what happens.
+/// Both engines drive it: `lockstep` stops in front of each step (front, commit_front), `decoupled` goes as far as it
+/// can (advance).
+class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
   public:
-    using Rules = ProcessRules<ProcessTiming, ProcessPort>;
+    using Rules = BulkRuns<ProcessTiming, ProcessPort>;
     using Rules::alike_iterations;
     using Rules::finished;
     using Rules::flushes;
@@ -209,10 +207,12 @@ class ProcessTiming : private ProcessRules<ProcessTiming, ProcessPort> {
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const { return in_loop() ? loop_sites_[state_.loop] : port_sites_[port]; }
 
+    /// For who remembers answers: see lookup_view.hpp.
+    class View;
+
   private:
+    friend ProcessRules<ProcessTiming, ProcessPort>;
     friend Rules;
-    friend class SteadyState;
-    friend class RelativeState;
     static constexpr Cycles never = ~Cycles{0};
 
     unsigned add_port(FifoTiming& fifo, bool writes);

@@ -17,7 +17,7 @@ struct TrailEvent {
         marked,    ///< `process` came to another region of its program in `time`
         repeated,  ///< the `distance` stalls before this one happened again `count` times, each time `time` cycles
                    ///< later
-        followed,  ///< the next `count` transitions of the automaton, which ended in `time`
+        followed,  ///< the next `count` passages, which ended in `time`
         flown,     ///< a token left the flushing pipeline of `process` by `port` in `time`; that was decided `count`
                    ///< cycles before: it was taken in, or (`distance` 1) a place behind `port` became free
     };
@@ -30,11 +30,20 @@ struct TrailEvent {
     Region region;  ///< of the process, from here on
 };
 
+/// Parts of a core's time that are remembered with their trails, to be told by number: see Trail::followed().
+class Passages {
+  public:
+    virtual ~Passages() = default;
+    /// What one takes, and what decides it, from its begin on.
+    virtual Cycles cycles(std::uint32_t passage) const = 0;
+    virtual std::vector<TrailEvent> const& trail(std::uint32_t passage) const = 0;
+};
+
 /// What decided the times of one core, in an order in which causes come before effects. Only waiting decides: between
 /// two waits a process goes its own way.
 class Trail {
   public:
-    using Transition = std::uint32_t;  ///< number of an automaton's
+    using Transition = std::uint32_t;  ///< number of a passage
     /// Events, about, from which on it is worth looking for some to forget.
     static constexpr std::size_t usual_length = 1U << 17;
     static constexpr std::size_t any_length = ~std::size_t{0};  ///< never forget
@@ -49,8 +58,11 @@ class Trail {
     void repeated(std::uint64_t since, ProcessMask mask, std::uint64_t count, Cycles cycles);
     std::uint64_t mark() const { return forgotten_ + events_.size(); }
     bool remembers(std::uint64_t mark) const { return mark >= forgotten_; }
-    /// A transition that ended in `end`; the one before it ended where this began.
+    /// A passage that ended in `end`; the one before it ended where this began.
     void followed(Transition transition, Cycles end, bool goes_on);
+    /// What the numbers of passages mean.
+    void set_passages(Passages const* passages) { passages_ = passages; }
+    Passages const* passages() const { return passages_; }
     void append(TrailEvent event, Cycles later);
     /// All that was taken down since the last call, in cycles since `origin`, which may be in the future.
     std::vector<TrailEvent> take(Cycles origin);
@@ -80,6 +92,7 @@ class Trail {
     std::size_t usual_;
     std::size_t long_;
     std::uint64_t forgotten_ = 0;
+    Passages const* passages_ = nullptr;
 };
 
 }  // namespace dataflow::timing

@@ -25,8 +25,8 @@ void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& var
 
 }  // namespace
 
-std::unique_ptr<timing::CoreTiming> core_variant(timing::CoreTiming const& blueprint, Machine const& machine) {
-    auto core = std::make_unique<timing::CoreTiming>();
+std::unique_ptr<timing::PhraseCore> core_variant(timing::CoreTiming const& blueprint, Machine const& machine) {
+    std::unique_ptr<timing::PhraseCore> core = timing::make_core();
     for (MachineFifo const& fifo : machine.fifos)
         core->add_fifo(fifo.shape());
     for (timing::MemoryStream const& stream : blueprint.streams())

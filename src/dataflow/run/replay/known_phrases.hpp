@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 #include "dataflow/run/replay/lead_core.hpp"
 #include "dataflow/run/replay/operation_check.hpp"
 

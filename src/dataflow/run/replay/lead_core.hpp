@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "dataflow/core/time/core_timing.hpp"
-#include "dataflow/lookup/group.hpp"
+#include "dataflow/phrases/group.hpp"
 
 namespace dataflow::replay {
 

@@ -22,7 +22,7 @@ std::size_t supplier_of(timing::CoreTiming const& core, timing::Lead const& lead
 
 }  // namespace
 
-Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core,
+Replay::Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::PhraseCore& core,
                timing::Lead const& lead, Leaves leaves)
     : source_(source),
       plain_(std::move(plain)),

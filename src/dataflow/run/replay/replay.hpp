@@ -5,7 +5,7 @@
 
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/core/machine/core_share.hpp"
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/script_source.hpp"
 
@@ -19,12 +19,12 @@ class Replay {
 
     /// Samples that the source does not have, and all of a core that is stuck, are plain. The core follows `lead`.
     /// Everything must outlive it but `plain`, `lead` and `leaves`.
-    Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::CoreTiming& core, timing::Lead const& lead,
+    Replay(ScriptSource const& source, Plain plain, CoreShare share, timing::PhraseCore& core, timing::Lead const& lead,
            Leaves leaves = nullptr);
 
     /// As far as a walk of the core, or a walk further; false: all is done, or left, or nothing can be done any more.
     bool go_on();
-    timing::Automaton::Walk& walk() { return core_.walk(); }
+    timing::PhraseCore& core() { return core_; }
 
     /// All of its samples before one, walks included: for a core that does not take turns with others.
     void go_on_to(std::size_t sample);
@@ -47,7 +47,7 @@ class Replay {
     ScriptSource const& source_;
     Plain plain_;
     CoreShare share_;
-    timing::CoreTiming& core_;
+    timing::PhraseCore& core_;
     Leaves leaves_;
     bool has_followers_;          ///< without, scripts have no phrases
     std::size_t supplier_;        ///< the process that is ahead of the driver; none: the number of no process

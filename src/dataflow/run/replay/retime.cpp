@@ -17,20 +17,20 @@ namespace {
 enum class Following { scripts, logs };
 
 /// Lets several cores take turns with walking, while one of them has to.
-void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Automaton& automaton) {
+void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Answers* answers) {
     std::vector<Replay*> walking;
-    std::vector<timing::Automaton::Walk*> walks;
+    std::vector<timing::PhraseCore*> cores;
     for (std::unique_ptr<Replay> const& replay : replays)
         if (replay->go_on()) {
             walking.push_back(replay.get());
-            walks.push_back(&replay->walk());
+            cores.push_back(&replay->core());
         }
-    while (!walks.empty()) {
-        std::size_t const stopped = automaton.go_on(walks);
+    while (!cores.empty()) {
+        std::size_t const stopped = answers->go_on(cores);
         if (walking[stopped]->go_on())
             continue;
         walking.erase(walking.begin() + static_cast<std::ptrdiff_t>(stopped));
-        walks.erase(walks.begin() + static_cast<std::ptrdiff_t>(stopped));
+        cores.erase(cores.begin() + static_cast<std::ptrdiff_t>(stopped));
     }
 }
 
@@ -47,19 +47,19 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     static NoScripts const no_scripts;
     ScriptSource const& source = following == Following::scripts ? static_cast<ScriptSource const&>(run) : no_scripts;
-    auto const automaton = std::make_shared<timing::Automaton>();
+    std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
         cores.push_back(core_variant(*run.run().blueprint, machine));
-        cores.back()->let_follow(run.lead(), automaton);
+        cores.back()->let_follow(run.lead(), answers);
         if (options.leave_trails)
             cores.back()->leave_trail();
         CoreShare const share = share_of(number, machine.cores, run.run().tape.samples());
         replays.push_back(
             std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), run.lead(), options.leaves));
     }
-    feed_all(replays, *automaton);
+    feed_all(replays, answers.get());
     return cores;
 }
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "dataflow/core/time/core_timing.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"
@@ -18,7 +18,7 @@ RunStatistics retime(ScriptedRun const& run, Machine const& machine);
 /// Retimes without following scripts. Several times as slow.
 RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine);
 
-using Cores = std::vector<std::unique_ptr<timing::CoreTiming>>;
+using Cores = std::vector<std::unique_ptr<timing::PhraseCore>>;
 
 /// Asked after each sample of a core: whether to leave the others.
 using Leaves = std::function<bool(timing::CoreTiming const& timing)>;

@@ -68,11 +68,11 @@ class Together {
         : run_(run), machine_(machine), options_(options), watch_(watch), samples_(run), is_left_(numbers.size()) {
         if (machine.external_memory)
             memory_.emplace(*machine.external_memory, masters_of(machine));
-        auto const automaton = std::make_shared<timing::Automaton>();
+        std::shared_ptr<timing::Answers> const answers = timing::make_answers();
         for (std::size_t const number : numbers) {
             shares_.push_back(share_of(number, machine.cores, run.run().samples()));
             cores_.push_back(core_variant(*run.run().blueprint, machine));
-            cores_.back()->let_follow(run.lead(), automaton);
+            cores_.back()->let_follow(run.lead(), answers);
             if (options.leave_trails)
                 cores_.back()->leave_trail();
         }

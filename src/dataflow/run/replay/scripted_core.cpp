@@ -19,7 +19,7 @@ bool is_scripted(timing::Group const& group, std::size_t process) {
 }
 }  // namespace
 
-ScriptedCore::ScriptedCore(ScriptedRun const& run, CoreShare share, timing::CoreTiming& core, Leaves leaves)
+ScriptedCore::ScriptedCore(ScriptedRun const& run, CoreShare share, timing::PhraseCore& core, Leaves leaves)
     : run_(run), share_(share), core_(core), group_(core, run.lead()), leaves_(std::move(leaves)) {
     for (std::size_t i = 0; i < core.processes().size(); ++i)
         for (std::size_t k = 0; k < share.count && !is_scripted(group_, i); ++k)

@@ -2,8 +2,7 @@
 #include <cstddef>
 
 #include "dataflow/core/machine/core_share.hpp"
-#include "dataflow/core/time/core_timing.hpp"
-#include "dataflow/lookup/group.hpp"
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"
 
@@ -14,7 +13,7 @@ namespace dataflow::replay {
 class ScriptedCore {
   public:
     /// All of the samples must be scripted. The core follows the lead of the run, and everything must outlive this.
-    ScriptedCore(ScriptedRun const& run, CoreShare share, timing::CoreTiming& core, Leaves leaves);
+    ScriptedCore(ScriptedRun const& run, CoreShare share, timing::PhraseCore& core, Leaves leaves);
 
     /// As far as it gets, once the memory has brought something for some processes, a bit each.
     void go_on(timing::ProcessMask woken);
@@ -34,7 +33,7 @@ class ScriptedCore {
 
     ScriptedRun const& run_;
     CoreShare share_;
-    timing::CoreTiming& core_;
+    timing::PhraseCore& core_;
     timing::Group group_;
     Leaves leaves_;
     timing::Script script_;

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "dataflow/base/on_threads.hpp"
-#include "dataflow/lookup/phrase_cutter.hpp"
+#include "dataflow/phrases/phrase_cutter.hpp"
 #include "dataflow/run/replay/tape_reader.hpp"
 
 namespace dataflow::replay {

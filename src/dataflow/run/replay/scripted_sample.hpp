@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dataflow/base/uninitialized.hpp"
-#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 #include "dataflow/run/replay/sample_operations.hpp"
 
 namespace dataflow::replay {

@@ -109,8 +109,8 @@ std::vector<WantedOfCore> passes_of(std::vector<SampleStatistics> const& samples
 void replay_core(replay::RecordedRun const& run, Machine const& machine, std::size_t number,
                  std::vector<Wanted> const& wanted, TakeTimeline const& take) {
     CoreShare const share = share_of(number, machine.cores, run.samples());
-    std::unique_ptr<timing::CoreTiming> const core = replay::core_variant(*run.blueprint, machine);
-    core->let_follow(run.lead(machine), std::make_shared<timing::Automaton>());
+    std::unique_ptr<timing::PhraseCore> const core = replay::core_variant(*run.blueprint, machine);
+    core->let_follow(run.lead(machine), timing::make_answers());
     replay::PlainReader reader(run, run.lead(machine));
     CoreRecording recording(machine, share, *core, ReplayedCore::Driver::itself, wanted);
     for (std::size_t i = 0; i < share.count && recording.sample_begins(i); ++i) {

@@ -1,4 +1,4 @@
-#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 
 #include <algorithm>
 
@@ -89,6 +89,15 @@ void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {
     entries_[number].first_piece = static_cast<std::uint32_t>(pieces_.size());
     entries_[number].pieces = static_cast<std::uint32_t>(pieces.size());
     pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+}
+
+void write_next(Group const& group, Script& script) {
+    PhraseBook::Number const number = *script.next++;
+    PhraseBook::Entry const& entry = (*script.book)[number];
+    script.due -= entry.due;
+    Phrase::write(
+        script.book->codes(number), entry.size, group,
+        [&script](unsigned member, Ports::Number next_ports, bool) { script.next_ports[member] = next_ports; });
 }
 
 }  // namespace dataflow::timing

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "dataflow/lookup/phrase.hpp"
-#include "dataflow/lookup/transition.hpp"
+#include "dataflow/core/time/lead.hpp"
+#include "dataflow/phrases/phrase.hpp"
 
 namespace dataflow::timing {
 
@@ -70,9 +70,12 @@ struct Script {
     PhraseBook::Number const* end = nullptr;
     std::uint64_t due = 0;  ///< of all phrases left
     /// Ports of the step that each follower goes on with; by member.
-    std::array<Ports::Number, Transition::most_members> next_ports{};
+    std::array<Ports::Number, Lead::most_members> next_ports{};
 
     bool done() const { return next == end; }
 };
+
+/// Appends the next phrase of a script to the logs of a group.
+void write_next(Group const& group, Script& script);
 
 }  // namespace dataflow::timing

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dataflow/lookup/group.hpp"
-#include "dataflow/lookup/print.hpp"
+#include "dataflow/phrases/group.hpp"
+#include "dataflow/phrases/print.hpp"
 
 namespace dataflow::timing {
 

@@ -1,4 +1,4 @@
-#include "dataflow/lookup/phrase.hpp"
+#include "dataflow/phrases/phrase.hpp"
 
 #include <algorithm>
 #include <array>

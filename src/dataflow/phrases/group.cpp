@@ -1,4 +1,4 @@
-#include "dataflow/lookup/group.hpp"
+#include "dataflow/phrases/group.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "dataflow/lookup/group.hpp"
-#include "dataflow/lookup/phrase_book.hpp"
+#include "dataflow/phrases/group.hpp"
+#include "dataflow/phrases/phrase_book.hpp"
 
 namespace dataflow::timing {
 

@@ -43,7 +43,7 @@ class ProcessTiming::View {
     ProcessTiming& process_;
 };
 
-/// The same of a FIFO.
+/// What the lookups see and set of a FIFO.
 class FifoTiming::View {
   public:
     explicit View(FifoTiming& fifo) : fifo_(fifo) {}

@@ -149,14 +149,12 @@ class Chain {
         for (unsigned lines = dice.between(1, 6); lines > 0; --lines) {
             unsigned const inside = dice.between(1, 30);
             unsigned const behind = dice.between(0, 9);
-            bool const is_flanked = dice.chance(40);
-            bool const is_line = is_flanked || dice.chance(60);
+            bool const is_line = dice.chance(60);
             whole += inside;
-            tails += is_flanked ? 2U : is_line ? 1U : 0U;
-            write_line(log(source), to_middle | to_sink, to_sink, inside, behind, is_line, is_flanked, dice);
+            tails += is_line ? 1U : 0U;
+            write_line(log(source), to_middle | to_sink, to_sink, inside, behind, is_line, dice);
             if (passes)
-                write_line(log(sink), from_middle | directly, directly, inside, dice.between(0, 9), is_line, is_flanked,
-                           dice);
+                write_line(log(sink), from_middle | directly, directly, inside, dice.between(0, 9), is_line, dice);
         }
         if (!passes)
             iterate(log(sink), directly, whole + tails, dice);
@@ -165,10 +163,8 @@ class Chain {
         take(whole, passes, dice);
     }
     static void write_line(OperationLog& log, Ports::Number ports, Ports::Number tail, unsigned inside, unsigned behind,
-                           bool is_line, bool is_flanked, Dice& dice) {
-        if (is_flanked)
-            log.iterate_flanked(ports, inside, tail, behind);
-        else if (is_line)
+                           bool is_line, Dice& dice) {
+        if (is_line)
             log.iterate_with_tail(ports, inside, tail, behind);
         else
             iterate(log, ports, inside, dice);

@@ -34,7 +34,7 @@ ModuleDescription InlierUnitVariant::describe(AcceleratorConfig const& config) {
     module.reads_from("depth_free").only_if(two_buffers);
     widen_branches(loop_of(module, "fragment"), config.rasterizer.lanes);
     MemoryDescription& depth_buffer = memory_of(module, "depth_buffer");
-    depth_buffer.bits += extracts_edges(config).holds ? 1 : 0;  // extracted edge bits ride in the words
+    depth_buffer.bits += extracts_edges(config).holds ? 1U : 0U;  // extracted edge bits ride in the words
     depth_buffer.in_buffers(static_cast<std::uint64_t>(config.inlier_unit.buffers)).read_out_by("inlier_sweep");
     Scoring::describe_line_buffer(module, config);
     return module;

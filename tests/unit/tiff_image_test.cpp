@@ -15,7 +15,7 @@
 namespace tiff_image_test {
 
 using faster::Image;
-using namespace faster::io;
+using namespace faster::files;
 using faster::test::content_of;
 using faster::test::input_error_text;
 using faster::test::TempFolder;

@@ -132,7 +132,7 @@ void Taping::keep_unfinished() {
 }
 
 void Taping::finish() {
-    bool const is_stuck = timing_ == Timing::by_cores && !is_done();
+    bool const is_stuck = !is_done();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
         for (std::size_t process = 0; process < tapes_[core].logs.size(); ++process)
             if (tapes_[core].begun[process] > 0)
@@ -149,8 +149,12 @@ void Taping::finish() {
 
 /// All processes have done all samples.
 bool Taping::is_done() const {
-    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(),
-                       [](auto const& core) { return core->results() == core->share().count; });
+    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(), [](auto const& core) {
+        std::vector<FifoChannel*> const& channels = core->channels();
+        return core->results() == core->share().count &&
+               std::none_of(channels.begin(), channels.end(),
+                            [](FifoChannel const* fifo) { return fifo != nullptr && fifo->is_awaited(); });
+    });
 }
 
 std::optional<RunStatistics> Taping::statistics() {
@@ -173,9 +177,12 @@ void Taping::tell_cores() {
             no_scripts, [&reader](std::size_t sample) { return reader.read(sample); }, share, timing,
             accelerator_.machine().lead);
         replay.go_on_to(share.first + tapes_[core].done);
-        for (replay::SampleOperations const& open : tapes_[core].open)
-            for (std::size_t process = 0; process < open.size(); ++process)
-                replay::append_sample(open[process], timing.process(process).log());
+        for (std::size_t i = tapes_[core].done; i < share.count; ++i) {
+            auto const unfinished = run_.unfinished.find(share.first + i);
+            for (std::size_t process = 0; unfinished != run_.unfinished.end() && process < unfinished->second.size();
+                 ++process)
+                replay::append_sample(unfinished->second[process], timing.process(process).log());
+        }
     }
 }
 

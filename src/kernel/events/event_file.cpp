@@ -42,6 +42,7 @@ class Reader {
             Json const header = frame_at(opening_bytes, header_bytes_, most_header_bytes, "header");
             if (index.at("header_checksum") != header_checksum_)
                 fail("its header does not belong to its index, expected both from one run");
+            require_design(header.value("design", design().name()));
             read_configuration(header.at("configuration"), file.loaded);
             read_machine(header.at("machine"), machine_of(file.loaded.config), file.run);
             read_samples(index.at("samples"), file);
@@ -112,6 +113,12 @@ class Reader {
         return io::parse_json(*content);
     }
 
+    void require_design(std::string const& recorded) const {
+        if (recorded != design().name())
+            fail(fmt::format("is of the design {}, and {} knows the design {} only, expected the program of {}",
+                             recorded, program_name(), design().name(), recorded));
+    }
+
     void read_configuration(Json const& values, LoadedConfig& loaded) {
         RunConfig const defaults;
         Keys const keys = figure_keys();
@@ -169,6 +176,7 @@ std::string header_of(RunConfig const& config, replay::RecordedRun const& run, s
     Json header;
     header["format"] = "faster-events";
     header["version"] = format_version;
+    header["design"] = design().name();
     if (!function.empty())
         header["function"] = function;
     header["configuration"] = configuration_json(config);

@@ -15,9 +15,9 @@ enum class WhenFull { freeze, squeeze };
 /// Whose FIFOs a machine has; key `accelerator.fifo_rules` (SYSTEM.md section 5). The generations differ in what
 /// `automatic` becomes, and in whether a memory's output register holds a token besides the memory's words.
 enum class FifoGeneration {
-    spec,        ///< SPEC section 3
-    vivado_hls,  ///< Vivado HLS up to 2020.2
-    vitis_hls,   ///< Vitis HLS from 2021.1 on
+    spec,        ///< SPEC section 3; no tool's
+    vivado_hls,  ///< Vivado HLS
+    vitis_hls,   ///< Vitis HLS, from 2020.1 on
 };
 
 /// The largest that HLS builds of shift registers where it is free to choose: `auto_srl_max_depth` and

@@ -175,6 +175,33 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
     page.check_soundness();
 }
 
+TEST_CASE("A step's button says what whatif says from what is on the screen, and does it", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page(1440);
+    std::string const changed = "accelerator.brams.depth_buffer.ports=4";
+    page.open("#" + changed);
+    std::string const step =
+        "document.querySelector('[data-key=\"accelerator.brams.depth_buffer.ports\"] .step:nth-of-type(2)')";
+    REQUIRE(page.browser().becomes_true(step + ".textContent.match(/[0-9]{2}/) !== null", background));
+    std::string const promised = page.browser().value(step + ".textContent");
+    std::uint64_t const before = std::stoull(page.cycles());
+    page.browser().value(step + ".click()");
+    REQUIRE(page.browser().becomes_true("location.hash.includes('ports=5')"));
+    std::uint64_t const after =
+        std::stoull(page.cycles_of_tool({"whatif", "events", "--set", "accelerator.brams.depth_buffer.ports=5"}));
+    CHECK(page.comes_to_show(std::to_string(after)));
+    std::string digits;
+    for (char const letter : promised)
+        if (letter >= '0' && letter <= '9')
+            digits += letter;
+    CHECK(std::stoull(digits) == (after > before ? after - before : before - after));
+    CHECK(
+        page.browser().value("document.getElementById('keys').getBoundingClientRect().right < "
+                             "document.getElementById('graph').getBoundingClientRect().left"));
+    page.check_soundness();
+}
+
 TEST_CASE("Behind an external memory the page shows a sample's timeline, and says what it thinks of FIFO sizes",
           "[browser]") {
     if (browser_is_missing())

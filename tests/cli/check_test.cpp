@@ -240,7 +240,7 @@ TEST_CASE("A budget started from a run is commented, passes at once, and overwri
     CommandResult const result = check(folder, words);
     require_done(result);
     CHECK_THAT(result.out, Contains("written: sub/mine.yaml"));
-    CHECK_THAT(content_of(folder / "sub/mine.yaml"), Contains("  # No sample later than it is today"));
+    CHECK_THAT(content_of(folder / "sub/mine.yaml"), Contains("  # No sample takes longer than it does today"));
     require_done(check(folder, {"sub/mine.yaml"}));
     CHECK(check(folder, {"sub/mine.yaml", "--set", "accelerator.loops.inlier_unit.sweep.ii=4"}).exit_code == 1);
     check_bad_input(check(folder, words), {"sub/mine.yaml: is there already"});

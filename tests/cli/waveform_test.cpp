@@ -317,6 +317,17 @@ TEST_CASE("A waveform's times fit a clock whose cycle is no whole number of nano
     CHECK(vcd.timescale == " 1 ps ");
 }
 
+TEST_CASE("A waveform has the number of the cycle, as the tables count it", "[vcd]") {
+    Waves const waves;
+    require_done(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-from", "7", "--vcd-to", "40"}));
+    auto const cycles = waves.vcd("a.vcd").signals.at("cycle");
+    REQUIRE(cycles.size() == 35);  // and unknown after the window
+    for (std::size_t i = 0; i + 1 < cycles.size(); ++i) {
+        CHECK(cycles[i].cycle == 7 + i);
+        CHECK(cycles[i].bits == 7 + i);
+    }
+}
+
 TEST_CASE("A timeline has a track per module, stalls inside loops, and as many samples as asked for", "[timeline]") {
     Waves const waves;
     require_done(waves.run("edge_heavy", {"--timeline", "t.json", "--timeline-samples", "1", "--out", "out"}));

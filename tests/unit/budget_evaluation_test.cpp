@@ -95,6 +95,18 @@ TEST_CASE("A limit holds up to its bound and not a cycle further") {
     CHECK_FALSE(keeps(within, 256));
 }
 
+TEST_CASE("Slack is what may come on top of a limit, in percent of it") {
+    Limit most = at_most("total_cycles", count(1000));
+    most.slack = 2;
+    CHECK(keeps(most, 1020));
+    CHECK_FALSE(keeps(most, 1021));
+    Limit least = at_least("total_cycles", count(1000));
+    least.slack = 0.5;
+    CHECK(keeps(least, 995));
+    CHECK_FALSE(keeps(least, 994));
+    CHECK(most.text() == "max 1000, 2 % slack");
+}
+
 TEST_CASE("A time counts in cycles of the clock, rounded to what still keeps it") {
     CHECK(keeps(at_most("total_cycles", microseconds(20.555)), 4111));  // at 200 MHz
     CHECK_FALSE(keeps(at_most("total_cycles", microseconds(20.555)), 4112));

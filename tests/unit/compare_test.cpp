@@ -102,7 +102,7 @@ TEST_CASE("A run compared with itself is identical", "[compare]") {
     CHECK(comparison.is_functionally_equal());
     CHECK(all_changes(comparison) == 0);
     CHECK(comparison_text(comparison, 10) ==
-          "identical: configuration, results and cycles of out/a and out/b (3 samples, 1000 cycles)\n");
+          "identical: configuration, results and cycles of out/a and out/b (3 samples, 1,000 cycles)\n");
 }
 
 TEST_CASE("Figures that only change places between cores are not identical, but equal in sum", "[compare]") {
@@ -232,11 +232,11 @@ TEST_CASE("The headline has cycles and milliseconds with difference and percent"
     b.milliseconds = 0.00625;
     CHECK_THAT(comparison_text(compare(a, b), 10), Contains("\nTotal\n"
                                                             "              A      B  difference  percent\n"
-                                                            "  cycles   1000   1250        +250   +25.00\n"
+                                                            "  cycles  1,000  1,250        +250   +25.00\n"
                                                             "  ms      0.005  0.006      +0.001   +25.00\n"));
     RunRecord none = a;
     none.total_cycles = 0;
-    CHECK_THAT(comparison_text(compare(none, a), 10), Contains("  cycles      0   1000       +1000        -\n"));
+    CHECK_THAT(comparison_text(compare(none, a), 10), Contains("  cycles      0  1,000      +1,000        -\n"));
 }
 
 TEST_CASE("Each list ends after the top rows and counts the others", "[compare]") {

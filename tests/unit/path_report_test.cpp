@@ -4,10 +4,12 @@
 #include "dataflow/tools/report/sensitivity_report.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
+#include "support/tool_output.hpp"
 
 namespace dataflow::report::path_report_test {
 
 using faster::test::example_run;
+using faster::test::lines_of;
 
 TEST_CASE("The critical path is told with module, loop, cause and what is to blame", "[report]") {
     std::string const text = critical_path_text(example_run());
@@ -54,7 +56,7 @@ TEST_CASE("Sensitivities are told with the one first that moves the total most, 
     std::size_t const command = text.find("accelerator.fifos.command.depth");
     REQUIRE(setup != std::string::npos);
     CHECK(setup < command);
-    CHECK(text.find("      -7500 (-0.75 %)        +7500 (+0.75 %)\n") != std::string::npos);
+    CHECK(text.find("     -7,500 (-0.75 %)       +7,500 (+0.75 %)\n") != std::string::npos);
     CHECK(text.find("deadlock         -500 (-0.05 %)\n") != std::string::npos);
     CHECK(text.find("accelerator.fifos.vertex.depth") == std::string::npos);  // changes nothing
     CHECK(text.find("1 key changes nothing") != std::string::npos);
@@ -64,6 +66,24 @@ TEST_CASE("Sensitivities are told with the one first that moves the total most, 
     run.sensitivities.front().up.total_cycles = run.total_cycles + 8000;
     std::string const costly = sensitivities_text(run);
     CHECK(costly.find("command.depth") < costly.find("setup.depth"));
+}
+
+TEST_CASE("Target and dependence of a loop that do the same are one row, and a long key moves no column", "[report]") {
+    RunStatistics run = example_run();
+    SensitivityStep step;
+    step.valid = true;
+    step.total_cycles = run.total_cycles + 10;
+    std::string const loop = "accelerator.loops.a_module_of_a_long_name.scan.";
+    for (char const* const key : {"ii", "recurrence_ii"})
+        run.sensitivities.push_back({loop + key, 1, SensitivityStep{}, step});
+    std::string const text = sensitivities_text(run);
+    CHECK(text.find("scan.ii, recurrence_ii  ") != std::string::npos);
+    CHECK(text.find("scan.recurrence_ii") == std::string::npos);
+    std::vector<std::string> const lines = lines_of(text);
+    for (std::size_t i = 3; lines[i].find("accelerator.") != std::string::npos; ++i)
+        CHECK(lines[i].size() == lines[2].size());
+    run.sensitivities.back().up.total_cycles += 1;
+    CHECK(sensitivities_text(run).find("scan.recurrence_ii") != std::string::npos);
 }
 
 TEST_CASE("sensitivities.csv has a row per step, with its outcome", "[report]") {

@@ -83,10 +83,11 @@ Trial try_samples(RecordingRequest request, Machine const& machine, std::size_t 
     return trial;
 }
 
-/// Of times and clock, which all cores share: two lines for either half of a cycle.
+/// Of times, clock and number of the cycle, which all cores share: two lines for either half of a cycle, and one.
 double bytes_of_clock(double cycles, Machine const& machine) {
     double const digits = std::floor(std::log10(std::max(1.0, cycles * recording::ticks_per_cycle(machine.clock_mhz))));
-    return cycles * 2 * (digits + 6);
+    double const bits = std::log2(std::max(2.0, cycles));
+    return cycles * (2 * (digits + 6) + bits + 4);
 }
 
 /// What is recorded is so many times what the trial has, and takes so many times as long.

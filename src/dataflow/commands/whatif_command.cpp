@@ -43,7 +43,8 @@ struct WhatifRequest {
     std::string out;                     ///< folder; empty: print only
     std::string matrix;                  ///< file of configurations; empty: only the one
     std::string csv;                     ///< file, for the matrix; empty: print only
-    std::int64_t top = 10;               ///< rows per list of the comparison
+    std::int64_t top = 3;                ///< rows per list of the comparison
+    bool full = false;                   ///< prints the report of the other timing as well
     bool force = false;                  ///< however long it takes, whatever memory there is
 };
 
@@ -89,10 +90,10 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
                          ": what its processes write is not what they read, expected the file of a run");
     if (folder)
         folder->write(changed.config, run, host);
-    say("{}", report::text_report(run, host));
-    say("\nCompared with the recorded run\n\n{}",
-        runs::comparison_text(with_recorded(request.events, recorded, changed, run),
-                              static_cast<std::size_t>(request.top)));
+    say("{}", runs::comparison_text(with_recorded(request.events, recorded, changed, run),
+                                    static_cast<std::size_t>(request.top)));
+    if (request.full)
+        say("\n{}", report::text_report(run, host));
     if (folder)
         say("\nwritten: {}\n", request.out);
     return exit_done;
@@ -181,6 +182,7 @@ Subcommand whatif_command() {
                     ->type_name("N")
                     ->capture_default_str()
                     ->check(CLI::Range(0, 1000000));
+                command.add_flag("--full", request->full, "Print the report of run as well")->excludes("--matrix");
                 add_force(command, request->force);
                 return [request] { return whatif(*request); };
             }};

@@ -55,6 +55,8 @@ std::string Limit::text() const {
     std::string text = min ? "min " + min->text : "";
     if (max)
         text += (text.empty() ? "" : ", ") + std::string("max ") + max->text;
+    if (slack > 0)
+        text += fmt::format(", {:g} % slack", slack);
     return text;
 }
 
@@ -65,9 +67,9 @@ Interval interval_of(Limit const& limit, Scale const& scale) {
     }
     Interval interval;
     if (limit.min)
-        interval.lower = std::ceil(value_of(*limit.min, scale));
+        interval.lower = std::ceil(snapped(value_of(*limit.min, scale) * (1 - limit.slack / 100)));
     if (limit.max)
-        interval.upper = std::floor(value_of(*limit.max, scale));
+        interval.upper = std::floor(snapped(value_of(*limit.max, scale) * (1 + limit.slack / 100)));
     if (limit.of) {
         double const centre = value_of(*limit.of, scale);
         double const spread = centre * limit.percent / 100;

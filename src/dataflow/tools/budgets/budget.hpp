@@ -37,7 +37,8 @@ struct Limit {
     std::optional<Quantity> max;
     std::optional<Quantity> exact;
     std::optional<Quantity> of;  ///< within: {of, percent}
-    double percent = 0;
+    double percent = 0;          ///< of within
+    double slack = 0;            ///< percent by which max may be exceeded, and min be missed
 
     bool needs_baseline() const;
     /// For people, e.g. "max 1.5 ms".

@@ -74,9 +74,11 @@ class LimitReader {
                 limit_.exact = quantity(bound);
             else if (bound.name == "within")
                 read_within(bound);
+            else if (bound.name == "slack")
+                read_percent(bound, "slack", limit_.slack);
             else
                 faults_.push_back({bound.line, name_ + '.' + bound.name, std::nullopt,
-                                   "unknown limit, expected max, min, exact or within"});
+                                   "unknown limit, expected max, min, slack, exact or within"});
         }
     }
 
@@ -89,7 +91,7 @@ class LimitReader {
                 limit_.of = quantity(part);
             } else if (part.name == "percent") {
                 has_percent = true;
-                read_percent(part);
+                read_percent(part, "within.percent", limit_.percent);
             } else {
                 faults_.push_back(
                     {part.line, name_ + ".within." + part.name, std::nullopt, "unknown key, expected of and percent"});
@@ -99,11 +101,11 @@ class LimitReader {
             faults_.push_back({within.line, name_ + ".within", std::nullopt, "expected both of and percent"});
     }
 
-    void read_percent(MapEntry const& part) {
+    void read_percent(MapEntry const& part, std::string const& key, double& percent) {
         auto const value = is_plain(part.value) ? parse_number(part.value.Scalar()) : std::nullopt;
         if (!value || *value < 0 || *value > 100)
-            return reject_value(part.line, name_ + ".within.percent", part.value, "a number from 0 to 100");
-        limit_.percent = *value;
+            return reject_value(part.line, name_ + '.' + key, part.value, "a number from 0 to 100");
+        percent = *value;
     }
 
     std::optional<Quantity> quantity(MapEntry const& bound) {
@@ -152,6 +154,8 @@ class LimitReader {
         int const kinds = (limit_.exact ? 1 : 0) + (limit_.of ? 1 : 0) + (limit_.min || limit_.max ? 1 : 0);
         if (kinds != 1)
             return reject("contradictory limits, expected exact, or within, or min and max");
+        if (limit_.slack > 0 && !limit_.min && !limit_.max)
+            return reject("slack is of min or max, expected one of them beside it");
         bool const comparable = limit_.min && limit_.max && limit_.min->kind == limit_.max->kind;
         if (comparable && limit_.min->value > limit_.max->value)
             reject(fmt::format("contradictory limits: min {} is above max {}", limit_.min->text, limit_.max->text));

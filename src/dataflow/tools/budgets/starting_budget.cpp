@@ -11,7 +11,7 @@ namespace dataflow::budgets {
 
 namespace {
 
-constexpr double slack = 1.02;
+constexpr int slack = 2;  // percent
 
 std::string quoted(std::string const& text) { return io::text_of(text); }
 
@@ -39,26 +39,28 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
     auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
     std::string text = fmt::format(
         "\nlimits:\n"
-        "  # The whole run: {:.0f} cycles today, and 2 % to spare. A time counts at accelerator.clock_mhz.\n"
-        "  total_cycles: {{max: {:.0f} us}}\n",
-        total, std::ceil(total * slack / measurement.clock_mhz));
+        "  # The whole run: {:.0f} cycles today. A time counts at accelerator.clock_mhz; slack is what may come on "
+        "top, in "
+        "percent.\n"
+        "  total_cycles: {{max: {:.0f} us, slack: {}}}\n",
+        total, std::ceil(total / measurement.clock_mhz), slack);
     if (measurement.figures.find("samples").value_or(0) > 0)
         text += fmt::format(
-            "  # No sample later than it is today{}.\n"
-            "  samples.*.latency_cycles: {{max: baseline}}\n{}",
-            guarded.counter.empty() ? "" : ", and none may score differently",
+            "  # No sample takes longer than it does today{}.\n"
+            "  samples.*.latency_cycles: {{max: baseline, slack: {}}}\n{}",
+            guarded.counter.empty() ? "" : ", and none may score differently", slack,
             guarded.counter.empty() ? "" : fmt::format("  samples.*.{}: {{exact: baseline}}\n", guarded.counter));
     text += fmt::format(
         "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
         "  loops.*.*.ii: {{max: baseline}}\n"
-        "  # Waiting may move a little. Figures without cores.N. are sums over all cores, occupancies the largest.\n"
-        "  modules.{}.empty_stall_cycles: {{within: {{of: baseline, percent: 5}}}}\n"
+        "  # Waiting may move by as much. Figures without cores.N. are sums over all cores, occupancies the largest.\n"
+        "  modules.{}.empty_stall_cycles: {{within: {{of: baseline, percent: {}}}}}\n"
         "  fifos.*.max_occupancy: {{max: baseline}}\n"
         "  # To guard every cycle of every FIFO, loop and module instead:\n"
         "  # fifos.*.*: {{exact: baseline}}\n"
         "  # loops.*.*.*: {{exact: baseline}}\n"
         "  # modules.*.*: {{exact: baseline}}\n\n",
-        guarded.module);
+        guarded.module, slack);
     return text;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/run/config/design.hpp"
 
@@ -103,10 +104,10 @@ std::string percent_text(double a, double b) {
     return percent ? fmt::format("{:+.2f}", *percent) : "-";
 }
 
-std::string figure_text(std::optional<std::uint64_t> figure) { return figure ? std::to_string(*figure) : "-"; }
+std::string figure_text(std::optional<std::uint64_t> figure) { return figure ? grouped(*figure) : "-"; }
 
 Row row_of(std::string const& name, Change const& change) {
-    return {name, figure_text(change.a), figure_text(change.b), fmt::format("{:+}", change.difference()),
+    return {name, figure_text(change.a), figure_text(change.b), grouped_change(change.difference()),
             percent_text(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)))};
 }
 
@@ -215,12 +216,12 @@ std::string comparison_text(Comparison const& comparison, std::size_t top) {
     std::string text;
     if (comparison.identical) {
         line(text, "identical: configuration, results and cycles of {} and {} ({} samples, {} cycles)",
-             comparison.a.folder, comparison.b.folder, comparison.a.samples, comparison.a.total_cycles);
+             comparison.a.folder, comparison.b.folder, comparison.a.samples, grouped(comparison.a.total_cycles));
         return text;
     }
     heads(text, comparison);
-    configuration(text, comparison, top);
     headline(text, comparison.a, comparison.b);
+    configuration(text, comparison, top);
     results(text, comparison, top);
     fifo_shapes(text, comparison, top);
     for (ChangeList const& list : comparison.figures)

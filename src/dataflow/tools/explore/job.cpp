@@ -16,7 +16,8 @@ void give_way() {
 
 }  // namespace
 
-Job::Job(Work work) : thread_([this, work = std::move(work)] { run(work); }) {}
+Job::Job(Work work, Clock::duration patience)
+    : patience_(patience), thread_([this, work = std::move(work)] { run(work); }) {}
 
 Job::~Job() {
     cancel();
@@ -42,7 +43,7 @@ void Job::run(Work const& work) {
 }
 
 void Job::check() const {
-    if (is_cancelled_)
+    if (is_cancelled_ || Clock::now() - asked_at_.load() > patience_)
         throw Cancelled();
 }
 
@@ -51,7 +52,8 @@ void Job::end(Json state) {
     end_ = std::move(state);
 }
 
-Json Job::state() const {
+Json Job::state() {
+    asked_at_ = Clock::now();
     std::lock_guard<std::mutex> const lock(mutex_);
     return end_.is_null() ? Json{{"state", "running"}, {"done", done_.load()}, {"steps", steps_.load()}} : end_;
 }

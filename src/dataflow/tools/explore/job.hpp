@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -11,7 +12,8 @@
 
 namespace dataflow::explore {
 
-/// Work in the background, of which somebody asks now and then how far it is. It gives way to what people wait for.
+/// Work in the background, of which somebody asks now and then how far it is. It gives way to what people wait for, and
+/// ends where nobody asks any more: the page was closed.
 class Job {
   public:
     /// Thrown in a job that nobody wants any more.
@@ -27,21 +29,27 @@ class Job {
     /// Returns the result, or throws what says why there is none.
     using Work = std::function<Json(Progress const& progress)>;
 
-    explicit Job(Work work);
+    using Clock = std::chrono::steady_clock;
+
+    /// `patience`: how long it goes on without being asked for its state.
+    explicit Job(Work work, Clock::duration patience = std::chrono::seconds(20));
     /// Cancels it.
     ~Job();
     Job(Job const&) = delete;
     Job& operator=(Job const&) = delete;
 
     void cancel() { is_cancelled_ = true; }
-    /// `state`: running, with `done` and `steps`; done, with `result`; cancelled; failed, with `error`.
-    Json state() const;
+    /// Tells the job that somebody waits, too. `state`: running, with `done` and `steps`; done, with `result`;
+    /// cancelled; failed, with `error`.
+    Json state();
 
   private:
     void run(Work const& work);
     void check() const;
     void end(Json state);
 
+    Clock::duration patience_;
+    std::atomic<Clock::time_point> asked_at_{Clock::now()};
     std::atomic<bool> is_cancelled_{false};
     std::atomic<std::size_t> done_{0};
     std::atomic<std::size_t> steps_{0};

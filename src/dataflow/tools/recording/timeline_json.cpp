@@ -203,7 +203,8 @@ class TimelineWriter {
         for (CoreTimeline::Sample const& sample : core.samples)
             add_slice(lanes.take(sample.begin, sample.end), fmt::format("sample {}", sample.sample), "sample",
                       sample.begin, sample.end,
-                      fmt::format(R"("sample":{},"complete":{})", sample.sample, sample.complete));
+                      fmt::format(R"("begin_cycle":{},"end_cycle":{},"sample":{},"complete":{})", sample.begin,
+                                  sample.end, sample.sample, sample.complete));
         for (std::size_t lane = 0; lane < lanes.count(); ++lane)
             name("thread_name", lane, lane == 0 ? "samples" : fmt::format("samples {}", lane + 1));
         return lanes.count();

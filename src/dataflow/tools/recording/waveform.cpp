@@ -5,6 +5,10 @@
 
 namespace dataflow::recording {
 
+namespace {
+constexpr unsigned bits_of_cycle = 48;
+}
+
 Waveform::Waveform(WaveformFiles const& files, double clock_mhz)
     : files_(files), ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {}
 
@@ -30,10 +34,13 @@ Waveform::Signal Waveform::add(SignalShape const& shape, std::size_t domain, Val
 }
 
 void Waveform::add_clock() {
-    for (auto const& file : files_)
-        file->declare({"clock", 1, {}});
-    clock_ = variables_.size();
-    variables_.emplace_back().domain = ~std::uint32_t{0};
+    for (SignalShape const& shape : {SignalShape{"clock", 1, {}}, SignalShape{"cycle", bits_of_cycle, {}}}) {
+        for (auto const& file : files_)
+            file->declare(shape);
+        variables_.emplace_back().domain = ~std::uint32_t{0};
+    }
+    clock_ = variables_.size() - 2;
+    number_ = variables_.size() - 1;
 }
 
 void Waveform::begin(std::vector<std::pair<Cycles, Cycles>> windows) {
@@ -124,7 +131,7 @@ void Waveform::flush_cycle() {
         return;
     std::sort(dirty_.begin(), dirty_.end());  // engines may tell of one cycle in another order
     go_to(ticks_of(cycle_));
-    change(clock_, is_in(all_windows_) ? Bits(1) : std::nullopt);
+    begin_cycle(cycle_);
     for (Signal const signal : dirty_) {
         Variable& variable = variables_[signal];
         variable.is_dirty = false;
@@ -144,11 +151,18 @@ void Waveform::run_clock(Cycles until) {
     for (Cycles cycle = std::max(cycle_, all_windows_.first); cycle < until && cycle <= all_windows_.second; ++cycle) {
         if (cycle > cycle_) {
             go_to(ticks_of(cycle));
-            change(clock_, 1);
+            begin_cycle(cycle);
         }
         go_to(ticks_of(cycle) + half);
         change(clock_, 0);
     }
+}
+
+/// Outside of all windows both are unknown.
+void Waveform::begin_cycle(Cycles cycle) {
+    bool const is_shown = cycle >= all_windows_.first && cycle <= all_windows_.second;
+    change(clock_, is_shown ? Bits(1) : std::nullopt);
+    change(number_, is_shown ? Bits(cycle) : std::nullopt);
 }
 
 void Waveform::go_to(std::uint64_t ticks) {

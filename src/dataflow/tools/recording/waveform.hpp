@@ -24,9 +24,9 @@ struct WaveformFiles : std::vector<std::unique_ptr<WaveformFile>> {
     }
 };
 
-/// The signals of a waveform, cycle by cycle, and a clock, which rises where a cycle begins. Values are set; of several
-/// in one cycle the last counts, and what does not change is not written. Signals belong to domains, each with a window
-/// of cycles of its own, outside of which they read as unknown.
+/// The signals of a waveform, cycle by cycle, with a clock, which rises where a cycle begins, and the cycle's number.
+/// Values are set; of several in one cycle the last counts, and what does not change is not written. Signals belong to
+/// domains, each with a window of cycles of its own, outside of which they read as unknown.
 class Waveform {
   public:
     using Signal = std::size_t;
@@ -39,7 +39,7 @@ class Waveform {
     void open_scope(std::string const& name);
     void close_scope();
     Signal add(SignalShape const& shape, std::size_t domain, Value value = 0);
-    /// Where the clock stands among the signals.
+    /// Where the clock and the number of the cycle stand among the signals.
     void add_clock();
     /// Ends the declarations. `windows`: first and last cycle of each domain.
     void begin(std::vector<std::pair<Cycles, Cycles>> windows);
@@ -86,6 +86,7 @@ class Waveform {
     };
     void flush_cycle();
     void run_clock(Cycles until);
+    void begin_cycle(Cycles cycle);
     void go_to(std::uint64_t ticks);
     void change(Signal signal, Bits value);
     void touch(Signal signal);
@@ -101,6 +102,7 @@ class Waveform {
     double ticks_per_cycle_;
     std::vector<Variable> variables_;
     Signal clock_ = 0;
+    Signal number_ = 0;
     std::vector<Signal> dirty_;
     std::vector<std::pair<Cycles, Cycles>> windows_;  // by domain
     std::pair<Cycles, Cycles> all_windows_{~Cycles{0}, 0};

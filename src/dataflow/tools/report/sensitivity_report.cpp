@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/grouped_digits.hpp"
 
 namespace dataflow::report {
 
@@ -37,16 +38,26 @@ std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack con
     return fmt::format("{}{}", row.value + direction * slack.change, slack.end == SlackEnd::limit ? ", or beyond" : "");
 }
 
+constexpr char const* line_format = "  {:<{}} {:>7} {:>22} {:>22}\n";
+
+std::size_t widest_key(std::vector<Sensitivity> const& rows) {
+    std::size_t widest = 0;
+    for (Sensitivity const& row : rows)
+        widest = std::max(widest, row.key.size());
+    return widest;
+}
+
 std::string slack_text(RunStatistics const& run) {
     std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
-    text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", "key", "value", "down to", "up to");
+    std::size_t const width = widest_key(run.sensitivities);
+    text += fmt::format(line_format, "key", width, "value", "down to", "up to");
     std::size_t tight = 0;
     for (Sensitivity const& row : run.sensitivities) {
         if (row.down.slack->change == 0 && row.up.slack->change == 0) {
             ++tight;
             continue;
         }
-        text += fmt::format("  {:<55} {:>7} {:>22} {:>22}\n", row.key, row.value, slack_cell(row, -1, *row.down.slack),
+        text += fmt::format(line_format, row.key, width, row.value, slack_cell(row, -1, *row.down.slack),
                             slack_cell(row, 1, *row.up.slack));
     }
     text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");
@@ -62,13 +73,34 @@ std::int64_t effect_of(Sensitivity const& row, RunStatistics const& run) {
     return largest;
 }
 
+bool is_same_step(SensitivityStep const& a, SensitivityStep const& b) {
+    return a.valid == b.valid && a.deadlocks == b.deadlocks && a.total_cycles == b.total_cycles;
+}
+
+/// The target of a loop and the interval of its dependence are two keys of one interval: where either step does the
+/// same, one row has both.
+void join_intervals(std::vector<Sensitivity>& rows) {
+    std::string const target = ".ii";
+    std::string const dependence = ".recurrence_ii";
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        Sensitivity& first = rows[i - 1];
+        Sensitivity const& second = rows[i];
+        std::string const loop = first.key.substr(0, first.key.rfind('.'));
+        if (first.key == loop + target && second.key == loop + dependence && first.value == second.value &&
+            is_same_step(first.down, second.down) && is_same_step(first.up, second.up)) {
+            first.key += ", " + dependence.substr(1);
+            rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+}
+
 std::string cell(SensitivityStep const& step, RunStatistics const& run) {
     if (!step.valid)
         return "not valid";
     if (step.deadlocks)
         return "deadlock";
     std::int64_t const change = change_of(step, run);
-    return fmt::format("{:+} ({:+.2f} %)", change,
+    return fmt::format("{} ({:+.2f} %)", grouped_change(change),
                        100.0 * static_cast<double>(change) / static_cast<double>(run.total_cycles));
 }
 
@@ -121,15 +153,18 @@ std::string sensitivities_text(RunStatistics const& run) {
     std::stable_sort(rows.begin(), rows.end(), [&run](Sensitivity const& a, Sensitivity const& b) {
         return effect_of(a, run) > effect_of(b, run);
     });
-    std::string text =
-        fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n", run.total_cycles);
-    text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", "key", "value", "one less", "one more");
-    for (std::size_t i = 0; i < rows.size() && i < most_steps; ++i)
-        text += fmt::format("  {:<47} {:>7} {:>22} {:>22}\n", rows[i].key, rows[i].value, cell(rows[i].down, run),
-                            cell(rows[i].up, run));
-    if (rows.size() > most_steps)
-        text += fmt::format("  ({} more, which the files of --out or --csv list)\n", rows.size() - most_steps);
     std::size_t const idle = run.sensitivities.size() - rows.size();
+    join_intervals(rows);
+    std::size_t const more = rows.size() > most_steps ? rows.size() - most_steps : 0;
+    rows.resize(rows.size() - more);
+    std::string text = fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n",
+                                   grouped(run.total_cycles));
+    std::size_t const width = widest_key(rows);
+    text += fmt::format(line_format, "key", width, "value", "one less", "one more");
+    for (Sensitivity const& row : rows)
+        text += fmt::format(line_format, row.key, width, row.value, cell(row.down, run), cell(row.up, run));
+    if (more > 0)
+        text += fmt::format("  ({} more, which the files of --out or --csv list)\n", more);
     text += fmt::format("  {} {} nothing by one step.\n", idle, idle == 1 ? "key changes" : "keys change");
     if (!run.alternatives.empty())
         text += alternatives_text(run);

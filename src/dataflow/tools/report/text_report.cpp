@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/run/figures/column_values.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"
@@ -41,14 +42,14 @@ void headline(std::string& text, RunStatistics const& run) {
     Machine const& machine = run.machine;
     line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
          machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
-    line(text, "total  {} cycles = {:.3f} ms", run.total_cycles, machine.milliseconds(run.total_cycles));
+    line(text, "total  {} cycles = {:.3f} ms", grouped(run.total_cycles), machine.milliseconds(run.total_cycles));
     if (run.load_cycles > 0)
-        line(text, "load   {} cycles of them, before cycle 0 of all that follows", run.load_cycles);
+        line(text, "load   {} cycles of them, before cycle 0 of all that follows", grouped(run.load_cycles));
 }
 
 void module_table(std::string& text, RunStatistics const& run) {
     Cycles const lane_cycles = run.core_cycles() * run.cores.size();
-    line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", lane_cycles);
+    line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", grouped(lane_cycles));
     std::string header = fmt::format("  {:<19}", "module");
     bool const has_memory = run.machine.external_memory.has_value();
     for (std::size_t c = 0; c < cycle_class_count; ++c)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dataflow/base/csv_cell.hpp"
+#include "dataflow/base/grouped_digits.hpp"
 
 namespace dataflow::report {
 
@@ -32,8 +33,8 @@ std::int64_t WhatifTable::change_of(Row const& row) const {
 std::string WhatifTable::text() const {
     std::string text =
         fmt::format("  {:>5} {:>14} {:>12} {:>22}  configuration\n", "row", "total cycles", "ms", "change");
-    fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", "-", recorded_.total_cycles,
-                   recorded_.milliseconds(), "-", recorded_.settings);
+    fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", "-",
+                   grouped(recorded_.total_cycles), recorded_.milliseconds(), "-", recorded_.settings);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row const& row = rows_[i];
         if (row.deadlocks) {
@@ -41,11 +42,11 @@ std::string WhatifTable::text() const {
                            row.settings);
             continue;
         }
-        std::string change = fmt::format("{:+}", change_of(row));
+        std::string change = fmt::format("{}", grouped_change(change_of(row)));
         if (recorded_.total_cycles > 0)
             change += fmt::format(" ({:+.2f} %)", 100.0 * static_cast<double>(change_of(row)) /
                                                       static_cast<double>(recorded_.total_cycles));
-        fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", i, row.total_cycles,
+        fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12.3f} {:>22}  {}\n", i, grouped(row.total_cycles),
                        row.milliseconds(), change, row.settings);
     }
     return text;

@@ -36,7 +36,7 @@ std::string primitives_text(Primitives const& primitives) {
 }
 
 std::string choice_line(char const* name, SizedChoice const& choice, Sizing const& sizing) {
-    return fmt::format("  {:<11}{:>14} {:>12} {:>12.1f}  {}\n", name, cycles_text(choice.total_cycles),
+    return fmt::format("  {:<11}{:>14} {:>12} {:>14.1f}  {}\n", name, cycles_text(choice.total_cycles),
                        change_text(choice.total_cycles, sizing.unbounded.total_cycles), choice.cost,
                        primitives_text(choice.primitives));
 }
@@ -50,21 +50,21 @@ std::string names_of(std::vector<std::size_t> const& fifos, Machine const& machi
 
 std::string proof(Sizing const& sizing) {
     if (sizing.is_proven)
-        return "\n  Proven: no depths within the bound cost less.\n";
+        return fmt::format("\n  Proven: nothing below {:.1f} LUT-equivalents keeps the bound.\n", sizing.answer.cost);
     if (sizing.is_given_up)
         return fmt::format(
-            "\n  Not proven to be the cheapest: the search was given up. Nothing within the bound costs less than "
-            "{:.1f} LUT.\n",
+            "\n  Not proven to be the cheapest: the search was given up. Nothing below {:.1f} LUT-equivalents keeps "
+            "the "
+            "bound.\n",
             sizing.least_cost);
     if (shares_memory(sizing.machine))
         return fmt::format(
-            "\n  Nothing within the bound costs less than {:.1f} LUT: that would be too slow even if every master had "
-            "the\n"
+            "\n  Nothing below {:.1f} LUT-equivalents keeps the bound, not even if every master had the\n"
             "  memory to itself. They share it, so that more room may cost time: not proven that nothing in between is "
             "within.\n",
             sizing.least_cost);
     return fmt::format(
-        "\n  Nothing within the bound costs less than {:.1f} LUT: that would be too slow even if tokens in front of a\n"
+        "\n  Nothing below {:.1f} LUT-equivalents keeps the bound, not even if tokens in front of a\n"
         "  full {} closed up. They freeze, so that more room may cost time: not proven that nothing in between is "
         "within.\n",
         sizing.least_cost, names_of(freezing_fifos(sizing.machine), sizing.machine));
@@ -81,23 +81,24 @@ std::string remark(Sizing const& sizing) {
 std::string head(Sizing const& sizing) {
     std::string text = fmt::format("Cheapest FIFOs within {} % of unbounded ones: at most {} cycles\n\n",
                                    sizing.options.within_percent, sizing.bound);
-    text += fmt::format("  {:<11}{:>14} {:>12} {:>12}  per core, {} {}\n", "FIFOs", "total cycles", "change",
-                        "cost [LUT]", sizing.machine.cores, sizing.machine.cores == 1 ? "core" : "cores alike");
+    text += fmt::format("  {:<11}{:>14} {:>12} {:>14}  per core, {} {}\n", "FIFOs", "total cycles", "change",
+                        "cost [LUT-eq]", sizing.machine.cores, sizing.machine.cores == 1 ? "core" : "cores alike");
     text += choice_line("unbounded", sizing.unbounded, sizing);
     text += choice_line("configured", sizing.configured, sizing);
     text += choice_line("answer", sizing.answer, sizing);
     text += proof(sizing) + remark(sizing);
-    return text + fmt::format("  A RAMB36 counts as {:.2f} LUT.\n", sizing.options.weights.luts_per_ramb36);
+    return text + fmt::format("  A RAMB36 counts as {:.2f} LUT-equivalents, a LUT as one.\n",
+                              sizing.options.weights.luts_per_ramb36);
 }
 
 std::string depths(Sizing const& sizing) {
-    std::string text = fmt::format("\nThe answer\n  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12}{:>9}  {}\n", "FIFO",
-                                   "configured", "depth", "kind", "bits", "cost [LUT]", "holds", "primitives");
+    std::string text = fmt::format("\nThe answer\n  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>15}{:>9}  {}\n", "FIFO",
+                                   "configured", "depth", "kind", "bits", "cost [LUT-eq]", "holds", "primitives");
     for (std::size_t const i : fifos_of(sizing.machine)) {
         MachineFifo const& fifo = sizing.machine.fifos[i];
         FifoChoice const& choice = sizing.answer.choice[i];
         Primitives const primitives = primitives_of(choice, freedom_of(fifo), sizing.options.weights);
-        fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>12.1f}{:>9}  {}\n", fifo.name,
+        fmt::format_to(std::back_inserter(text), "  {:<20}{:>10}{:>8}  {:<15}{:>6}{:>15.1f}{:>9}  {}\n", fifo.name,
                        fifo.depth, choice.depth, choice_name(choice.kind), fifo.bits,
                        cost_of(primitives, sizing.options.weights), sizing.holds[i].depth, primitives_text(primitives));
     }
@@ -128,11 +129,11 @@ std::string front(Sizing const& sizing) {
     if (sizing.front.empty())
         return "";
     std::string text = fmt::format(
-        "\nCost against cycles, the cheapest within each of several bounds\n  {:>12}{:>15} "
+        "\nCost against cycles, the cheapest within each of several bounds\n  {:>14}{:>15} "
         "{:>12}  primitives of a core\n",
-        "cost [LUT]", "total cycles", "change");
+        "cost [LUT-eq]", "total cycles", "change");
     for (FrontPoint const& point : sizing.front)
-        fmt::format_to(std::back_inserter(text), "  {:>12.1f}{:>15} {:>12}  {}{}\n", point.cost,
+        fmt::format_to(std::back_inserter(text), "  {:>14.1f}{:>15} {:>12}  {}{}\n", point.cost,
                        point.found.total_cycles, change_text(point.found.total_cycles, sizing.unbounded.total_cycles),
                        primitives_text(point.primitives), point.found.is_proven ? "" : " (not proven)");
     return text;

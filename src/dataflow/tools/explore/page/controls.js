@@ -9,7 +9,9 @@ function stops_between(min, max) {
   return stops;
 }
 
-const usual_most = 1024; // a slider goes no further unless the value does
+/// Where a slider ends, unless the recorded value is near it or beyond; the field beside it takes the rest.
+const usual_most = { depth: 1024, ports: 8, factor: 16, ii: 16, recurrence_ii: 16, raster_cores: 32 };
+const other_most = 128;
 
 /// "fifos.vertex" of accelerator.fifos.vertex.depth
 function part_of(key) {
@@ -57,7 +59,7 @@ class KeyControl {
   }
 
   add_slider() {
-    const most = Math.min(this.row.max, Math.max(usual_most, 2 * Number(this.row.value)));
+    const most = Math.min(this.row.max, Math.max(usual_most[leaf_of(this.row.key)] ?? other_most, 2 * Number(this.row.value)));
     this.stops = stops_between(this.row.min, most);
     this.slider = element("input", { type: "range", min: 0, max: this.stops.length - 1, step: 1, "aria-label": `${this.row.key}, slider` });
     const value = () => String(this.stops[Number(this.slider.value)]);
@@ -86,15 +88,15 @@ class KeyControl {
     this.back.disabled = !differs;
   }
 
-  /// The sensitivity of this key: {down, up}, or null while it is not known.
+  /// The sensitivity of this key: {down, up}, or null while it is not known; then a button says only which way it goes.
   show_sensitivity(sensitivity) {
     this.sensitivity = sensitivity;
     ["down", "up"].forEach((side, i) => {
       const step = sensitivity && sensitivity[side];
       const button = this.steps[i];
       const sign = side === "up" ? "+1" : "−1";
-      button.disabled = !step || step.outcome === "invalid";
-      button.textContent = !step ? "" : step.outcome === "finished" ? signed(step.change_cycles) : step.outcome;
+      button.disabled = step ? step.outcome === "invalid" : this.row.kind !== "integer";
+      button.textContent = !step ? (this.row.kind === "integer" ? sign : "") : step.outcome === "finished" ? signed(step.change_cycles) : step.outcome;
       button.title = !step ? "" : `${sign}: ${button.textContent}${step.outcome === "finished" ? " cycles" : ""}`;
       button.className = "step " + (!step ? "" : step.outcome === "deadlock" || step.change_cycles > 0 ? "worse" : step.change_cycles < 0 ? "better" : "");
     });

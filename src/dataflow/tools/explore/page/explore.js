@@ -1,6 +1,7 @@
 // The page of an exploration: every change is retimed by the server and drawn here.
 
 const drag_pause_ms = 60; // without a new total, before the rest is drawn
+const rest_ms = 800; // without a new total, before steps from there are worked out
 
 class Explorer {
   constructor() {
@@ -34,7 +35,6 @@ class Explorer {
     button("copy --set", "for run, whatif and size-fifos", () => this.copy(this.set_options()));
     button("copy YAML", "a configuration file that takes as long", () => this.copy(this.figures.yaml));
     button("copy link", "this address has all changes", () => this.copy(location.href));
-    this.sensitivity_button = button("sensitivities of this", "what one step of each key changes from here", () => this.work_out_sensitivities());
     this.sensitivity_note = element("span", { class: "note", "aria-live": "polite" });
     this.copied = element("textarea", { id: "copied", "aria-label": "Copied text", readonly: "", rows: 3, hidden: "" });
     by_id("actions").append(this.sensitivity_note, this.copied);
@@ -46,7 +46,6 @@ class Explorer {
     new AnySample();
     this.retimed(recorded, { changes: this.changes, is_settled: false, asked_at: performance.now() }, false);
     this.go_to(changes_of_hash(location.hash));
-    this.work_out_sensitivities();
   }
 
   set_options() {
@@ -110,6 +109,7 @@ class Explorer {
     if (figures.outcome === "finished") this.tried.note({ overrides: this.overrides, cycles: figures.total_cycles, cost: figures.area.cost_of_cores });
     show_headline(figures, this.pinned);
     by_id("headline").dataset.milliseconds = performance.now() - asked_at;
+    this.forget_sensitivities();
     if (is_stale) return;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.show_settled(), drag_pause_ms);
@@ -175,13 +175,25 @@ class Explorer {
     by_id("keys").scrollIntoView({ block: "nearest", behavior: "smooth" });
   }
 
+  /// Steps are those of what is on the screen: until they are worked out again, none is shown.
+  forget_sensitivities() {
+    const of = this.overrides.join();
+    if (this.steps_of === of) return;
+    this.steps_of = of;
+    this.keys.show_sensitivities([]);
+    this.sensitivity_note.textContent = "";
+    clearTimeout(this.steps_later);
+    this.steps_later = setTimeout(() => this.work_out_sensitivities(), rest_ms);
+  }
+
   async work_out_sensitivities() {
-    const set = this.overrides || [];
+    const of = this.overrides.join();
+    if (this.figures.outcome !== "finished") return;
     try {
-      const result = await this.sensitivities.start({ set });
-      if (!result) return;
+      const result = await this.sensitivities.start({ set: this.overrides });
+      if (!result || of !== this.overrides.join()) return;
       this.keys.show_sensitivities(result.sensitivities);
-      this.sensitivity_note.textContent = set.length === 0 ? "sensitivities: of the recorded run" : "sensitivities: of these settings";
+      this.sensitivity_note.textContent = "one step of each key: worked out from here";
     } catch (error) {
       this.sensitivity_note.textContent = error.message;
     }

@@ -49,8 +49,8 @@ class Sizing {
 
   show(sizing, base) {
     const { answer } = sizing;
-    this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36 a core, ` +
-      `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing within the bound costs less." : `not proven to be the cheapest: nothing costs less than ${whole(sizing.least_cost_luts)} LUTs.`}`);
+    this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.cost_luts)} LUT-equivalents a core (${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36), ` +
+      `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing below that keeps the bound." : `not proven to be the cheapest, but: nothing below ${whole(sizing.least_cost_luts)} LUT-equivalents keeps the bound.`}`);
     const take = element("button", { type: "button", id: "take-sizing" }, "take these depths");
     take.addEventListener("click", () => this.found(this.overrides_of_depths(answer.depths)));
     by_id("sizing-note").append(" ", take);
@@ -82,7 +82,7 @@ class Tried {
     this.table = new SortableTable(by_id("tried-table"), "Tried", [
       { title: "changes", value: (row) => row.overrides.join(" ") || "as recorded", wrap: true, fill: (cell, row) => this.fill_link(cell, row) },
       figure("cycles", (row) => row.cycles),
-      figure("cost [LUTs]", (row) => row.cost),
+      figure("cost [LUT-equivalents]", (row) => row.cost),
     ], [], { box: "high" });
   }
 
@@ -120,10 +120,10 @@ class Tried {
       options: {
         onClick: (event, items) => { if (items.length > 0) this.chosen(items[0].element.$context.raw.row.overrides); },
         scales: {
-          x: { title: axis_title("cost of FIFOs and memories of all cores [LUTs]") },
+          x: { title: axis_title("cost of FIFOs and memories of all cores [LUT-equivalents]") },
           y: { title: axis_title("cycles"), ticks: { callback: (value) => whole(value) } },
         },
-        plugins: { tooltip: { callbacks: { label: (item) => `${whole(item.raw.y)} cycles, ${whole(item.raw.x)} LUTs: ${item.raw.row.overrides.join(" ") || "as recorded"}` } } },
+        plugins: { tooltip: { callbacks: { label: (item) => `${whole(item.raw.y)} cycles, ${whole(item.raw.x)} LUT-equivalents: ${item.raw.row.overrides.join(" ") || "as recorded"}` } } },
       },
     };
   }

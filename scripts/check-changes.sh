@@ -39,8 +39,9 @@ for name in "${patches[@]}"; do
     ((files <= limit)) || complain "$patch touches $files files, expected at most $limit"
 done
 
-# The model with all of them: each finds its place with a line around it, as others may have changed the next. What has not changed since the last time keeps its time, and is not compiled again. Git must
-# not take the copy for a part of this repository, whose files it would look for.
+# The model with all of them: each finds its place with a line around it, as others may have changed the next. What has
+# not changed since the last time keeps its time, and is not compiled again. Git must not take the copy for a part of
+# this repository, whose files it would look for.
 stage="$root/stage"
 rm -rf "$stage"
 mkdir "$stage"

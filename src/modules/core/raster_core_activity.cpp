@@ -5,9 +5,19 @@
 
 #include "faster/config/edge_map_design.hpp"
 #include "faster/data/token_fields.hpp"
+#include "modules/core/described_parts.hpp"
 #include "modules/edge_map_builder/map_accesses.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 
 namespace faster {
+
+namespace {
+/// What an iteration of a loop of the inlier unit does around one pixel, as its description says.
+AccessPattern accesses_of_inlier_unit(AcceleratorConfig const& config, char const* loop) {
+    ModuleDescription unit = InlierUnit::describe(config);
+    return loop_of(unit, loop).accesses.at(0).pattern;
+}
+}  // namespace
 
 RasterCoreActivity::TokenBranch::TokenBranch(PerMap const& touches)
     : edge_map(touched_words(touches.edge_map, 1)), object_map(touched_words(touches.object_map, 1)) {}
@@ -19,6 +29,8 @@ RasterCoreActivity::RasterCoreActivity(AcceleratorConfig const& config, Machine 
       object_branch_(design_of(config.edge_map.algorithm).object_token),
       second_(design_of(config.edge_map.algorithm).second),
       depth_clearing_(config.inlier_unit.clearing),
+      fragment_words_(accesses_of_inlier_unit(config, "fragment")),
+      sweep_words_(accesses_of_inlier_unit(config, "sweep")),
       sweep_(sweep_design(config)),
       extract_(extract_design(config)),
       extract_radius_(config.edge_extraction.neighbourhood / 2),
@@ -213,8 +225,8 @@ void RasterCoreActivity::read_maps_out(std::int64_t iteration) {
 void RasterCoreActivity::draw_fragment(Cycles cycle) {
     if (fragment_read_ != cycle)  // a triangle's, in a flattened loop
         return;
-    access_pixels(depth_buffer_, false, fragment_);
-    access_pixels(depth_buffer_, true, fragment_);
+    access_around(depth_buffer_, false, fragment_words_.reads, fragment_);
+    access_around(depth_buffer_, true, fragment_words_.writes, fragment_);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
@@ -241,9 +253,11 @@ void RasterCoreActivity::sweep_neighbours(std::int64_t pixel) {
     std::int64_t const col = pixel % side_;
     if (!is_inner(pixel))
         return;
-    for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
-        if (!ports_->has_read(depth_buffer_, static_cast<std::uint64_t>(r * side_ + c)))  // for another lane
-            access(depth_buffer_, false, r, c);
+    for (PixelOffset const offset : sweep_words_.reads) {
+        std::int64_t const word = (row + offset.row) * side_ + col + offset.col;
+        if (!ports_->has_read(depth_buffer_, static_cast<std::uint64_t>(word)))  // for another lane
+            access(depth_buffer_, false, word);
+    }
 }
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
@@ -273,10 +287,12 @@ void RasterCoreActivity::access(std::size_t memory, bool writes, std::int64_t ro
         access(memory, writes, row * side_ + col);
 }
 
-void RasterCoreActivity::access_pixels(std::size_t memory, bool writes, Token const& token) {
+void RasterCoreActivity::access_around(std::size_t memory, bool writes, std::vector<PixelOffset> const& words,
+                                       Token const& token) {
     for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
         if ((token.mask >> lane) % 2 != 0)
-            access(memory, writes, token.row, token.col + lane);
+            for (PixelOffset const offset : words)
+                access(memory, writes, token.row + offset.row, token.col + lane + offset.col);
 }
 
 }  // namespace faster

@@ -75,12 +75,13 @@ class RasterCoreActivity : public recording::MemoryActivity {
     void access(std::size_t memory, bool writes, std::int64_t pixel);
     void access(std::size_t memory, bool writes, std::int64_t row, std::int64_t col);
     void access_words(std::size_t memory, AccessPattern const& words, std::int64_t row, std::int64_t col);
-    void access_pixels(std::size_t memory, bool writes, Token const& token);
+    void access_around(std::size_t memory, bool writes, std::vector<PixelOffset> const& words, Token const& token);
 
     Machine const& machine_;
     EdgeMapConfig edge_map_config_;
     TokenBranch edge_branch_, object_branch_, second_;
     MapClearing depth_clearing_;
+    AccessPattern fragment_words_, sweep_words_;  ///< around a pixel: of a fragment, and of one that is judged
     SweepDesign sweep_;
     ExtractDesign extract_;
     std::int64_t extract_radius_;

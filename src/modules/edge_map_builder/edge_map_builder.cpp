@@ -83,8 +83,8 @@ void EdgeMapBuilder::build() {
 
 /// Works off the tokens at hand. Every iteration that consumes `current` reads the next token in its step, so that the
 /// loop knows the end token one iteration early: then the second iteration of the last token never runs, unless the
-/// configuration says so. Iterations are told many together, with a bit each for those that a second one follows. True
-/// until the end token has been read.
+/// configuration says so. Iterations are told many together, with a bit each for those that a second one follows; while
+/// the clock lets them pass, others may put tokens where these lie. True until the end token has been read.
 bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
     std::size_t const available = edge_token_->peek();
     EdgeToken const* next = edge_token_->front();

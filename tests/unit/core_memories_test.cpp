@@ -7,6 +7,7 @@
 
 #include "dataflow/core/machine/block_ram.hpp"
 #include "faster/dataflow_names.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 #include "support/raster_machine.hpp"
 
 // The memories of a raster core, and what its loops do to them.
@@ -98,6 +99,21 @@ TEST_CASE("Loops know where they touch their memories", "[partition]") {
     CHECK(crowd_of(LoopId::token, "object_map", {}) == 0);    // it has one map
     CHECK(loop_accesses(LoopId::token, config).size() == 2);  // of an edge token, and of an object token
     CHECK(loop_accesses(LoopId::scan, config).empty());
+}
+
+TEST_CASE("With the defaults the sweep and the fragments access what the thesis's inlier unit says", "[partition]") {
+    AcceleratorConfig const config;
+    for (LoopDescription const& loop : InlierUnit::describe(config).loops) {
+        CAPTURE(loop.name);
+        std::vector<MemoryAccess> const varied = loop_accesses(loop.name == "sweep"   ? LoopId::sweep
+                                                               : loop.name == "clear" ? LoopId::depth_clear
+                                                                                      : LoopId::fragment,
+                                                               config);
+        REQUIRE(varied.size() == 1);
+        REQUIRE(loop.accesses.size() == 1);
+        CHECK(varied[0].pattern.reads == loop.accesses[0].pattern.reads);
+        CHECK(varied[0].pattern.writes == loop.accesses[0].pattern.writes);
+    }
 }
 
 TEST_CASE("Lanes of the scan touch a word each of the maps they draw in", "[partition][lanes]") {

@@ -8,7 +8,7 @@
 namespace faster {
 
 namespace {
-bool is_end(PixelGroup const& group) { return group.mask == 0; }
+bool ends_sample(PixelGroup const& group) { return group.mask == 0; }
 }  // namespace
 
 /// EdgeMapBuilder::build() with tokens of several pixels. inner_border alone has them, and no second iterations.
@@ -16,7 +16,7 @@ void EdgeMapBuilderVariant::build_of_groups() {
     clock_.here();
     PixelGroup current = edge_groups_->read();
     clock_.advance(1);
-    if (is_end(current)) {
+    if (ends_sample(current)) {
         clock_.advance(1);
         return;
     }
@@ -32,14 +32,14 @@ bool EdgeMapBuilderVariant::take_groups(PixelGroup& current) {
     std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), waits_for_writes_ ? 1 : ~std::size_t{0});
     PixelGroup const* const next = edge_groups_->front();
     std::size_t taken = 0;
-    while (taken < available && !is_end(current)) {
+    while (taken < available && !ends_sample(current)) {
         take_group(current);
         current = next[taken++];
     }
     clock_.await_writes(token_loop_);
     clock_.iterate(edge_groups_->read_port(), taken);
     edge_groups_->consume(taken);
-    return !is_end(current);
+    return !ends_sample(current);
 }
 
 void EdgeMapBuilderVariant::take_group(PixelGroup const& group) {

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 preset="${1:-ci}"
 page=docs/changing-the-design.md
-patches=(new_fifo new_loop new_key new_figure)
+patches=(new_fifo new_loop new_key new_figure new_algorithm new_module)
 root="$PWD/build/changes"
 copy="$root/src"
 out="$root/out"
@@ -39,15 +39,16 @@ for name in "${patches[@]}"; do
     ((files <= limit)) || complain "$patch touches $files files, expected at most $limit"
 done
 
-# The model with all of them. What has not changed since the last time keeps its time, and is not compiled again. Git must
-# not take the copy for a part of this repository, whose files it would look for.
+# The model with all of them: each finds its place with a line around it, as others may have changed the next. What has
+# not changed since the last time keeps its time, and is not compiled again. Git must not take the copy for a part of
+# this repository, whose files it would look for.
 stage="$root/stage"
 rm -rf "$stage"
 mkdir "$stage"
 cp -r CMakeLists.txt CMakePresets.json cmake configs rtl src "$stage"
 for name in "${patches[@]}"; do
     patch="$PWD/docs/changes/$name.patch"
-    quietly env GIT_CEILING_DIRECTORIES="$root" git -C "$stage" apply "$patch"
+    quietly env GIT_CEILING_DIRECTORIES="$root" git -C "$stage" apply -C1 "$patch"
 done
 for folder in cmake configs rtl src; do
     [[ ! -d "$copy/$folder" ]] || (cd "$copy" && find "$folder" -type f)
@@ -159,4 +160,32 @@ matches="$(sum after/samples.csv edge_match)"
 expect_same "both engines" after/samples.csv lockstep/samples.csv
 echo "new_figure: edge_match counts $matches px; both engines agree"
 
-echo "check-changes: four changes have the sizes that $page states, and show in the results"
+# new_algorithm
+algorithm=(--set accelerator.edge_map.algorithm=outer_border)
+"$before" run "${job[@]}" "${algorithm[@]}" --out "$out/unknown" >"$log" 2>&1 && complain "outer_border is there without its patch"
+run "$after" outer "${algorithm[@]}"
+run "$after" outer_lockstep "${algorithm[@]}" --set simulation.engine=lockstep
+expect_same "both engines, outer_border" outer/samples.csv outer_lockstep/samples.csv
+expect "depths drawn" "$(sum outer/samples.csv valid_raster)" "$(sum after/samples.csv valid_raster)"
+dual="$(sum after/samples.csv valid_edge)"
+outer="$(sum outer/samples.csv valid_edge)"
+((10 * outer > 9 * dual && 9 * outer < 10 * dual)) || complain "outer_border finds $outer edge pixels, dual_map $dual"
+token=(iterations module=edge_map_builder loop=token)
+(($(sum outer/loops.csv "${token[@]}") < $(sum after/loops.csv "${token[@]}"))) ||
+    complain "outer_border takes as many iterations of the token loop as dual_map"
+echo "new_algorithm: $outer edge pixels, dual_map $dual; both engines agree"
+
+# new_module
+key=accelerator.modules.score_unit.division
+has_key "$key"
+has_key accelerator.fifos.scored.depth
+expect "tokens written" "$(sum after/fifos.csv writes fifo=scored)" "$samples"
+expect "tokens read" "$(sum after/fifos.csv reads fifo=result)" "$samples"
+run "$after" slow --set "$key=500"
+run "$after" slow_lockstep --set "$key=500" --set simulation.engine=lockstep
+expect_same "both engines, a division of 500 cycles" slow/samples.csv slow_lockstep/samples.csv
+expect "later ends" "$(($(sum slow/samples.csv latency_cycles) - $(sum after/samples.csv latency_cycles)))" "$((464 * samples))"
+[[ "$(scores after)" == "$(scores slow)" ]] || complain "$key changes what samples score"
+echo "new_module: $samples samples pass; a longer division ends each later by what it is longer"
+
+echo "check-changes: six changes have the sizes that $page states, and show in the results"

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <systemc>
+#include <utility>
 #include <vector>
 
 #include "channels/clocked_fifo.hpp"
@@ -117,9 +118,20 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// Of a FIFO by its name in the machine, to make its channel with.
     timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_->fifo(machine_->fifo(fifo)); }
 
-    /// A FIFO that needs no member and no ports: its modules ask for it by fifo(). In the constructor only.
-    template <class Token> void make_fifo(std::string const& name) {
-        made_.push_back(std::make_unique<ClockedFifo<Token>>(name.c_str(), fifo_timing(name)));
+    /// A FIFO that needs no member: its modules ask for it by fifo(), or have ports that are bound to it. In the
+    /// constructor only.
+    template <class Token> ClockedFifo<Token>& make_fifo(std::string const& name) {
+        auto fifo = std::make_unique<ClockedFifo<Token>>(name.c_str(), fifo_timing(name));
+        ClockedFifo<Token>& made = *fifo;
+        made_.push_back(std::move(fifo));
+        return made;
+    }
+    /// A module that needs no member. In the constructor only.
+    template <class Module, class... Arguments> Module& make_module(char const* name, Arguments&&... arguments) {
+        auto module = std::make_unique<Module>(name, std::forward<Arguments>(arguments)...);
+        Module& made = *module;
+        made_modules_.push_back(std::move(module));
+        return made;
     }
 
   private:
@@ -138,6 +150,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     sc_core::sc_event* memory_asked_ = nullptr;
     std::deque<sc_core::sc_event> memory_events_;  // by process
     std::vector<std::unique_ptr<FifoChannel>> made_;
+    std::vector<std::unique_ptr<sc_core::sc_module>> made_modules_;
     struct WatchedDependence {
         std::size_t loop;    // number in the machine
         std::size_t number;  // of the dependence in the loop

@@ -33,15 +33,15 @@ template <class Pixel, class Group> class PixelsFifo {
             pixels_ = std::make_unique<ClockedFifo<Pixel>>(name, timing);
     }
 
-    void bind(PixelsOut<Pixel, Group>& out, PixelsIn<Pixel, Group>& in) {
-        if (groups_ != nullptr) {
-            out.groups(*groups_);
-            in.groups(*groups_);
-        } else {
-            out.pixels(*pixels_);
-            in.pixels(*pixels_);
-        }
+    /// Binds an end that takes either token, or one that takes pixels.
+    template <template <class> class Port> void bind(PixelsPort<Port, Pixel, Group>& end) {
+        if (groups_ != nullptr)
+            end.groups(*groups_);
+        else
+            end.pixels(*pixels_);
     }
+    void bind(sc_core::sc_fifo_in<Pixel>& in) { in(*pixels_); }
+    void bind(sc_core::sc_fifo_out<Pixel>& out) { out(*pixels_); }
     FifoChannel& channel() {
         if (groups_ != nullptr)
             return *groups_;

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "dataflow/core/machine/block_ram.hpp"
 #include "faster/dataflow_names.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 #include "support/raster_machine.hpp"
 
 // The memories of a raster core, and what its loops do to them.
@@ -24,6 +26,16 @@ std::vector<MemoryAccess> loop_accesses(LoopId id, AcceleratorConfig const& conf
 
 std::uint64_t crowd(AccessPattern const& pattern, PartitionConfig const& config, int side = 200) {
     return BankPartition(config, side).accesses_per_bank(pattern);
+}
+
+/// Of the branch of a loop that asks most of a bank.
+std::uint64_t largest_crowd(std::vector<MemoryAccess> const& branches, std::string const& memory,
+                            PartitionConfig const& partition) {
+    std::uint64_t largest = 0;
+    for (MemoryAccess const& branch : branches)
+        if (branch.memory == memory)
+            largest = std::max(largest, crowd(branch.pattern, partition));
+    return largest;
 }
 
 TEST_CASE("The two maps of ten cores are the 40 block RAMs of Table 6.2", "[block_ram]") {
@@ -67,25 +79,41 @@ TEST_CASE("Two buffers take twice the block RAMs", "[block_ram]") {
 
 TEST_CASE("Loops know where they touch their memories", "[partition]") {
     AcceleratorConfig config;
-    auto const crowd_of = [&config](LoopId loop, std::size_t memory, PartitionConfig const& partition) {
-        return crowd(loop_accesses(loop, config).at(memory).pattern, partition);
+    auto const crowd_of = [&config](LoopId loop, char const* memory, PartitionConfig const& partition) {
+        return largest_crowd(loop_accesses(loop, config), memory, partition);
     };
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 3, 0}) == 1);
+    CHECK(crowd_of(LoopId::sweep, "depth_buffer", {cyclic, 3, 0}) == 1);
     config.inlier_unit.clearing = MapClearing::on_read_out;
-    CHECK(crowd_of(LoopId::sweep, 0, {}) == 6);
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 3, 0}) == 1);  // above to the left is a ninth bank
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 2, 0}) == 2);
+    CHECK(crowd_of(LoopId::sweep, "depth_buffer", {}) == 6);
+    CHECK(crowd_of(LoopId::sweep, "depth_buffer", {cyclic, 3, 0}) == 1);  // above to the left is a ninth bank
+    CHECK(crowd_of(LoopId::sweep, "depth_buffer", {cyclic, 2, 0}) == 2);
     config.inlier_unit.neighbour_access = NeighbourAccess::window;
-    CHECK(crowd_of(LoopId::sweep, 0, {cyclic, 4, 0}) == 2);  // the word it has read
-    CHECK(crowd_of(LoopId::fragment, 0, {cyclic, 4, 0}) == 2);
-    CHECK(crowd_of(LoopId::token, 1, {cyclic, 2, 1}) == 2);  // above and below are both odd
-    CHECK(crowd_of(LoopId::token, 1, {cyclic, 3, 1}) == 1);
+    CHECK(crowd_of(LoopId::sweep, "depth_buffer", {cyclic, 4, 0}) == 2);  // the word it has read
+    CHECK(crowd_of(LoopId::fragment, "depth_buffer", {cyclic, 4, 0}) == 2);
+    CHECK(crowd_of(LoopId::token, "object_map", {cyclic, 2, 1}) == 2);  // above and below are both odd
+    CHECK(crowd_of(LoopId::token, "object_map", {cyclic, 3, 1}) == 1);
     config.edge_map.algorithm = EdgeMapAlgorithm::bounded;
-    CHECK(crowd_of(LoopId::token, 0, {}) == 5);
-    CHECK(crowd_of(LoopId::token, 0, {cyclic, 3, 1}) == 2);
-    CHECK(crowd_of(LoopId::token, 0, {cyclic, 3, 2}) == 5);
-    CHECK(loop_accesses(LoopId::token, config).size() == 1);
+    CHECK(crowd_of(LoopId::token, "edge_map", {}) == 5);
+    CHECK(crowd_of(LoopId::token, "edge_map", {cyclic, 3, 1}) == 2);
+    CHECK(crowd_of(LoopId::token, "edge_map", {cyclic, 3, 2}) == 5);
+    CHECK(crowd_of(LoopId::token, "object_map", {}) == 0);    // it has one map
+    CHECK(loop_accesses(LoopId::token, config).size() == 2);  // of an edge token, and of an object token
     CHECK(loop_accesses(LoopId::scan, config).empty());
+}
+
+TEST_CASE("With the defaults the sweep and the fragments access what the thesis's inlier unit says", "[partition]") {
+    AcceleratorConfig const config;
+    for (LoopDescription const& loop : InlierUnit::describe(config).loops) {
+        CAPTURE(loop.name);
+        std::vector<MemoryAccess> const varied = loop_accesses(loop.name == "sweep"   ? LoopId::sweep
+                                                               : loop.name == "clear" ? LoopId::depth_clear
+                                                                                      : LoopId::fragment,
+                                                               config);
+        REQUIRE(varied.size() == 1);
+        REQUIRE(loop.accesses.size() == 1);
+        CHECK(varied[0].pattern.reads == loop.accesses[0].pattern.reads);
+        CHECK(varied[0].pattern.writes == loop.accesses[0].pattern.writes);
+    }
 }
 
 TEST_CASE("Lanes of the scan touch a word each of the maps they draw in", "[partition][lanes]") {

@@ -1,20 +1,10 @@
 #pragma once
 #include <array>
 
+#include "faster/config/edge_map_algorithm.hpp"
 #include "faster/config/map_clearing.hpp"
 
 namespace faster {
-
-/// How the edge tokens of a sample become its edge map; key `accelerator.edge_map.algorithm`. The designs of the
-/// thesis, in its order.
-enum class EdgeMapAlgorithm {
-    threshold,       ///< 5.1: pixels near an edge, seen once
-    transition,      ///< 5.2: pixels where the scan enters and leaves a triangle
-    bounded,         ///< 5.3: and those above and below a covered one, in one map
-    dual_map,        ///< 5.4 and A.2: the same in two maps; an object token takes two iterations
-    dual_map_4_1_2,  ///< 4.1.2: the same, with the object bit written in the first iteration
-    inner_border,    ///< 7.2: covered pixels beside one that is not
-};
 
 /// How contours are found; keys `accelerator.edge_map.*`.
 struct EdgeMapConfig {

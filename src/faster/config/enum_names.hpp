@@ -8,13 +8,14 @@ namespace dataflow {
 /// How the choices of FASTER's keys are written.
 
 template <> struct EnumNames<faster::EdgeMapAlgorithm> {
-    static constexpr std::array<std::pair<faster::EdgeMapAlgorithm, char const*>, 6> all{
-        {{faster::EdgeMapAlgorithm::threshold, "threshold"},
-         {faster::EdgeMapAlgorithm::transition, "transition"},
-         {faster::EdgeMapAlgorithm::bounded, "bounded"},
-         {faster::EdgeMapAlgorithm::dual_map, "dual_map"},
-         {faster::EdgeMapAlgorithm::dual_map_4_1_2, "dual_map_4_1_2"},
-         {faster::EdgeMapAlgorithm::inner_border, "inner_border"}}};
+    static constexpr auto all = [] {
+        std::array<std::pair<faster::EdgeMapAlgorithm, char const*>, faster::edge_map_designs.size()> names{};
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            names[i].first = faster::edge_map_designs[i].algorithm;
+            names[i].second = faster::edge_map_designs[i].name;
+        }
+        return names;
+    }();
 };
 
 template <> struct EnumNames<faster::Flow> {

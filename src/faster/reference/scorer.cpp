@@ -135,9 +135,11 @@ SampleCounters Scorer::run(std::size_t sample) {
         case EdgeMapAlgorithm::inner_border:
             return run_with<InnerBorder>(sample, TransitionTokens());
         case EdgeMapAlgorithm::dual_map:
-            break;
+            return run_with<DualMap>(sample, TransitionTokens());
+        default:  // of a design that is being tried
+            throw InputError(std::string("accelerator.edge_map.algorithm = ") + design_of(edge_map_.algorithm).name +
+                             ", which the reference does not build");
     }
-    return run_with<DualMap>(sample, TransitionTokens());
 }
 
 template <class Builder, class Tokens> SampleCounters Scorer::run_with(std::size_t sample, Tokens tokens) {

@@ -35,7 +35,7 @@ struct CoreContext {
     DataflowCore& core;
     std::size_t first_sample = 0;
     std::size_t sample_count = 0;
-    SampleProbe* probe = nullptr;  ///< may be null
+    SampleProbe* probe = nullptr;  ///< may be null: see show_edge_maps(), show_depth_buffer()
 
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
     /// Top-left pixel of a sample's window (docs/function.md#samples-and-cores).
@@ -46,6 +46,14 @@ struct CoreContext {
     LaneRows rows_of(PixelBox const& box) const { return {stimulus.window, config.inlier_unit.sweep_lanes, box}; }
     bool sweeps_touched() const { return config.inlier_unit.sweep_region == SweepRegion::touched; }
     PixelBox whole_window() const { return {0, 0, stimulus.window, stimulus.window}; }
+    void show_edge_maps(std::size_t i, EdgeMapView const& maps) const {
+        if (probe != nullptr)
+            probe->edge_maps_done(first_sample + i, maps);
+    }
+    void show_depth_buffer(std::size_t i, std::vector<std::uint16_t> const& depth_buffer) const {
+        if (probe != nullptr)
+            probe->depth_buffer_done(first_sample + i, depth_buffer);
+    }
     std::size_t window_pixels() const {
         return static_cast<std::size_t>(stimulus.window) * static_cast<std::size_t>(stimulus.window);
     }

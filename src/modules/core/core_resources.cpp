@@ -20,6 +20,20 @@ namespace {
 constexpr Resources thesis_chip{212371, 193509, 654, 414};
 constexpr double thesis_cores = 10;
 
+/// The default design, with whose latencies the units were synthesized.
+Machine const& standard_machine() {
+    static Machine const machine = [] {
+        AcceleratorConfig const standard;
+        return make_machine(describe_raster_core(standard), standard);
+    }();
+    return machine;
+}
+
+Cycles latency_of(Machine const& machine, char const* fifo) { return machine.fifos[machine.fifo(fifo)].write_latency; }
+MachineLoop const& fragment_loop_of(Machine const& machine) {
+    return machine.loops[machine.loop(machine.process("inlier_unit"), "fragment")];
+}
+
 /// Stages of a delay line more or fewer than the unit was synthesized with.
 struct Delay {
     Cycles stages;
@@ -46,8 +60,7 @@ class CoreCount {
         told_.modules.resize(machine.processes.size());
         told_.paths.resize(machine.processes.size());
         add("sample_dispatcher", synthesized_logic("sample_dispatcher", {}));
-        add("vertex_transform",
-            synthesized_logic("vertex_transform", {number_key("write_latency", latency("vertex"), 40)}),
+        add("vertex_transform", synthesized_logic("vertex_transform", {write_latency("vertex")}),
             counted_in_vertex_transform(config));
         add("area_reciprocal", area_reciprocal());
         if (has_lane_core(config))
@@ -74,43 +87,44 @@ class CoreCount {
 
     void add_thesis_units() {
         add("rasterizer", rasterizer(),
-            delays({{latency("command"), 7, 1},
-                    {latency("fragment_depth"), 7, 49},
-                    {latency("fragment_index"), 7, 33},
-                    {latency("edge_token"), 7, 35}}),
+            delays({delay("command", 1), delay("fragment_depth", 49), delay("fragment_index", 33),
+                    delay("edge_token", 35)}),
             counted_in_rasterizer(config_));
-        add("edge_map_builder", edge_map_builder(), delays({{latency("edge_map"), 2, 2}}),
+        add("edge_map_builder", edge_map_builder(), delays({delay("edge_map", 2)}),
             counted_in_edge_map_builder(config_, machine_));
         add("observation_reader", observation_reader(),
-            delays({{latency("observed_depth"), 4, 12}, {latency("observed_edge"), 4, 2}}),
-            counted_in_observation_reader(config_));
-        add("inlier_unit", inlier_unit(), delays({{fragment_read_stage(), 7, 37}}),
-            counted_in_inlier_unit(config_, machine_));
+            delays({delay("observed_depth", 12), delay("observed_edge", 2)}), counted_in_observation_reader(config_));
+        add("inlier_unit", inlier_unit(), delays({fragment_read_delay(37)}), counted_in_inlier_unit(config_, machine_));
         add("edge_map_output", {}, counted_in_read_out());
         add("inlier_sweep", {}, counted_in_read_out());
     }
     void add_lane_units() {
         double const lanes = config_.rasterizer.lanes, sweep_lanes = config_.inlier_unit.sweep_lanes;
         add("rasterizer", lane_rasterizer_logic(config_),
-            delays({{latency("command"), 7, 2},
-                    {latency("fragment_depth"), 7, 97},
-                    {latency("fragment_index"), 7, 33 + lanes},
-                    {latency("edge_token"), 7, 33 + lanes}}));
-        ResourceParts const output_delays = delays({{latency("edge_map"), 2, 1 + sweep_lanes}});
+            delays({delay("command", 2), delay("fragment_depth", 97), delay("fragment_index", 33 + lanes),
+                    delay("edge_token", 33 + lanes)}));
+        ResourceParts const output_delays = delays({delay("edge_map", 1 + sweep_lanes)});
         add("edge_map_builder", lane_map_builder_logic(config_, machine_), output_delays);
         add("edge_map_output", lane_map_output_logic(config_), output_delays);
         add("observation_reader", lane_observation_logic(config_),
-            delays({{latency("observed_depth"), 4, 1 + 11 * sweep_lanes},
-                    {latency("observed_edge"), 4, 1 + sweep_lanes}}));
-        add("inlier_unit", lane_inlier_logic(config_, machine_), delays({{fragment_read_stage(), 7, 18 + 21 * lanes}}));
+            delays({delay("observed_depth", 1 + 11 * sweep_lanes), delay("observed_edge", 1 + sweep_lanes)}));
+        add("inlier_unit", lane_inlier_logic(config_, machine_), delays({fragment_read_delay(18 + 21 * lanes)}));
         add("inlier_sweep", lane_sweep_logic(config_));
     }
 
-    Cycles latency(char const* fifo) const { return machine_.fifos[machine_.fifo(fifo)].write_latency; }
-    /// Of the depth buffer, as the twin has it: the eighth of ten stages, or the last but two.
-    Cycles fragment_read_stage() const {
-        Cycles const depth = machine_.loops[machine_.loop(machine_.process("inlier_unit"), "fragment")].depth;
-        return std::clamp<Cycles>(depth, 3, 10) - 3;
+    UnitKey write_latency(char const* fifo) const {
+        return number_key("write_latency", latency_of(machine_, fifo),
+                          static_cast<int>(latency_of(standard_machine(), fifo)));
+    }
+    Delay delay(char const* fifo, double bits) const {
+        return {latency_of(machine_, fifo), latency_of(standard_machine(), fifo), bits};
+    }
+    /// Of the depth buffer's read, as the twin has it: in a pipeline that is too short so many stages before its end.
+    Delay fragment_read_delay(double bits) const {
+        MachineLoop const& standard = fragment_loop_of(standard_machine());
+        Cycles const read = standard.dependences.front().read_stage;
+        Cycles const behind = standard.depth - read;
+        return {std::clamp(fragment_loop_of(machine_).depth, behind, standard.depth) - behind, read, bits};
     }
     UnitLogic with_sweep_lanes(char const* unit, UnitLogic one_lane) const {
         int const lanes = config_.inlier_unit.sweep_lanes;
@@ -136,7 +150,7 @@ class CoreCount {
         MachineFifo const& fifo = machine_.fifos[machine_.fifo("area_reciprocal")];
         return synthesized_logic(
             "area_reciprocal",
-            {vertex_xy(), reciprocal_bits(), number_key("write_latency", fifo.write_latency, 36),
+            {vertex_xy(), reciprocal_bits(), write_latency("area_reciprocal"),
              number_key("interval", machine_.processes[machine_.process("area_reciprocal")].numbers.at("interval"), 1),
              choice_key("when_full", fifo.when_full == WhenFull::squeeze, "squeeze")});
     }
@@ -178,7 +192,7 @@ class CoreCount {
 Resources beside_a_core() {
     static Resources const share = [] {
         AcceleratorConfig const standard;
-        Machine machine = make_machine(describe_raster_core(standard), standard);
+        Machine machine = standard_machine();
         machine.resources = std::make_shared<TellResources const>(
             [&standard](Machine const& of) { return CoreCount(standard, of).told(); });
         return 1 / thesis_cores * thesis_chip - resources_of(machine).core.amount;

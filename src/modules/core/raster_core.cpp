@@ -3,17 +3,31 @@
 #include "faster/data/sample_counters.hpp"
 #include "modules/core/core_resources.hpp"
 #include "modules/core/raster_core_activity.hpp"
+#include "modules/edge_map_builder/edge_map_builder.hpp"
+#include "modules/edge_map_builder/edge_map_builder_variant.hpp"
+#include "modules/edge_map_builder/edge_map_output.hpp"
+#include "modules/inlier_unit/inlier_sweep.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
+#include "modules/inlier_unit/inlier_unit_variant.hpp"
+#include "modules/rasterizer/rasterizer.hpp"
+#include "modules/rasterizer/rasterizer_variant.hpp"
 
 namespace faster {
 
 CoreDescription describe_raster_core(AcceleratorConfig const& config) {
     CoreDescription core;
-    core.modules = {SampleDispatcher::describe(),     VertexTransform::describe(config),
-                    Rasterizer::describe(config),     AreaReciprocal::describe(config),
-                    EdgeMapBuilder::describe(config), ObservationReader::describe(config),
-                    InlierUnit::describe(config),     ResultCollector::describe(config),
-                    EdgeMapOutput::describe(config),  InlierSweep::describe(config)};
-    // In the order of the tables (docs/formats.md#fifoscsv-one-row-per-core-and-fifo).
+    // A variant's description is the thesis's with what the configuration changes; with the defaults, nothing.
+    core.modules = {SampleDispatcher::describe(),
+                    VertexTransform::describe(config),
+                    RasterizerVariant::describe(config),
+                    AreaReciprocal::describe(config),
+                    EdgeMapBuilderVariant::describe(config),
+                    ObservationReader::describe(config),
+                    InlierUnitVariant::describe(config),
+                    ResultCollector::describe(config),
+                    EdgeMapOutput::describe(config),
+                    InlierSweep::describe(config)};
+    // In the order of the tables (docs/formats.md).
     core.fifos = {"sample_vertex",   "sample_raster",  "sample_observation", "vertex",         "area",
                   "area_reciprocal", "command",        "fragment_depth",     "fragment_index", "edge_token",
                   "edge_map",        "observed_depth", "observed_edge",      "result",         "region",
@@ -35,94 +49,140 @@ RasterCore::RasterCore(sc_core::sc_module_name const& name, AcceleratorConfig co
                        std::shared_ptr<Machine const> machine, CoreShare share, TimeBase const& time_base)
     : DataflowCore(name, std::move(machine), share, time_base),
       context_{config, stimulus, *this, share.first, share.count, nullptr},
-      edge_map_buffers_(make_edge_map_buffers(config.edge_map, stimulus.window)),
-      depth_buffers_(make_depth_buffers(config.inlier_unit.buffers, context_.window_pixels())),
-      sample_dispatcher("sample_dispatcher", context_),
-      vertex_transform("vertex_transform", context_),
-      rasterizer("rasterizer", context_),
-      area_reciprocal_unit("area_reciprocal_unit", context_),
-      edge_map_builder(make_part<EdgeMapBuilder>("edge_map_builder", edge_map_buffers_)),
-      observation_reader("observation_reader", context_),
-      inlier_unit("inlier_unit", context_, depth_buffers_),
-      result_collector("result_collector", context_),
-      edge_map_output(make_part<EdgeMapOutput>("edge_map_output", edge_map_buffers_)),
-      inlier_sweep(make_part<InlierSweep>("inlier_sweep", depth_buffers_)) {
-    sample_dispatcher.sample_vertex_out(sample_vertex_);
-    sample_dispatcher.sample_raster_out(sample_raster_);
-    sample_dispatcher.sample_observation_out(sample_observation_);
+      sample_dispatcher_("sample_dispatcher", context_),
+      vertex_transform_("vertex_transform", context_),
+      rasterizer_(make_rasterizer()),
+      area_reciprocal_unit_("area_reciprocal_unit", context_),
+      edge_map_builder_(make_edge_map_builder()),
+      observation_reader_("observation_reader", context_),
+      inlier_unit_(make_inlier_unit()),
+      result_collector_("result_collector", context_),
+      edge_map_output_(make_edge_map_output()),
+      inlier_sweep_(make_inlier_sweep()) {
+    sample_dispatcher_.sample_vertex_out(sample_vertex_);
+    sample_dispatcher_.sample_raster_out(sample_raster_);
+    sample_dispatcher_.sample_observation_out(sample_observation_);
 
-    vertex_transform.sample_vertex_in(sample_vertex_);
-    vertex_transform.vertex_out(vertex_);
+    vertex_transform_.sample_vertex_in(sample_vertex_);
+    vertex_transform_.vertex_out(vertex_);
 
+    area_reciprocal_unit_.area_in(area_);
+    area_reciprocal_unit_.area_reciprocal_out(area_reciprocal_);
+
+    observation_reader_.sample_observation_in(sample_observation_);
+    observation_reader_.observed_depth_out(observed_depth_);
+    observation_reader_.observed_edge_out(observed_edge_);
+
+    result_collector_.result_in(result_);
+
+    if (context_.sweeps_touched()) {
+        observation_reader_.region_in(region_);
+        observation_reader_.valid_depth_out(valid_depth_);
+        result_collector_.valid_depth_in(valid_depth_);
+    }
+}
+
+RasterCore::Module RasterCore::make_rasterizer() {
+    if (!RasterizerVariant::is_needed(context_.config)) {
+        auto rasterizer = std::make_unique<Rasterizer>("rasterizer", context_);
+        join_rasterizer(*rasterizer);
+        edge_token_.bind(rasterizer->edge_token_out);
+        return rasterizer;
+    }
+    auto rasterizer = std::make_unique<RasterizerVariant>("rasterizer", context_);
+    join_rasterizer(*rasterizer);
+    if (has("edge_map_builder"))
+        edge_token_.bind(rasterizer->edge_token_out);
+    if (context_.sweeps_touched())
+        rasterizer->region_out(region_);
+    return rasterizer;
+}
+
+template <class Rasterizer> void RasterCore::join_rasterizer(Rasterizer& rasterizer) {
     rasterizer.sample_raster_in(sample_raster_);
     rasterizer.vertex_in(vertex_);
     rasterizer.area_out(area_);
     rasterizer.command_out(command_);
-    fragment_depth_.bind(rasterizer.fragment_depth_out, inlier_unit.fragment_depth_in);
-    fragment_index_.bind(rasterizer.fragment_index_out, inlier_unit.fragment_index_in);
-
-    area_reciprocal_unit.area_in(area_);
-    area_reciprocal_unit.area_reciprocal_out(area_reciprocal_);
-
-    if (edge_map_builder != nullptr)
-        bind_edge_maps();
-
-    observation_reader.sample_observation_in(sample_observation_);
-    observation_reader.observed_depth_out(observed_depth_);
-    observation_reader.observed_edge_out(observed_edge_);
-
-    inlier_unit.area_reciprocal_in(area_reciprocal_);
-    inlier_unit.command_in(command_);
-    bind_scoring();
-
-    result_collector.result_in(result_);
-
-    if (context_.sweeps_touched()) {
-        rasterizer.region_out(region_);
-        observation_reader.region_in(region_);
-        observation_reader.valid_depth_out(valid_depth_);
-        result_collector.valid_depth_in(valid_depth_);
-    }
+    fragment_depth_.bind(rasterizer.fragment_depth_out);
+    fragment_index_.bind(rasterizer.fragment_index_out);
 }
 
-template <class Module, class Buffers>
-std::unique_ptr<Module> RasterCore::make_part(char const* module, Buffers& buffers) {
-    if (!machine().processes[machine().process(module)].is_present)
+RasterCore::Module RasterCore::make_edge_map_builder() {
+    if (!has("edge_map_builder"))
         return nullptr;
-    return std::make_unique<Module>(module, context_, buffers);
-}
-
-void RasterCore::bind_edge_maps() {
-    edge_token_.bind(rasterizer.edge_token_out, edge_map_builder->edge_token_in);
-    if (edge_map_output == nullptr) {
-        edge_map_builder->edge_map_out(edge_map_);
-        return;
+    if (!EdgeMapBuilderVariant::is_needed(context_.config, machine())) {
+        auto builder = std::make_unique<EdgeMapBuilder>("edge_map_builder", context_);
+        edge_token_.bind(builder->edge_token_in);
+        builder->edge_map_out(edge_map_);
+        return builder;
     }
-    edge_map_builder->map_full_out(map_full_);
-    edge_map_builder->map_free_in(map_free_);
-    edge_map_output->map_full_in(map_full_);
-    edge_map_output->map_free_out(map_free_);
-    edge_map_output->edge_map_out(edge_map_);
+    edge_map_buffers_.emplace(make_edge_map_buffers(context_.config.edge_map, context_.stimulus.window));
+    auto builder = std::make_unique<EdgeMapBuilderVariant>("edge_map_builder", context_, *edge_map_buffers_);
+    edge_token_.bind(builder->edge_token_in);
+    if (has("edge_map_output")) {
+        builder->map_full_out(map_full_);
+        builder->map_free_in(map_free_);
+    } else {
+        builder->edge_map_out(edge_map_);
+    }
+    return builder;
 }
 
-void RasterCore::bind_scoring() {
-    auto const bind = [this](auto& module) {
-        if (edge_map_builder != nullptr)
-            module.edge_map_in(edge_map_);
-        module.observed_depth_in(observed_depth_);
-        module.observed_edge_in(observed_edge_);
-        module.result_out(result_);
-    };
-    if (inlier_sweep == nullptr)
-        return bind(inlier_unit);
-    bind(*inlier_sweep);
-    inlier_unit.depth_full_out(depth_full_);
-    inlier_unit.depth_free_in(depth_free_);
-    inlier_sweep->depth_full_in(depth_full_);
-    inlier_sweep->depth_free_out(depth_free_);
+RasterCore::Module RasterCore::make_edge_map_output() {
+    if (!has("edge_map_output"))
+        return nullptr;
+    auto output = std::make_unique<EdgeMapOutput>("edge_map_output", context_, *edge_map_buffers_);
+    output->map_full_in(map_full_);
+    output->map_free_out(map_free_);
+    output->edge_map_out(edge_map_);
+    return output;
 }
 
-Counters RasterCore::result(std::size_t i) const { return values_of(result_collector.results()[i]); }
+RasterCore::Module RasterCore::make_inlier_unit() {
+    if (!InlierUnitVariant::is_needed(context_.config, machine())) {
+        auto unit = std::make_unique<InlierUnit>("inlier_unit", context_);
+        join_inlier_unit(*unit);
+        join_scoring(*unit);
+        return unit;
+    }
+    depth_buffers_.emplace(make_depth_buffers(context_.config.inlier_unit.buffers, context_.window_pixels()));
+    auto unit = std::make_unique<InlierUnitVariant>("inlier_unit", context_, *depth_buffers_);
+    join_inlier_unit(*unit);
+    if (has("inlier_sweep")) {
+        unit->depth_full_out(depth_full_);
+        unit->depth_free_in(depth_free_);
+    } else {
+        join_scoring(*unit);
+    }
+    return unit;
+}
+
+template <class InlierUnit> void RasterCore::join_inlier_unit(InlierUnit& unit) {
+    unit.area_reciprocal_in(area_reciprocal_);
+    unit.command_in(command_);
+    fragment_depth_.bind(unit.fragment_depth_in);
+    fragment_index_.bind(unit.fragment_index_in);
+}
+
+template <class Sweep> void RasterCore::join_scoring(Sweep& sweep) {
+    if (has("edge_map_builder"))
+        sweep.edge_map_in(edge_map_);
+    sweep.observed_depth_in(observed_depth_);
+    sweep.observed_edge_in(observed_edge_);
+    sweep.result_out(result_);
+}
+
+RasterCore::Module RasterCore::make_inlier_sweep() {
+    if (!has("inlier_sweep"))
+        return nullptr;
+    auto sweep = std::make_unique<InlierSweep>("inlier_sweep", context_, *depth_buffers_);
+    join_scoring(*sweep);
+    sweep->depth_full_in(depth_full_);
+    sweep->depth_free_out(depth_free_);
+    return sweep;
+}
+
+Counters RasterCore::result(std::size_t i) const { return values_of(result_collector_.results()[i]); }
 
 /// By these the rasterizer can be ahead of the last process, and one: all get their headers in one step, and the
 /// observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it

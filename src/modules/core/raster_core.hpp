@@ -1,24 +1,24 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <systemc>
 #include <utility>
 
+#include "channels/pixels_fifo.hpp"
 #include "modules/area_reciprocal/area_reciprocal.hpp"
 #include "modules/core/raster_core_description.hpp"
-#include "modules/edge_map_builder/edge_map_builder.hpp"
-#include "modules/edge_map_builder/edge_map_output.hpp"
-#include "modules/inlier_unit/inlier_sweep.hpp"
-#include "modules/inlier_unit/inlier_unit.hpp"
+#include "modules/edge_map_builder/edge_map_buffers.hpp"
+#include "modules/inlier_unit/depth_buffers.hpp"
 #include "modules/observation_reader/observation_reader.hpp"
-#include "modules/rasterizer/rasterizer.hpp"
 #include "modules/result_collector/result_collector.hpp"
 #include "modules/sample_dispatcher/sample_dispatcher.hpp"
 #include "modules/vertex_transform/vertex_transform.hpp"
 
 namespace faster {
 
-/// One raster core: the dataflow region of docs/architecture.md#the-machine. Wiring only.
+/// One raster core: picks its modules and joins them. The modules are the thesis's where the configuration asks for no
+/// more, and variants of them where it does.
 class RasterCore : public DataflowCore {
   public:
     /// `config` and `stimulus` must outlive the core.
@@ -27,16 +27,23 @@ class RasterCore : public DataflowCore {
 
     void set_probe(SampleProbe* probe) { context_.probe = probe; }
 
-    std::size_t results() const override { return result_collector.results().size(); }
+    std::size_t results() const override { return result_collector_.results().size(); }
     Counters result(std::size_t i) const override;
     std::size_t most_samples_ahead() const override;
     std::uint64_t tokens_in_use() const override { return context_.sweeps_touched() ? 2 : 1; }
     std::unique_ptr<recording::MemoryActivity> memory_activity() const override;
 
   private:
-    template <class Module, class Buffers> std::unique_ptr<Module> make_part(char const* module, Buffers& buffers);
-    void bind_edge_maps();
-    void bind_scoring();
+    using Module = std::unique_ptr<sc_core::sc_module>;
+    Module make_rasterizer();
+    Module make_edge_map_builder();
+    Module make_inlier_unit();
+    Module make_edge_map_output();
+    Module make_inlier_sweep();
+    template <class Rasterizer> void join_rasterizer(Rasterizer& rasterizer);
+    template <class InlierUnit> void join_inlier_unit(InlierUnit& unit);
+    template <class Sweep> void join_scoring(Sweep& sweep);
+    bool has(char const* module) const { return machine().processes[machine().process(module)].is_present; }
     bool scans_groups() const { return context_.config.rasterizer.lanes > 1; }
     std::size_t sweep_lanes() const { return context_.window_rows().lanes(); }
     /// Where always the window is swept, no token says so.
@@ -70,20 +77,20 @@ class RasterCore : public DataflowCore {
     ClockedFifo<FullDepthBuffer> depth_full_{"depth_full", fifo_timing("depth_full"), 1, fields_of<FullDepthBuffer>()};
     ClockedFifo<BufferNumber> depth_free_{"depth_free", fifo_timing("depth_free")};
 
-    EdgeMapBuffers edge_map_buffers_;
-    DepthBuffers depth_buffers_;
+    // Of variants, whose processes hand them over.
+    std::optional<EdgeMapBuffers> edge_map_buffers_;
+    std::optional<DepthBuffers> depth_buffers_;
 
-  public:
-    SampleDispatcher sample_dispatcher;
-    VertexTransform vertex_transform;
-    Rasterizer rasterizer;
-    AreaReciprocal area_reciprocal_unit;
-    std::unique_ptr<EdgeMapBuilder> edge_map_builder;  ///< null in flow fpga_grip
-    ObservationReader observation_reader;
-    InlierUnit inlier_unit;
-    ResultCollector result_collector;
-    std::unique_ptr<EdgeMapOutput> edge_map_output;  ///< null with one buffer
-    std::unique_ptr<InlierSweep> inlier_sweep;       ///< null with one buffer
+    SampleDispatcher sample_dispatcher_;
+    VertexTransform vertex_transform_;
+    Module rasterizer_;
+    AreaReciprocal area_reciprocal_unit_;
+    Module edge_map_builder_;  ///< null in flow fpga_grip
+    ObservationReader observation_reader_;
+    Module inlier_unit_;
+    ResultCollector result_collector_;
+    Module edge_map_output_;  ///< null with one buffer
+    Module inlier_sweep_;     ///< null with one buffer
 };
 
 }  // namespace faster

@@ -5,13 +5,32 @@
 
 #include "faster/config/edge_map_design.hpp"
 #include "faster/data/token_fields.hpp"
+#include "modules/core/described_parts.hpp"
+#include "modules/edge_map_builder/map_accesses.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 
 namespace faster {
+
+namespace {
+/// What an iteration of a loop of the inlier unit does around one pixel, as its description says.
+AccessPattern accesses_of_inlier_unit(AcceleratorConfig const& config, char const* loop) {
+    ModuleDescription unit = InlierUnit::describe(config);
+    return loop_of(unit, loop).accesses.at(0).pattern;
+}
+}  // namespace
+
+RasterCoreActivity::TokenBranch::TokenBranch(PerMap const& touches)
+    : edge_map(touched_words(touches.edge_map, 1)), object_map(touched_words(touches.object_map, 1)) {}
 
 RasterCoreActivity::RasterCoreActivity(AcceleratorConfig const& config, Machine const& machine)
     : machine_(machine),
       edge_map_config_(config.edge_map),
+      edge_branch_(design_of(config.edge_map.algorithm).edge_token),
+      object_branch_(design_of(config.edge_map.algorithm).object_token),
+      second_(design_of(config.edge_map.algorithm).second),
       depth_clearing_(config.inlier_unit.clearing),
+      fragment_words_(accesses_of_inlier_unit(config, "fragment")),
+      sweep_words_(accesses_of_inlier_unit(config, "sweep")),
       sweep_(sweep_design(config)),
       extract_(extract_design(config)),
       extract_radius_(config.edge_extraction.neighbourhood / 2),
@@ -168,61 +187,24 @@ void RasterCoreActivity::clear_in_all_banks(std::size_t memory, std::uint64_t wo
 
 /// An iteration that reads the next token consumes the one before; the one behind it is that token's second.
 void RasterCoreActivity::take_token(Cycles cycle) {
-    auto const& [row, col, kind, mask] = token_;
-    bool const has_neighbours = edge_map_config_.algorithm != EdgeMapAlgorithm::inner_border;
-    if (has_neighbours && (row < 0 || row >= side_ || col < 0 || col >= side_))
-        return;
-    switch (edge_map_config_.algorithm) {
-        case EdgeMapAlgorithm::threshold:
-        case EdgeMapAlgorithm::transition:
-        case EdgeMapAlgorithm::bounded:
-            return take_token_with_one_map();
-        case EdgeMapAlgorithm::dual_map:
-        case EdgeMapAlgorithm::dual_map_4_1_2:
-            return take_token_with_two_maps(cycle == token_read_);
-        case EdgeMapAlgorithm::inner_border:
-            if (kind == static_cast<std::int64_t>(EdgeTokenKind::Object))
-                access_pixels(object_map_, true, token_);
-            return;
+    bool const is_edge = token_.kind == static_cast<std::int64_t>(EdgeTokenKind::Edge);
+    TokenBranch const& branch = cycle != token_read_ ? second_ : is_edge ? edge_branch_ : object_branch_;
+    for (std::int64_t lane = 0; token_.mask >> lane != 0; ++lane) {
+        std::int64_t const col = token_.col + lane;
+        if ((token_.mask >> lane) % 2 == 0 || token_.row < 0 || token_.row >= side_ || col < 0 || col >= side_)
+            continue;
+        access_words(edge_map_, branch.edge_map, token_.row, col);
+        access_words(object_map_, branch.object_map, token_.row, col);
     }
 }
 
-/// An edge token looks at its pixel and writes it; so does every token of `threshold`. An object token writes its
-/// pixel; in `bounded` it looks at the pixels above and below as well, and writes them.
-void RasterCoreActivity::take_token_with_one_map() {
-    auto const& [row, col, kind, mask] = token_;
-    bool const is_edge = kind == static_cast<std::int64_t>(EdgeTokenKind::Edge);
-    bool const looks_around = !is_edge && edge_map_config_.algorithm == EdgeMapAlgorithm::bounded;
-    if (is_edge)
-        access(edge_map_, false, row, col);
-    for (std::int64_t const side : {1, -1})
-        if (looks_around)
-            access(edge_map_, false, row + side, col);
-    access(edge_map_, true, row, col);
-    for (std::int64_t const side : {1, -1})
-        if (looks_around)
-            access(edge_map_, true, row + side, col);
-}
-
-void RasterCoreActivity::take_token_with_two_maps(bool is_first) {
-    auto const& [row, col, kind, mask] = token_;
-    bool const writes_first = edge_map_config_.algorithm == EdgeMapAlgorithm::dual_map_4_1_2;
-    if (kind == static_cast<std::int64_t>(EdgeTokenKind::Edge)) {
-        access(object_map_, false, row, col);
-        access(edge_map_, true, row, col);
-        return;
-    }
-    if (is_first) {
-        access(edge_map_, true, row, col);
-        access(object_map_, false, row + 1, col);
-        access(object_map_, false, row - 1, col);
-    }
-    if (is_first == writes_first)
-        access(object_map_, true, row, col);
-    if (!is_first) {
-        access(edge_map_, true, row + 1, col);
-        access(edge_map_, true, row - 1, col);
-    }
+/// What an access pattern says of a pixel's word and of those around it.
+void RasterCoreActivity::access_words(std::size_t memory, AccessPattern const& words, std::int64_t row,
+                                      std::int64_t col) {
+    for (PixelOffset const offset : words.reads)
+        access(memory, false, row + offset.row, col + offset.col);
+    for (PixelOffset const offset : words.writes)
+        access(memory, true, row + offset.row, col + offset.col);
 }
 
 /// Iteration i sends token i; where the contour is taken from the object map, it reads a row ahead of what it sends.
@@ -243,8 +225,8 @@ void RasterCoreActivity::read_maps_out(std::int64_t iteration) {
 void RasterCoreActivity::draw_fragment(Cycles cycle) {
     if (fragment_read_ != cycle)  // a triangle's, in a flattened loop
         return;
-    access_pixels(depth_buffer_, false, fragment_);
-    access_pixels(depth_buffer_, true, fragment_);
+    access_around(depth_buffer_, false, fragment_words_.reads, fragment_);
+    access_around(depth_buffer_, true, fragment_words_.writes, fragment_);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
@@ -271,9 +253,11 @@ void RasterCoreActivity::sweep_neighbours(std::int64_t pixel) {
     std::int64_t const col = pixel % side_;
     if (!is_inner(pixel))
         return;
-    for (auto const& [r, c] : {std::pair{row + 1, col}, {row - 1, col}, {row, col + 1}, {row, col - 1}, {row, col}})
-        if (!ports_->has_read(depth_buffer_, static_cast<std::uint64_t>(r * side_ + c)))  // for another lane
-            access(depth_buffer_, false, r, c);
+    for (PixelOffset const offset : sweep_words_.reads) {
+        std::int64_t const word = (row + offset.row) * side_ + col + offset.col;
+        if (!ports_->has_read(depth_buffer_, static_cast<std::uint64_t>(word)))  // for another lane
+            access(depth_buffer_, false, word);
+    }
 }
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
@@ -303,10 +287,12 @@ void RasterCoreActivity::access(std::size_t memory, bool writes, std::int64_t ro
         access(memory, writes, row * side_ + col);
 }
 
-void RasterCoreActivity::access_pixels(std::size_t memory, bool writes, Token const& token) {
+void RasterCoreActivity::access_around(std::size_t memory, bool writes, std::vector<PixelOffset> const& words,
+                                       Token const& token) {
     for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
         if ((token.mask >> lane) % 2 != 0)
-            access(memory, writes, token.row, token.col + lane);
+            for (PixelOffset const offset : words)
+                access(memory, writes, token.row + offset.row, token.col + lane + offset.col);
 }
 
 }  // namespace faster

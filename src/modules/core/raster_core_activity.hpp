@@ -6,6 +6,7 @@
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/tools/recording/memory_activity.hpp"
 #include "faster/config/accelerator_config.hpp"
+#include "faster/config/edge_map_algorithm.hpp"
 #include "faster/config/extract_design.hpp"
 #include "faster/config/lane_rows.hpp"
 #include "faster/config/sweep_design.hpp"
@@ -35,6 +36,13 @@ class RasterCoreActivity : public recording::MemoryActivity {
         std::int64_t mask = 1;  ///< bit k: the pixel k columns to the right
     };
 
+    /// What a branch of the token loop accesses, seen from the token's pixel.
+    struct TokenBranch {
+        explicit TokenBranch(PerMap const& touches);
+        AccessPattern edge_map;
+        AccessPattern object_map;
+    };
+
     void note_works(Machine const& machine);
     void take_buffer(recording::TokenRead const& read);
     bool hands_over_full_buffer(std::size_t fifo) const { return fifo == map_full_ || fifo == depth_full_; }
@@ -55,8 +63,6 @@ class RasterCoreActivity : public recording::MemoryActivity {
     void clear(std::size_t memory, MapClearing clearing, std::int64_t iteration);
     void clear_in_all_banks(std::size_t memory, std::uint64_t word);
     void take_token(Cycles cycle);
-    void take_token_with_one_map();
-    void take_token_with_two_maps(bool is_first);
     void read_maps_out(std::int64_t iteration);
     void draw_fragment(Cycles cycle);
     void sweep(std::int64_t iteration);
@@ -68,11 +74,14 @@ class RasterCoreActivity : public recording::MemoryActivity {
     // Accesses; of pixels beside the window there are none
     void access(std::size_t memory, bool writes, std::int64_t pixel);
     void access(std::size_t memory, bool writes, std::int64_t row, std::int64_t col);
-    void access_pixels(std::size_t memory, bool writes, Token const& token);
+    void access_words(std::size_t memory, AccessPattern const& words, std::int64_t row, std::int64_t col);
+    void access_around(std::size_t memory, bool writes, std::vector<PixelOffset> const& words, Token const& token);
 
     Machine const& machine_;
     EdgeMapConfig edge_map_config_;
+    TokenBranch edge_branch_, object_branch_, second_;
     MapClearing depth_clearing_;
+    AccessPattern fragment_words_, sweep_words_;  ///< around a pixel: of a fragment, and of one that is judged
     SweepDesign sweep_;
     ExtractDesign extract_;
     std::int64_t extract_radius_;

@@ -3,53 +3,53 @@
 
 #include "dataflow/base/each_bit.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/edge_map_builder/edge_map_builder.hpp"
+#include "modules/edge_map_builder/edge_map_builder_variant.hpp"
 
 namespace faster {
 
 namespace {
-bool is_end(PixelGroup const& group) { return group.mask == 0; }
+bool ends_sample(PixelGroup const& group) { return group.mask == 0; }
 }  // namespace
 
-/// As build(), with tokens of several pixels. inner_border alone has them, and no second iterations.
-void EdgeMapBuilder::build_of_groups() {
+/// EdgeMapBuilder::build() with tokens of several pixels. inner_border alone has them, and no second iterations.
+void EdgeMapBuilderVariant::build_of_groups() {
     clock_.here();
     PixelGroup current = edge_groups_->read();
     clock_.advance(1);
-    if (is_end(current)) {
+    if (ends_sample(current)) {
         clock_.advance(1);
         return;
     }
     clock_.enter_loop(token_loop_);
-    watch_.enter();
+    watched_.enter();
     while (take_groups(current)) {
     }
     clock_.leave_loop();
 }
 
 /// Works off the tokens at hand. True until the end has been read.
-bool EdgeMapBuilder::take_groups(PixelGroup& current) {
+bool EdgeMapBuilderVariant::take_groups(PixelGroup& current) {
     std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), waits_for_writes_ ? 1 : ~std::size_t{0});
     PixelGroup const* const next = edge_groups_->front();
     std::size_t taken = 0;
-    while (taken < available && !is_end(current)) {
+    while (taken < available && !ends_sample(current)) {
         take_group(current);
         current = next[taken++];
     }
     clock_.await_writes(token_loop_);
     clock_.iterate(edge_groups_->read_port(), taken);
     edge_groups_->consume(taken);
-    return !is_end(current);
+    return !ends_sample(current);
 }
 
-void EdgeMapBuilder::take_group(PixelGroup const& group) {
+void EdgeMapBuilderVariant::take_group(PixelGroup const& group) {
     std::array<EdgeToken, most_scan_lanes> tokens;
     unsigned count = 0;
     for_each_bit(group.mask, [&](unsigned lane) {
         tokens[count++] = {group.row, static_cast<std::int16_t>(group.col + static_cast<int>(lane)),
                            EdgeTokenKind::Object};
     });
-    if (!is_watched()) {
+    if (!watched_.is_watched()) {
         maps_->take(tokens[0], &tokens[1], count);
         return;
     }

@@ -15,8 +15,8 @@ ModuleDescription EdgeMapOutput::describe(AcceleratorConfig const& config) {
     module.writes_to("map_free")
         .carries("maps read out, from the edge map output to the edge map builder (edge_map.buffers 2)")
         .of_bits(wires::buffer);
-    EdgeMapReadOut::describe_output(module, config);
-    EdgeMapReadOut::describe_loop(module, config).with_keys_of("edge_map_builder.output");
+    module.ends.push_back(EdgeMapReadOut::described_end(config));
+    module.loops.push_back(EdgeMapReadOut::described_loop(config).with_keys_of("edge_map_builder.output"));
     return module;
 }
 

@@ -2,49 +2,20 @@
 
 #include <algorithm>
 
+#include "modules/core/described_parts.hpp"
+#include "modules/edge_map_builder/edge_map_builder.hpp"
+#include "modules/edge_map_builder/map_accesses.hpp"
+
 namespace faster {
 
-namespace {
-
-constexpr PixelOffset own{0, 0};
-constexpr PixelOffset above{-1, 0};
-constexpr PixelOffset below{1, 0};
-
-AccessPattern pattern_of(std::uint64_t touches) {
-    AccessPattern pattern;
-    if ((touches & map_touch::read_own) != 0)
-        pattern.reads.push_back(own);
-    if ((touches & map_touch::read_vertical) != 0)
-        pattern.reads.insert(pattern.reads.end(), {above, below});
-    if ((touches & map_touch::write_own) != 0)
-        pattern.writes.push_back(own);
-    if ((touches & map_touch::write_vertical) != 0)
-        pattern.writes.insert(pattern.writes.end(), {above, below});
-    return pattern;
+FifoEnd EdgeMapReadOut::described_end(AcceleratorConfig const& config) {
+    ModuleDescription builder = EdgeMapBuilder::describe(config.window);
+    return end_of(builder, "edge_map").of_bits(static_cast<unsigned>(config.inlier_unit.sweep_lanes));
 }
 
-}  // namespace
-
-void EdgeMapReadOut::touch(LoopDescription& loop, PerMap const& touches, int lanes) {
-    if (touches.edge_map != 0)
-        loop.accesses_memory("edge_map", widened(pattern_of(touches.edge_map), lanes));
-    if (touches.object_map != 0)
-        loop.accesses_memory("object_map", widened(pattern_of(touches.object_map), lanes));
-}
-
-void EdgeMapReadOut::describe_output(ModuleDescription& module, AcceleratorConfig const& config, Condition condition) {
-    module.writes_to("edge_map")
-        .carries("edge bits from the edge map builder to the inlier unit")
-        .of_bits(static_cast<unsigned>(config.inlier_unit.sweep_lanes))
-        .leaves("output", 2)
-        .only_if(std::move(condition));
-}
-
-LoopDescription& EdgeMapReadOut::describe_loop(ModuleDescription& module, AcceleratorConfig const& config) {
-    LoopDescription& loop =
-        module.loop("output").does("sends one token of edge bits per iteration").of_depth(3).writes_to({"edge_map"});
-    touch(loop, output_touches(config.edge_map), config.inlier_unit.sweep_lanes);
-    return loop;
+LoopDescription EdgeMapReadOut::described_loop(AcceleratorConfig const& config) {
+    ModuleDescription builder = EdgeMapBuilder::describe(config.window);
+    return touch_maps(loop_of(builder, "output"), output_touches(config.edge_map), config.inlier_unit.sweep_lanes);
 }
 
 void EdgeMapReadOut::connect(ClockedFifo<std::uint8_t>& out) {

@@ -1,22 +1,20 @@
 #pragma once
 #include "channels/clocked_fifo.hpp"
-#include "faster/config/edge_map_design.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
 namespace faster {
 
-/// Reads the edge map of a sample out: part of the edge map builder's process, or of one of its own (EdgeMapOutput).
+/// Reads the edge map of a sample out, or a region of it, several bits per token: part of the process of the
+/// EdgeMapBuilderVariant, or of one of its own (EdgeMapOutput).
 ///   time  loop `output`, one token per iteration; without any, a cycle
 /// Source: thesis A.2; docs/timing-model.md#sources-of-time.
 class EdgeMapReadOut {
   public:
-    /// Adds what an iteration does to the maps, bits of map_touch each, that works on `lanes` pixels of a row.
-    static void touch(LoopDescription& loop, PerMap const& touches, int lanes = 1);
-    /// Adds the writing end of edge_map, and the loop.
-    static void describe_output(ModuleDescription& module, AcceleratorConfig const& config, Condition condition = {});
-    static LoopDescription& describe_loop(ModuleDescription& module, AcceleratorConfig const& config);
+    /// The EdgeMapBuilder's writing end of edge_map and its loop, as the configuration changes them.
+    static FifoEnd described_end(AcceleratorConfig const& config);
+    static LoopDescription described_loop(AcceleratorConfig const& config);
 
     EdgeMapReadOut(CoreContext const& core, ProcessClock& clock) : core_(core), clock_(clock) {}
     /// When the process's clock is connected.

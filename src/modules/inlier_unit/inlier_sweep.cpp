@@ -12,8 +12,7 @@ ModuleDescription InlierSweep::describe(AcceleratorConfig const& config) {
     module.writes_to("depth_free")
         .carries("swept depth buffers from the inlier sweep to the inlier unit (inlier_unit.buffers 2)")
         .of_bits(wires::buffer);
-    Scoring::describe_ends(module, config);
-    Scoring::describe_loops(module, config);
+    Scoring::describe(module, config);
     for (LoopDescription& loop : module.loops)
         loop.with_keys_of("inlier_unit." + loop.name);
     return module;

@@ -2,125 +2,86 @@
 
 #include <algorithm>
 
-#include "faster/config/clear_design.hpp"
-#include "modules/core/conditions.hpp"
+#include "channels/port_binding.hpp"
+#include "modules/core/loop_branches.hpp"
 #include "modules/core/token_widths.hpp"
-#include "modules/rasterizer/read_corners.hpp"
+#include "modules/core/watching.hpp"
 
 namespace faster {
 
 ModuleDescription InlierUnit::describe(AcceleratorConfig const& config) {
-    Condition const two_buffers = has_depth_buffers(config, true);
-    auto const lanes = static_cast<std::uint64_t>(config.rasterizer.lanes);
+    constexpr PixelOffset own{0, 0}, below{1, 0}, above{-1, 0}, right{0, 1}, left{0, -1};
     ModuleDescription module("inlier_unit");
-    module.reads_from("area_reciprocal");
-    module.reads_from("fragment_depth");
-    module.reads_from("fragment_index");
-    module.reads_from("command");
-    Scoring::describe_ends(module, config, has_depth_buffers(config, false));
-    module.writes_to("depth_full")
-        .carries("drawn depth buffers from the inlier unit to the inlier sweep (inlier_unit.buffers 2)")
-        .of_bits(wires::buffer + wires::valid_raster + wires::region(config))
-        .only_if(two_buffers);
-    module.reads_from("depth_free").only_if(two_buffers);
+    for (char const* const fifo : {"area_reciprocal", "fragment_depth", "fragment_index", "command", "edge_map",
+                                   "observed_depth", "observed_edge"})
+        module.reads_from(fifo);
+    module.writes_to("result")
+        .carries("counters of a sample from the inlier unit to the result collector")
+        .of_bits(wires::result(config));
     module.loop("clear")
         .does("fills one word of the depth buffer, or one of every bank, per iteration")
         .of_depth(2)
-        .accesses_memory("depth_buffer", {{}, {{0, 0}}});
-    module.loop("fragment")
-        .does("takes one fragment or group per iteration")
-        .of_depth(10)
-        .accesses_memory("depth_buffer", widened({{{0, 0}}, {{0, 0}}}, config.rasterizer.lanes))
-        .in_stages({"depth_buffer", 7, 9, lanes, lanes});
-    Scoring::describe_loops(module, config, has_depth_buffers(config, false));
+        .accesses_memory("depth_buffer", {{}, {own}});
+    add_branches(module.loop("fragment").does("takes one fragment or group per iteration").of_depth(10), "depth_buffer",
+                 {{{own}, {own}}}, AccessStages{7, 9});
+    module.loop("sweep")
+        .does("judges one token of pixels per iteration")
+        .of_depth(8)
+        .accesses_memory("depth_buffer", {{below, above, right, left, own}, {}});
     auto const side = static_cast<std::uint64_t>(config.window);
-    unsigned const edge_bit = config.flow == Flow::fpga_grip ? 1 : 0;  // extracted edge bits ride in the words
     module.memory("depth_buffer")
         .holds("depth buffer of the window")
-        .of_words(side, side, wires::depth + edge_bit)
-        .sized_by("accelerator.window")
-        .in_buffers(static_cast<std::uint64_t>(config.inlier_unit.buffers))
-        .read_out_by("inlier_sweep");
-    Scoring::describe_line_buffer(module, config);
+        .of_words(side, side, wires::depth)
+        .sized_by("accelerator.window");
     return module;
 }
 
-InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
+InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core)
     : sc_module(name),
       core_(core),
       clock_(core.core, "inlier_unit"),
       depth_unit_(core.stimulus.fraction),
-      buffers_(buffers),
-      scoring_(core, clock_) {
+      window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer),
+      depth_buffer_(core.window_pixels()) {
     SC_THREAD(run);
 }
 
 void InlierUnit::end_of_elaboration() {
     clock_.connect_all();
-    area_reciprocal_ = &channel_of(area_reciprocal_in);
-    fragment_depth_ = channel_of(fragment_depth_in.pixels);
-    fragment_index_ = channel_of(fragment_index_in.pixels);
-    depth_groups_ = channel_of(fragment_depth_in.groups);
-    index_groups_ = channel_of(fragment_index_in.groups);
+    fragment_depth_ = &channel_of(fragment_depth_in);
+    fragment_index_ = &channel_of(fragment_index_in);
     command_ = &channel_of(command_in);
-    result_ = channel_of(result_out);
-    depth_full_ = channel_of(depth_full_out);
-    depth_free_ = channel_of(depth_free_in);
+    edge_map_ = &channel_of(edge_map_in);
+    observed_depth_ = &channel_of(observed_depth_in);
+    observed_edge_ = &channel_of(observed_edge_in);
+    fragment_ports_ = fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port();
+    sweep_ports_ = edge_map_->read_port() | observed_depth_->read_port() | observed_edge_->read_port();
     clear_loop_ = clock_.loop("clear");
     fragment_loop_ = clock_.loop("fragment");
-    distances_ = clock_.write_distances("fragment", "depth_buffer");
-    if (clock_.has_interlocks(fragment_loop_))
-        most_at_once_ = 1;
-    if (result_ != nullptr)  // otherwise the sweep is another process's
-        scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
-    triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
-    fragment_ports_ =
-        fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() | command_->read_port();
+    sweep_loop_ = clock_.loop("sweep");
+    watcher_ = clock_.write_distances("fragment", "depth_buffer");
 }
 
 void InlierUnit::run() {
-    depth_buffer_ = &buffers_.claim(buffer_);
     for (std::size_t i = 0; i < core_.sample_count; ++i) {
         clock_.begin_sample();
         counters_ = SampleCounters{};
         clock_.advance(1);
         clear();
-        core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
-        if (core_.probe != nullptr)
-            core_.probe->depth_buffer_done(core_.first_sample + i, *depth_buffer_);
-        buffers_.size() > 1 ? hand_over() : score(core_.first_sample + i);
+        draw_triangles();
+        core_.show_depth_buffer(i, depth_buffer_);
+        clock_.advance(1);
+        sweep();
+        clock_.here();
+        result_out.write(counters_);
+        clock_.advance(1);
     }
 }
 
-void InlierUnit::score(std::size_t sample) {
-    scoring_.score(sample, *depth_buffer_, turn_to_sweep(), counters_);
-    clock_.here();
-    result_->write(counters_);
-    clock_.advance(1);
-}
-
-/// The drawn buffer, for one that has been swept meanwhile.
-void InlierUnit::hand_over() {
-    Corners const region = core_.sweeps_touched() ? read_region() : corners_of(core_.whole_window());
-    buffers_.release(buffer_);
-    clock_.here();
-    depth_full_->write({BufferNumber(buffer_), counters_.valid_raster, region});
-    clock_.advance(1);
-    clock_.here();
-    buffer_ = depth_free_->read().number;
-    clock_.advance(1);
-    depth_buffer_ = &buffers_.claim(buffer_);
-}
-
 void InlierUnit::clear() {
-    std::size_t const iterations = depth_clear_iterations(core_.config, core_.stimulus.window);
-    bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: Scoring
-    if (!is_clear)
-        std::fill(depth_buffer_->begin(), depth_buffer_->end(), far_depth_code);
-    if (iterations == 0)
-        return;
+    std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
     clock_.enter_loop(clear_loop_);
-    clock_.iterate(timing::no_ports, iterations);
+    clock_.iterate(timing::no_ports, depth_buffer_.size());
     clock_.leave_loop();
 }
 
@@ -146,111 +107,40 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
         clock_.advance(1);
         return command;
     }
-    enter_fragment_loop();
-    while (command == Command::Fragment)
-        take_fragments(reciprocal, command);
+    clock_.enter_loop(fragment_loop_);
+    if (watcher_ != nullptr)
+        watcher_->enter();
+    while (command == Command::Fragment) {
+        std::size_t const at_hand = std::min({fragment_depth_->peek(), fragment_index_->peek(), command_->peek()});
+        FragmentBurst const fragments{fragment_depth_->front(), fragment_index_->front(), command_->front(), at_hand,
+                                      reciprocal};
+        std::size_t const taken = with_watcher(watcher_, [&](auto& watcher) {
+            return fragments.draw(depth_unit_, depth_buffer_.data(), static_cast<unsigned>(core_.stimulus.window),
+                                  command, counters_.valid_raster, watcher);
+        });
+        clock_.iterate(fragment_ports_, taken);
+        fragment_depth_->consume(taken);
+        fragment_index_->consume(taken);
+        command_->consume(taken);
+    }
     clock_.leave_loop();
     return command;
 }
 
-/// All commands of the sample: an iteration that has a Triangle reads the reciprocal, and the command of the next.
-void InlierUnit::draw_in_one_loop() {
-    clock_.here();
-    Command command = command_in.read();
-    clock_.advance(1);
-    if (command == Command::End)
-        return;
-    std::uint64_t reciprocal = 0;
-    enter_fragment_loop();
-    while (command != Command::End) {
-        if (command == Command::Triangle)
-            take_triangle(reciprocal, command);
-        else
-            take_fragments(reciprocal, command);
+void InlierUnit::sweep() {
+    clock_.enter_loop(sweep_loop_);
+    for (std::size_t done = 0; done < depth_buffer_.size();) {
+        std::size_t const left = depth_buffer_.size() - done;
+        std::size_t const n = std::min({left, edge_map_->peek(), observed_depth_->peek(), observed_edge_->peek()});
+        window_sweep_.sweep(done, n, depth_buffer_.data(), edge_map_->front(), observed_depth_->front(),
+                            observed_edge_->front(), counters_);
+        clock_.iterate(sweep_ports_, n);
+        edge_map_->consume(n);
+        observed_depth_->consume(n);
+        observed_edge_->consume(n);
+        done += n;
     }
     clock_.leave_loop();
-}
-
-void InlierUnit::enter_fragment_loop() {
-    clock_.enter_loop(fragment_loop_);
-    if (distances_ != nullptr)
-        distances_->enter();
-}
-
-void InlierUnit::take_triangle(std::uint64_t& reciprocal, Command& command) {
-    area_reciprocal_->peek();
-    command_->peek();
-    reciprocal = *area_reciprocal_->front();
-    command = *command_->front();
-    clock_.iterate(triangle_ports_, 1);
-    if (distances_ != nullptr)
-        distances_->next_iteration();
-    area_reciprocal_->consume(1);
-    command_->consume(1);
-}
-
-void InlierUnit::take_fragments(std::uint64_t reciprocal, Command& command) {
-    if (fragment_depth_ == nullptr)
-        return take_groups(reciprocal, command);
-    NoWriteDistances nobody;
-    std::size_t const drawn =
-        distances_ != nullptr ? draw_burst(*distances_, reciprocal, command) : draw_burst(nobody, reciprocal, command);
-    clock_.await_writes(fragment_loop_);
-    clock_.iterate(fragment_ports_, drawn);
-    fragment_depth_->consume(drawn);
-    fragment_index_->consume(drawn);
-    command_->consume(drawn);
-}
-
-/// Draws the fragments at hand, each reading the command of the next. Returns their number.
-template <class Distances>
-std::size_t InlierUnit::draw_burst(Distances& distances, std::uint64_t reciprocal, Command& command) {
-    std::size_t available = std::min(fragment_depth_->peek(), most_at_once_);
-    available = std::min(available, fragment_index_->peek());
-    available = std::min(available, command_->peek());
-    std::int64_t const* z_sum = fragment_depth_->front();
-    FragmentIndex const* index = fragment_index_->front();
-    Command const* next = command_->front();
-    std::uint16_t* const words = depth_buffer_->data();
-    auto const side = static_cast<unsigned>(core_.stimulus.window);
-    std::uint64_t drawn = 0;
-    std::size_t n = 0;
-    for (; n < available && command == Command::Fragment; ++n) {
-        distances.next_iteration();
-        auto const row = static_cast<unsigned>(int{index[n].row});
-        auto const col = static_cast<unsigned>(int{index[n].col});
-        if (row < side && col < side) {
-            std::uint64_t const depth = depth_unit_.fragment_depth(static_cast<std::uint64_t>(z_sum[n]), reciprocal);
-            std::size_t const word = std::size_t{row} * side + col;
-            bool const is_drawn = depth_unit_.draw(depth, words[word]);
-            distances.read(word);
-            if (is_drawn)
-                distances.overwrite(word);
-            drawn += is_drawn ? 1U : 0U;
-        }
-        command = next[n];
-    }
-    counters_.valid_raster += drawn;
-    return n;
-}
-
-/// The pixels that are swept.
-PixelBox InlierUnit::turn_to_sweep() {
-    if (core_.sweeps_touched())
-        return box_of(read_region());
-    clock_.advance(1);
-    return core_.whole_window();
-}
-
-Corners InlierUnit::read_region() {
-    return read_corners(clock_, [this] { return read_corner(); });
-}
-
-FragmentIndex InlierUnit::read_corner() {
-    if (index_groups_ == nullptr)
-        return fragment_index_->read();
-    PixelGroup const group = index_groups_->read();
-    return {group.row, group.col};
 }
 
 }  // namespace faster

@@ -1,104 +1,66 @@
 #pragma once
 #include <systemc>
+#include <vector>
 
 #include "channels/clocked_fifo.hpp"
-#include "channels/pixels_fifo.hpp"
-#include "faster/data/buffer_tokens.hpp"
+#include "faster/data/token_fields.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/core/depth.hpp"
-#include "modules/inlier_unit/depth_buffers.hpp"
-#include "modules/inlier_unit/scoring.hpp"
+#include "modules/inlier_unit/fragment_burst.hpp"
+#include "modules/inlier_unit/window_sweep.hpp"
 
 namespace faster {
 
-/// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees.
-///
-/// Reads, while the sample is rasterized
-///   - command_in, fragment_depth_in, fragment_index_in: what is drawn
-///   - area_reciprocal_in: one per drawn triangle
-///   - fragment_index_in (sweep_region touched): behind the fragments, the corners of the touched region
-///
-/// Reads afterwards, row by row, `sweep_lanes` pixels of a row per token, W x W or the region's
-///   - edge_map_in, observed_depth_in, observed_edge_in
-///
-/// Writes
-///   - result_out: a set of counters per sample
-///
-/// Time: loop `clear`; per triangle a step and loop `fragment`, or one loop `fragment` for all; in flow fpga_grip loop
-/// `extract`; loop `sweep`.
-///
-/// With two buffers, InlierSweep does what comes after the drawing. Then depth_free_in brings the buffer of the next
-/// sample, in the place of the maps and the observation; depth_full_out takes the drawn one and its region, in the
-/// place of the result; and each is a step, in the place of loops `extract` and `sweep`.
-///
-/// Source: thesis 4.1.3 and A.3; docs/function.md#inlierunit, docs/timing-model.md#sources-of-time.
+/// Keeps the depth buffer of a sample, then compares it with the observation and counts what agrees: thesis 4.1.3 and
+/// A.3, and nothing else. InlierUnitVariant has what keys add.
+///   in    command_in, area_reciprocal_in, fragment_depth_in, fragment_index_in  while the sample is rasterized
+///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards
+///   out   result_out  one set of counters per sample
+///   time  loop `clear`; per triangle one step and loop `fragment`; loop `sweep`
 class InlierUnit : public sc_core::sc_module {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
-    PixelsIn<std::int64_t, DepthGroup> fragment_depth_in{"fragment_depth_in"};
-    PixelsIn<FragmentIndex, PixelGroup> fragment_index_in{"fragment_index_in"};
+    sc_core::sc_fifo_in<std::int64_t> fragment_depth_in{"fragment_depth_in"};
+    sc_core::sc_fifo_in<FragmentIndex> fragment_index_in{"fragment_index_in"};
     sc_core::sc_fifo_in<Command> command_in{"command_in"};
-    OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip, too
-    OptionalFifoIn<std::uint16_t> observed_depth_in{"observed_depth_in"};
-    OptionalFifoIn<std::uint8_t> observed_edge_in{"observed_edge_in"};
-    OptionalFifoOut<SampleCounters> result_out{"result_out"};
-    OptionalFifoIn<BufferNumber> depth_free_in{"depth_free_in"};        ///< bound with two buffers
-    OptionalFifoOut<FullDepthBuffer> depth_full_out{"depth_full_out"};  ///< bound with two buffers
+    sc_core::sc_fifo_in<std::uint8_t> edge_map_in{"edge_map_in"};
+    sc_core::sc_fifo_in<std::uint16_t> observed_depth_in{"observed_depth_in"};
+    sc_core::sc_fifo_in<std::uint8_t> observed_edge_in{"observed_edge_in"};
+    sc_core::sc_fifo_out<SampleCounters> result_out{"result_out"};
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
     SC_HAS_PROCESS(InlierUnit);
-    InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
-    ProcessClock const& clock() const { return clock_; }
+    InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
     void end_of_elaboration() override;
     void run();
     void clear();
     void draw_triangles();
-    void draw_in_one_loop();
-    void enter_fragment_loop();
-    void take_triangle(std::uint64_t& reciprocal, Command& command);
-    void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);
-    template <class Distances> std::size_t draw_burst(Distances& distances, std::uint64_t reciprocal, Command& command);
-    void take_groups(std::uint64_t reciprocal, Command& command);
-    std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
-    template <class Distances>
-    unsigned draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
-                        PixelGroup const& pixels);
-    PixelBox turn_to_sweep();
-    Corners read_region();
-    FragmentIndex read_corner();
-    void score(std::size_t sample);
-    void hand_over();
+    void sweep();
 
     CoreContext const& core_;
     ProcessClock clock_;
     datapath::DepthUnit depth_unit_;
-    DepthBuffers& buffers_;
-    std::size_t buffer_ = 0;
-    std::vector<std::uint16_t>* depth_buffer_ = nullptr;  ///< of the sample at hand
-    Scoring scoring_;                                     ///< one buffer
+    datapath::WindowSweep window_sweep_;
+    std::vector<std::uint16_t> depth_buffer_;
     SampleCounters counters_;
-    ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
-    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: fragments come in groups
+    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
-    ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
-    ClockedFifo<PixelGroup>* index_groups_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
-    ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
-    ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers
-    ClockedFifo<FullDepthBuffer>* depth_full_ = nullptr;  ///< two buffers
-    timing::Ports triangle_ports_;
+    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;
+    ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
+    ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
     timing::Ports fragment_ports_;
+    timing::Ports sweep_ports_;
     unsigned clear_loop_ = 0;
     unsigned fragment_loop_ = 0;
-    WriteDistances* distances_ = nullptr;  ///< told what the fragment loop does; mostly null
-    /// Iterations that are told together: one, if they wait for each other's writes.
-    std::size_t most_at_once_ = ~std::size_t{0};
+    unsigned sweep_loop_ = 0;
+    WriteDistances* watcher_ = nullptr;  ///< of what fragments access: see with_watcher()
 };
 
 }  // namespace faster

@@ -2,12 +2,12 @@
 
 #include "dataflow/base/each_bit.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/inlier_unit/inlier_unit.hpp"
+#include "modules/inlier_unit/inlier_unit_variant.hpp"
 
 namespace faster {
 
 /// As take_fragments(), of which each token holds the covered pixels of several lanes.
-void InlierUnit::take_groups(std::uint64_t reciprocal, Command& command) {
+void InlierUnitVariant::take_groups(std::uint64_t reciprocal, Command& command) {
     std::size_t const drawn = draw_groups(reciprocal, command);
     clock_.await_writes(fragment_loop_);
     clock_.iterate(fragment_ports_, drawn);
@@ -17,7 +17,7 @@ void InlierUnit::take_groups(std::uint64_t reciprocal, Command& command) {
 }
 
 /// Returns the number of groups drawn.
-std::size_t InlierUnit::draw_groups(std::uint64_t reciprocal, Command& command) {
+std::size_t InlierUnitVariant::draw_groups(std::uint64_t reciprocal, Command& command) {
     std::size_t available = std::min(depth_groups_->peek(), most_at_once_);
     available = std::min(available, index_groups_->peek());
     available = std::min(available, command_->peek());
@@ -35,8 +35,8 @@ std::size_t InlierUnit::draw_groups(std::uint64_t reciprocal, Command& command) 
 
 /// Returns how many pixels of a group were drawn. What lies outside the window is dropped lane by lane.
 template <class Distances>
-unsigned InlierUnit::draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
-                                PixelGroup const& pixels) {
+unsigned InlierUnitVariant::draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
+                                       PixelGroup const& pixels) {
     distances.next_iteration();
     int const side = core_.stimulus.window;
     if (pixels.row < 0 || pixels.row >= side)

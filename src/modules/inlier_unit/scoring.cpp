@@ -5,32 +5,33 @@
 #include "faster/config/extract_design.hpp"
 #include "faster/config/sweep_design.hpp"
 #include "modules/core/conditions.hpp"
+#include "modules/core/described_parts.hpp"
 #include "modules/core/token_widths.hpp"
+#include "modules/inlier_unit/inlier_unit.hpp"
 
 namespace faster {
 
-void Scoring::describe_ends(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition) {
-    module.reads_from("edge_map").only_if(finds_edges_while_drawing(config)).only_if(condition);
-    module.reads_from("observed_depth").only_if(condition);
-    module.reads_from("observed_edge").only_if(condition);
-    module.writes_to("result")
-        .carries("counters of a sample from the inlier unit to the result collector")
-        .of_bits(wires::result(config))
-        .only_if(condition);
-}
-
-void Scoring::describe_loops(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition) {
-    module.loop("sweep")
-        .does("judges one token of pixels per iteration")
-        .of_depth(8)
-        .accesses_memory("depth_buffer", sweep_design(config).accesses)
-        .only_if(condition);
+void Scoring::vary(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition) {
+    end_of(module, "edge_map").only_if(finds_edges_while_drawing(config));
+    for (char const* const fifo : {"edge_map", "observed_depth", "observed_edge", "result"})
+        end_of(module, fifo).only_if(condition);
+    LoopDescription& sweep = loop_of(module, "sweep").only_if(condition);
+    sweep.accesses.clear();
+    sweep.accesses_memory("depth_buffer", sweep_design(config).accesses);
     module.loop("extract")
         .does("looks for an edge at one pixel of the window per iteration (flow fpga_grip)")
         .of_depth(12, config.edge_extraction.square_root_latency + config.edge_extraction.divider_latency)
         .accesses_memory("depth_buffer", extract_design(config).accesses)
         .only_if(extracts_edges(config))
         .only_if(condition);
+}
+
+void Scoring::describe(ModuleDescription& module, AcceleratorConfig const& config) {
+    ModuleDescription unit = InlierUnit::describe(config);
+    for (char const* const fifo : {"edge_map", "observed_depth", "observed_edge", "result"})
+        module.ends.push_back(end_of(unit, fifo));
+    module.loops.push_back(loop_of(unit, "sweep"));
+    vary(module, config, {});
 }
 
 /// The last rows of the depth buffer, side by side, that `neighbour_access: window` keeps: two of the sweep, a token

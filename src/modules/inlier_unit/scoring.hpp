@@ -11,18 +11,18 @@
 
 namespace faster {
 
-/// Compares a drawn depth buffer with the observation: part of the inlier unit's process, or of one of its own
+/// Compares a drawn depth buffer with the observation: part of the InlierUnitVariant's process, or of one of its own
 /// (InlierSweep).
 ///   in    edge_map, observed_depth, observed_edge  W x W each, row-major, `sweep_lanes` pixels of a row per token
 ///   time  in flow fpga_grip loop `extract` and a cycle; loop `sweep`
 /// Source: thesis 4.1.3 and A.3; docs/function.md#inlierunit, docs/timing-model.md#sources-of-time.
 class Scoring {
   public:
-    /// Adds the ends, the loops and the line buffer of this part to the module whose process it belongs to.
-    static void describe_ends(ModuleDescription& module, AcceleratorConfig const& config,
-                              Condition const& condition = {});
-    static void describe_loops(ModuleDescription& module, AcceleratorConfig const& config,
-                               Condition const& condition = {});
+    /// Changes the InlierUnit's ends and loops of this part as the configuration says, and adds those of the flow
+    /// fpga_grip. `condition`: under which the module has them.
+    static void vary(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition);
+    /// Adds them to the module whose process this part is.
+    static void describe(ModuleDescription& module, AcceleratorConfig const& config);
     static void describe_line_buffer(ModuleDescription& module, AcceleratorConfig const& config);
 
     Scoring(CoreContext const& core, ProcessClock& clock);

@@ -5,14 +5,14 @@
 namespace faster {
 
 /// Several pixels of a row per iteration. Only covered pixels are told of; a group without one is silent.
-template <class Lines, bool Ahead> void Rasterizer::scan_groups(datapath::TriangleSetup const& setup) {
+template <class Lines, bool Ahead> void RasterizerVariant::scan_groups(datapath::TriangleSetup const& setup) {
     command_->await_room();
     depth_groups_->await_room();
     index_groups_->await_room();
     if (edge_groups_ != nullptr)
         edge_groups_->await_room();
     for (Lines lines(setup); !lines.done();)
-        send_groups<Lines, Ahead>({lines.next_line(), row_offset_, col_offset_, core_.config.rasterizer.lanes});
+        send_groups<Lines, Ahead>({lines.next_line(), window_.row, window_.col, core_.config.rasterizer.lanes});
     command_->wake_reader();
     depth_groups_->wake_reader();
     index_groups_->wake_reader();
@@ -20,7 +20,7 @@ template <class Lines, bool Ahead> void Rasterizer::scan_groups(datapath::Triang
         edge_groups_->wake_reader();
 }
 
-template <class Lines, bool Ahead> void Rasterizer::send_groups(datapath::GroupedLine const& line) {
+template <class Lines, bool Ahead> void RasterizerVariant::send_groups(datapath::GroupedLine const& line) {
     if (line.is_empty()) {
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.groups()));
         return;
@@ -28,12 +28,12 @@ template <class Lines, bool Ahead> void Rasterizer::send_groups(datapath::Groupe
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.before()));
     send_group_tokens(line);
-    iterate<Ahead>(fragment_ports_, static_cast<std::uint32_t>(line.inside()));
+    iterate<Ahead>(ports_.fragment, static_cast<std::uint32_t>(line.inside()));
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after()));
 }
 
-void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {
+void RasterizerVariant::send_group_tokens(datapath::GroupedLine const& line) {
     auto const count = static_cast<std::size_t>(line.inside());
     Command* const command = command_->reserve(count);
     DepthGroup* const depth = depth_groups_->reserve(count);
@@ -54,15 +54,15 @@ void Rasterizer::send_group_tokens(datapath::GroupedLine const& line) {
     index_groups_->append(count);
 }
 
-void Rasterizer::touch(PixelGroup const& group) {
+void RasterizerVariant::touch(PixelGroup const& group) {
     for_each_bit(group.mask, [&](unsigned lane) { touched_->add(group.row, group.col + static_cast<int>(lane)); });
 }
 
-template void Rasterizer::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
-template void Rasterizer::scan_groups<datapath::ZigzagScan, true>(datapath::TriangleSetup const& setup);
-template void Rasterizer::scan_groups<datapath::EarlyExitScan, false>(datapath::TriangleSetup const& setup);
-template void Rasterizer::scan_groups<datapath::EarlyExitScan, true>(datapath::TriangleSetup const& setup);
-template void Rasterizer::scan_groups<datapath::SpanScan, false>(datapath::TriangleSetup const& setup);
-template void Rasterizer::scan_groups<datapath::SpanScan, true>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::ZigzagScan, true>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::EarlyExitScan, false>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::EarlyExitScan, true>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::SpanScan, false>(datapath::TriangleSetup const& setup);
+template void RasterizerVariant::scan_groups<datapath::SpanScan, true>(datapath::TriangleSetup const& setup);
 
 }  // namespace faster

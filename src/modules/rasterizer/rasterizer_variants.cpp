@@ -5,35 +5,35 @@
 namespace faster {
 
 /// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
-template <bool Ahead> void Rasterizer::scan_near_edges(datapath::TriangleSetup const& setup) {
-    begin_burst(setup);
+template <bool Ahead> void RasterizerVariant::scan_near_edges(datapath::TriangleSetup const& setup) {
+    burst_.begin(setup);
     datapath::NearEdgeScan scan(setup, thresholds_);
     while (!scan.done())
         send_near_edge_line<Ahead>(scan.next_line());
     end_burst();
 }
 
-template <bool Ahead> void Rasterizer::send_near_edge_line(datapath::NearEdgeLine const& line) {
+template <bool Ahead> void RasterizerVariant::send_near_edge_line(datapath::NearEdgeLine const& line) {
     for (int pixel = 0; pixel < line.inside.pixels();) {
         datapath::Stretch const stretch = line.stretch_from(pixel);
         send_stretch(line.inside, stretch);
         timing::Ports const fragment_ports = stretch.is_inside ? pixel_ports_ : timing::Ports();
-        timing::Ports const token_port = stretch.is_near ? edge_port_ : timing::Ports();
+        timing::Ports const token_port = stretch.is_near ? ports_.edge : timing::Ports();
         iterate<Ahead>(fragment_ports | token_port, static_cast<std::uint32_t>(stretch.end - stretch.first));
         pixel = stretch.end;
     }
 }
 
 /// Without tokens of what lies beside a triangle: no iteration but those of the pixels.
-template <class Lines, bool Ahead> void Rasterizer::scan_covered(datapath::TriangleSetup const& setup) {
-    begin_burst(setup);
+template <class Lines, bool Ahead> void RasterizerVariant::scan_covered(datapath::TriangleSetup const& setup) {
+    burst_.begin(setup);
     Lines lines(setup);
     while (!lines.done())
         send_covered<Lines, Ahead>(lines.next_line());
     end_burst();
 }
 
-template <class Lines, bool Ahead> void Rasterizer::send_covered(datapath::ScanLine const& line) {
+template <class Lines, bool Ahead> void RasterizerVariant::send_covered(datapath::ScanLine const& line) {
     if (line.inside == 0) {
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(Lines::skips_outside ? 1 : line.pixels()));
         return;
@@ -41,25 +41,25 @@ template <class Lines, bool Ahead> void Rasterizer::send_covered(datapath::ScanL
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.before));
     if (edge_token_ != nullptr)
-        send_tokens(line, false, false);
+        write_run(line, nullptr, false);
     else
         send_stretch(line, {line.before, line.before + line.inside, true, false});
-    iterate<Ahead>(fragment_ports_, static_cast<std::uint32_t>(line.inside));
+    iterate<Ahead>(ports_.fragment, static_cast<std::uint32_t>(line.inside));
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after));
 }
 
-template <class Lines, bool Ahead> Rasterizer::Scan Rasterizer::scan_along() const {
+template <class Lines, bool Ahead> RasterizerVariant::Scan RasterizerVariant::scan_along() const {
     bool const only_covered =
         core_.config.flow == Flow::fpga_grip || core_.config.rasterizer.edge_tokens == EdgeTokens::object;
     if (core_.config.rasterizer.lanes > 1)
-        return &Rasterizer::scan_groups<Lines, Ahead>;
-    return only_covered ? &Rasterizer::scan_covered<Lines, Ahead> : &Rasterizer::scan<Lines, Ahead>;
+        return &RasterizerVariant::scan_groups<Lines, Ahead>;
+    return only_covered ? &RasterizerVariant::scan_covered<Lines, Ahead> : &RasterizerVariant::scan<Lines, Ahead>;
 }
 
-template <bool Ahead> Rasterizer::Scan Rasterizer::configured_scan() const {
+template <bool Ahead> RasterizerVariant::Scan RasterizerVariant::configured_scan() const {
     if (sends_near_edges_)
-        return &Rasterizer::scan_near_edges<Ahead>;
+        return &RasterizerVariant::scan_near_edges<Ahead>;
     switch (core_.config.rasterizer.scan) {
         case ScanPolicy::early_exit:
             return scan_along<datapath::EarlyExitScan, Ahead>();
@@ -73,7 +73,7 @@ template <bool Ahead> Rasterizer::Scan Rasterizer::configured_scan() const {
 
 /// One loop for the sample. Its first iterations read the vertices of the first triangles; then the first three of each
 /// triangle read those of another.
-void Rasterizer::draw_overlapped(std::uint32_t triangles) {
+void RasterizerVariant::draw_overlapped(std::uint32_t triangles) {
     if (triangles == 0)
         return;
     ahead_.unread = triangles;
@@ -94,7 +94,7 @@ void Rasterizer::draw_overlapped(std::uint32_t triangles) {
 }
 
 /// An iteration of its own sends the area and, if drawn, the command, as soon as the triangle is set up.
-void Rasterizer::begin_triangle(datapath::TriangleSetup const& setup) {
+void RasterizerVariant::begin_triangle(datapath::TriangleSetup const& setup) {
     clock_.await_setup();
     read_ahead();
     area_->await_room();
@@ -111,13 +111,13 @@ void Rasterizer::begin_triangle(datapath::TriangleSetup const& setup) {
 }
 
 /// The next three iterations are a triangle's first, and read the vertices of another, if there is one left.
-void Rasterizer::read_ahead() {
+void RasterizerVariant::read_ahead() {
     ahead_.first_iterations = 3;
     ahead_.reads = ahead_.unread > 0;
     ahead_.unread -= ahead_.reads ? 1U : 0U;
 }
 
-void Rasterizer::first_iteration(timing::Ports ports) {
+void RasterizerVariant::first_iteration(timing::Ports ports) {
     --ahead_.first_iterations;
     if (!ahead_.reads) {
         clock_.iterate(ports, 1);
@@ -132,12 +132,12 @@ void Rasterizer::first_iteration(timing::Ports ports) {
     }
 }
 
-void Rasterizer::fetch_vertex() {
+void RasterizerVariant::fetch_vertex() {
     vertex_->peek();
     ahead_.triangle.vertex[2 - ahead_.first_iterations] = *vertex_->front();
 }
 
-template Rasterizer::Scan Rasterizer::configured_scan<false>() const;
-template Rasterizer::Scan Rasterizer::configured_scan<true>() const;
+template RasterizerVariant::Scan RasterizerVariant::configured_scan<false>() const;
+template RasterizerVariant::Scan RasterizerVariant::configured_scan<true>() const;
 
 }  // namespace faster

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dataflow/base/enum_size.hpp"
 #include "faster/data/image.hpp"
 #include "faster/workload/pictures/colour.hpp"
 #include "poses/commands/estimate_report.hpp"
@@ -24,7 +25,8 @@ enum class FailureReason {
     score,     ///< the estimate weighs no less than the true pose
     search,    ///< the true pose weighs more, and no sample found it
 };
-constexpr std::array<char const*, 6> failure_reasons{"box", "size", "hidden", "symmetry", "score", "search"};
+constexpr std::array failure_reasons{"box", "size", "hidden", "symmetry", "score", "search"};
+static_assert(failure_reasons.size() == dataflow::enum_size<FailureReason>(), "every reason has a name");
 
 /// An estimate with an ADD of 2 cm or more.
 struct Failure {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "dataflow/base/enum_size.hpp"
 #include "dataflow/core/machine/external_memory_settings.hpp"
 #include "dataflow/core/machine/fifo_kind.hpp"
 #include "dataflow/core/machine/partition_config.hpp"
@@ -56,6 +57,8 @@ template <> struct EnumNames<Engine> {
 
 /// The written names, in the order of the table above.
 template <class Enum> std::vector<std::string> names_of_choices() {
+    static_assert(has_a_row_for_each<Enum>(EnumNames<Enum>::all, [](auto const& entry) { return entry.first; }),
+                  "EnumNames has a row for every enumerator, in their order");
     std::vector<std::string> names;
     names.reserve(EnumNames<Enum>::all.size());
     for (auto const& entry : EnumNames<Enum>::all) {

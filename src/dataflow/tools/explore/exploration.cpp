@@ -62,13 +62,23 @@ Json memory_schedule(MachineMemory const& memory, AccessPattern const& pattern) 
             {"cycles", slots(memory, memory.partition.fullest_bank(pattern))}};
 }
 
+/// Of those that a loop may take: the one with which the fullest bank has most to do; null if none accesses the memory.
+AccessPattern const* largest_branch(MachineMemory const& memory, LoopDescription const& loop) {
+    AccessPattern const* largest = nullptr;
+    for (MemoryAccess const& access : loop.accesses)
+        if (access.memory == memory.name && access.pattern.accesses() > 0 &&
+            (largest == nullptr ||
+             memory.partition.accesses_per_bank(access.pattern) > memory.partition.accesses_per_bank(*largest)))
+            largest = &access.pattern;
+    return largest;
+}
+
 Json loop_schedule(Machine const& machine, std::size_t loop, LoopDescription const& description) {
     timing::InitiationInterval const& interval = machine.loops[loop].interval;
     Json memories = Json::array();
-    for (MemoryAccess const& access : description.accesses)
-        if (MachineMemory const& memory = machine.memories[machine.memory(access.memory)];
-            memory.is_present && access.pattern.accesses() > 0)
-            memories.push_back(memory_schedule(memory, access.pattern));
+    for (MachineMemory const& memory : machine.memories)
+        if (AccessPattern const* const branch = largest_branch(memory, description); memory.is_present && branch)
+            memories.push_back(memory_schedule(memory, *branch));
     return {{"loop", machine.loop_name(loop)},   {"does", description.task},
             {"ii", interval.achieved},           {"target", interval.target},
             {"recurrence", interval.recurrence}, {"ports", interval.ports},

@@ -1,0 +1,74 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "channels/pixels_fifo.hpp"
+#include "channels/port_binding.hpp"
+#include "faster/data/buffer_tokens.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/edge_map_builder/edge_map_buffers.hpp"
+#include "modules/edge_map_builder/edge_map_read_out.hpp"
+#include "modules/edge_map_builder/watched_maps.hpp"
+
+namespace faster {
+
+/// What keys make of the EdgeMapBuilder: other algorithms, tokens of several pixels, other ways to clear, the touched
+/// region, iterations that wait for writes. Ports and time are the EdgeMapBuilder's, but for:
+///   in    edge_token_in  groups of covered pixels with several `rasterizer.lanes`. sweep_region touched: after End the
+///                        corners of the touched region
+///   out   edge_map_out   the bits of the region, `sweep_lanes` bits of a row per token
+/// With two buffers, EdgeMapOutput reads the maps out:
+///   in    map_free_in    the buffer of the next sample
+///   out   map_full_out   the finished one and its region, instead of edge_map_out
+///   time  a step each instead of loop `output`
+class EdgeMapBuilderVariant : public sc_core::sc_module {
+  public:
+    PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
+    OptionalFifoIn<BufferNumber> map_free_in{"map_free_in"};     ///< bound with two buffers
+    OptionalFifoOut<FullMaps> map_full_out{"map_full_out"};      ///< bound with two buffers
+    OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
+
+    /// Whether a core takes more than the EdgeMapBuilder.
+    static bool is_needed(AcceleratorConfig const& config, Machine const& machine);
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
+    SC_HAS_PROCESS(EdgeMapBuilderVariant);
+    EdgeMapBuilderVariant(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    void clear();
+    void build();
+    bool take_tokens(EdgeToken& current);
+    void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
+    void tell_one(bool second);
+    void take_last(EdgeToken const& current);
+    void build_of_groups();
+    bool take_groups(PixelGroup& current);
+    void take_group(PixelGroup const& group);
+    PixelBox turn_to_output();
+    Corners read_region();
+    FragmentIndex read_corner();
+    void hand_over();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    EdgeMapBuffers& buffers_;
+    std::size_t buffer_ = 0;
+    datapath::EdgeMapPolicy* maps_ = nullptr;       ///< of the sample at hand
+    EdgeMapReadOut read_out_;                       ///< one buffer
+    ClockedFifo<EdgeToken>* edge_token_ = nullptr;  ///< null: tokens are groups
+    ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
+    ClockedFifo<BufferNumber>* map_free_ = nullptr;  ///< two buffers
+    ClockedFifo<FullMaps>* map_full_ = nullptr;      ///< two buffers
+    unsigned clear_loop_ = 0;
+    unsigned token_loop_ = 0;
+    WatchedMaps watched_;
+    datapath::MapWatch watch_;       ///< the one of watched_
+    bool waits_for_writes_ = false;  ///< iterations of the token loop for each other's: they are told one by one
+};
+
+}  // namespace faster

@@ -1,0 +1,97 @@
+#pragma once
+#include <systemc>
+
+#include "channels/clocked_fifo.hpp"
+#include "channels/pixels_fifo.hpp"
+#include "faster/data/buffer_tokens.hpp"
+#include "faster/data/tokens.hpp"
+#include "faster/dataflow_names.hpp"
+#include "modules/core/core_context.hpp"
+#include "modules/core/depth.hpp"
+#include "modules/inlier_unit/depth_buffers.hpp"
+#include "modules/inlier_unit/fragment_burst.hpp"
+#include "modules/inlier_unit/scoring.hpp"
+
+namespace faster {
+
+/// What keys make of the InlierUnit: fragments of several pixels, one loop for all of a sample's, other ways to clear
+/// and to sweep, the touched region, extracted edges, iterations that wait for writes. Ports and time are the
+/// InlierUnit's, but for:
+///   in    fragment_index_in  sweep_region touched: after the fragments the corners of the touched region
+///         edge_map_in        unbound in flow fpga_grip
+///         edge_map_in, observed_depth_in, observed_edge_in  those of the region, `sweep_lanes` pixels of a row per
+///         token
+///   time  loop `fragment` once with fragment_loop flattened; in flow fpga_grip loop `extract` before `sweep`
+/// With two buffers, InlierSweep does what comes after the drawing:
+///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
+///   out   depth_full_out  the drawn one and its region, instead of result_out
+///   time  a step each instead of loops `extract` and `sweep`
+class InlierUnitVariant : public sc_core::sc_module {
+  public:
+    sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
+    PixelsIn<std::int64_t, DepthGroup> fragment_depth_in{"fragment_depth_in"};
+    PixelsIn<FragmentIndex, PixelGroup> fragment_index_in{"fragment_index_in"};
+    sc_core::sc_fifo_in<Command> command_in{"command_in"};
+    OptionalFifoIn<std::uint8_t> edge_map_in{"edge_map_in"};  ///< unbound in flow fpga_grip, too
+    OptionalFifoIn<std::uint16_t> observed_depth_in{"observed_depth_in"};
+    OptionalFifoIn<std::uint8_t> observed_edge_in{"observed_edge_in"};
+    OptionalFifoOut<SampleCounters> result_out{"result_out"};
+    OptionalFifoIn<BufferNumber> depth_free_in{"depth_free_in"};        ///< bound with two buffers
+    OptionalFifoOut<FullDepthBuffer> depth_full_out{"depth_full_out"};  ///< bound with two buffers
+
+    /// Whether a core takes more than the InlierUnit.
+    static bool is_needed(AcceleratorConfig const& config, Machine const& machine);
+    static ModuleDescription describe(AcceleratorConfig const& config);
+
+    SC_HAS_PROCESS(InlierUnitVariant);
+    InlierUnitVariant(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
+
+  private:
+    void end_of_elaboration() override;
+    void run();
+    void clear();
+    void draw_triangles();
+    void draw_in_one_loop();
+    void enter_fragment_loop();
+    void take_triangle(std::uint64_t& reciprocal, Command& command);
+    void take_fragments(std::uint64_t reciprocal, Command& command);
+    Command draw_fragments(std::uint64_t reciprocal, Command command);
+    std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
+    void take_groups(std::uint64_t reciprocal, Command& command);
+    std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
+    template <class Distances>
+    unsigned draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
+                        PixelGroup const& pixels);
+    PixelBox turn_to_sweep();
+    Corners read_region();
+    FragmentIndex read_corner();
+    void score(std::size_t sample);
+    void hand_over();
+
+    CoreContext const& core_;
+    ProcessClock clock_;
+    datapath::DepthUnit depth_unit_;
+    DepthBuffers& buffers_;
+    std::size_t buffer_ = 0;
+    std::vector<std::uint16_t>* depth_buffer_ = nullptr;  ///< of the sample at hand
+    Scoring scoring_;                                     ///< one buffer
+    SampleCounters counters_;
+    ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
+    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: fragments come in groups
+    ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
+    ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
+    ClockedFifo<PixelGroup>* index_groups_ = nullptr;
+    ClockedFifo<Command>* command_ = nullptr;
+    ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
+    ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers
+    ClockedFifo<FullDepthBuffer>* depth_full_ = nullptr;  ///< two buffers
+    timing::Ports triangle_ports_;
+    timing::Ports fragment_ports_;
+    unsigned clear_loop_ = 0;
+    unsigned fragment_loop_ = 0;
+    WriteDistances* distances_ = nullptr;  ///< told what the fragment loop does; mostly null
+    /// Iterations that are told together: one, if they wait for each other's writes.
+    std::size_t most_at_once_ = ~std::size_t{0};
+};
+
+}  // namespace faster

@@ -409,6 +409,9 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
             {"estimator.box.left", "a box that overlaps the image of 160 x 120 pixels"});
     refuses({"--set", "estimator.box.top=-30", "--set", "estimator.box.width=20"}, {"estimator.box.top"});
     refuses({"--set", "estimator.weights.accelerator.raw=0.5"}, {"estimator.weights.accelerator", "add up to 1"});
+    refuses({"--set", "estimator.weights.in_box=none", "--set", "estimator.weights.grip.in_box=1"},
+            {"estimator.weights.grip.in_box", "less than 1"});
+    refuses({"--set", "estimator.weights.in_box=points"}, {"estimator.weights.in_box", "all_points"});
     refuses({"--set", "workload.samples.count=0"}, {"workload.samples.count", "at least 1"});
     refuses({"--set", "workload.trace=" + std::string(FASTER_SOURCE_DIR) + "/traces/one_triangle"},
             {"workload.trace", "moves a mesh"});

@@ -384,22 +384,61 @@ TEST_CASE("Eq. 2.4 by hand, of counters and of GRIP's clouds", "[estimation]") {
     counters.inlier = 100;
     counters.valid_edge = 50;
     counters.edge_inlier = 10;
-    WeightTerms const terms = terms_of(counters, 0.5, 0.8, 100);
+    BoxFit const fit{0.8, 0.9};
+    TermSettings const from_100{InBoxTerm::overlap, 100};
+    WeightTerms const terms = terms_of(counters, 0.5, fit, from_100);
     CHECK(terms.raw == 0.25);
     CHECK(terms.edge == 0.2);
     CHECK(terms.in_box == Approx(0.2));
     CHECK(terms.weight({0.1, 0.2, 0.3, 0.4, 0}) == Approx(0.1 * 0.5 + 0.2 * 0.2 + 0.3 * 0.25 + 0.4 * 0.2));
-    CHECK(terms_of(counters, 0.5, 0.8, 401).weight({0.1, 0, 0.4, 0.5, 0}) == Approx(0.05));
+    CHECK(terms_of(counters, 0.5, fit, {InBoxTerm::overlap, 401}).weight({0.1, 0, 0.4, 0.5, 0}) == Approx(0.05));
     counters.inlier = 500;  // contour pixels count too
-    CHECK(terms_of(counters, 0.5, 0.8, 100).raw == 1);
-    CHECK(terms_of(SampleCounters{}, 0, 1, 0).raw == 0);
+    CHECK(terms_of(counters, 0.5, fit, from_100).raw == 1);
+    CHECK(terms_of(SampleCounters{}, 0, {1, 1}, {}).raw == 0);
     grip::PoseScore score;
     score.raw = {400, 100};
     score.edge = {40, 20};
     score.planar = {360, 90};
     score.in_box = {200, 80};
-    CHECK(terms_of(score, 1, 0).weight({0.1, 0.2, 0.3, 0.25, 0.15}) ==
+    CHECK(terms_of(score, 1, {}, {InBoxTerm::box_points, 0}).weight({0.1, 0.2, 0.3, 0.25, 0.15}) ==
           Approx(0.1 + 0.2 * 0.4 + 0.3 * 0.25 + 0.25 * 0.5 + 0.15 * 0.25));
+    CHECK(terms_of(score, 1, {}, {InBoxTerm::box_points, 401}).weight({0.1, 0.2, 0.3, 0.25, 0.15}) == Approx(0.1));
+}
+
+TEST_CASE("I_b is had in the same four ways from counters and from GRIP's clouds", "[estimation]") {
+    SampleCounters counters;
+    counters.valid_raster = 400;
+    counters.inlier = 100;
+    grip::PoseScore score;
+    score.raw = {400, 100};
+    score.in_box = {200, 80};
+    BoxFit const fit{0.4, 0.5}, apart{0, 0};
+    auto const counted = [&](InBoxTerm term, BoxFit const& of) { return terms_of(counters, 1, of, {term, 0}).in_box; };
+    auto const by_grip = [&](InBoxTerm term) { return terms_of(score, 1, fit, {term, 0}).in_box; };
+    CHECK(counted(InBoxTerm::overlap, fit) == Approx(0.25 * 0.4));
+    CHECK(by_grip(InBoxTerm::overlap) == Approx(0.25 * 0.4));
+    CHECK(counted(InBoxTerm::all_points, fit) == Approx(0.25 * 0.5));
+    CHECK(by_grip(InBoxTerm::all_points) == Approx(80.0 / 400));
+    CHECK(counted(InBoxTerm::box_points, fit) == Approx(0.25));
+    CHECK(counted(InBoxTerm::box_points, apart) == 0);
+    CHECK(by_grip(InBoxTerm::box_points) == Approx(80.0 / 200));
+    CHECK(counted(InBoxTerm::none, fit) == 0);
+    CHECK(by_grip(InBoxTerm::none) == 0);
+}
+
+TEST_CASE("Without I_b the other coefficients keep their proportions and add up to 1", "[estimation]") {
+    EstimatorConfig config;
+    config.accelerator_weights = {0.1, 0.5, 0.3, 0.1, 0};
+    CHECK(config.coefficients().in_box == 0.5);
+    config.in_box = InBoxTerm::none;
+    WeightCoefficients const left = config.coefficients();
+    CHECK(left.box == Approx(0.2));
+    CHECK(left.in_box == 0);
+    CHECK(left.raw == Approx(0.6));
+    CHECK(left.edge == Approx(0.2));
+    config.backend = EstimatorBackend::grip;
+    WeightCoefficients const of_grip = config.coefficients();
+    CHECK(of_grip.box + of_grip.raw + of_grip.edge + of_grip.planar == Approx(1));
 }
 
 TEST_CASE("The box around an object ends at the image, and an object outside has none", "[estimation]") {
@@ -418,6 +457,9 @@ TEST_CASE("The box around an object ends at the image, and an object outside has
     CHECK(overlap_share({0, 0, 4, 4, 1}, {0, 0, 4, 4, 1}) == 1);
     CHECK(overlap_share({0, 0, 4, 4, 1}, {5, 0, 4, 4, 1}) == 0);
     CHECK(overlap_share({}, {}) == 0);
+    CHECK(share_inside({0, 0, 4, 4, 1}, {2, 2, 4, 4, 1}) == Approx(4.0 / 16));
+    CHECK(share_inside({0, 0, 4, 4, 1}, {-1, -1, 9, 9, 1}) == 1);
+    CHECK(share_inside({}, {0, 0, 4, 4, 1}) == 0);
     CHECK(overlaps({-5, -5, 6, 6, 1}, 160, 120));
     CHECK_FALSE(overlaps({-5, -5, 5, 6, 1}, 160, 120));
     CHECK_FALSE(overlaps({160, 0, 5, 6, 1}, 160, 120));

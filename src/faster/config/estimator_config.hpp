@@ -22,6 +22,14 @@ enum class EstimateKind {
     mean,  ///< the weighted mean of the poses close to it
 };
 
+/// How I_b of thesis eq. 2.4 is had, whoever scores: the inliers in the box of the first stage, as a share.
+enum class InBoxTerm {
+    overlap,     ///< I_r times the overlap of the sample's box and the detection's
+    all_points,  ///< eq. 2.3: of all rendered points
+    box_points,  ///< of the rendered points in the box
+    none,        ///< left out; the other coefficients are scaled to add up to 1
+};
+
 /// Coefficients of thesis eq. 2.4, which add up to 1.
 struct WeightCoefficients {
     double box = 0;     ///< a_box, of the box's confidence
@@ -29,6 +37,12 @@ struct WeightCoefficients {
     double raw = 0;     ///< a_r, of all inliers
     double edge = 0;    ///< a_e, of the edges' inliers
     double planar = 0;  ///< a_p, of the planar points' inliers
+
+    /// Those that are left, which add up to 1.
+    WeightCoefficients without_in_box() const {
+        double const rest = 1 - in_box;
+        return {box / rest, 0, raw / rest, edge / rest, planar / rest};
+    }
 };
 
 /// Noise that is added after resampling: sigma of iteration k = max(sigma_min, sigma * decay^k).
@@ -59,7 +73,8 @@ struct EstimatorConfig {
     EstimateKind estimate = EstimateKind::best;
     std::uint64_t seed = 3;
     WeightCoefficients accelerator_weights{0.1, 0.7, 0.1, 0.1, 0};
-    WeightCoefficients grip_weights{0.1, 0.2, 0.3, 0.2, 0.2};
+    WeightCoefficients grip_weights{0.1, 0.7, 0.1, 0.05, 0.05};
+    InBoxTerm in_box = InBoxTerm::overlap;
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
     Resampling resampling = Resampling::systematic;
@@ -69,8 +84,9 @@ struct EstimatorConfig {
     double cluster_rotation_deg = 10;
     DetectionConfig box;
 
-    WeightCoefficients const& coefficients() const {
-        return backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+    WeightCoefficients coefficients() const {
+        WeightCoefficients const& all = backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+        return in_box == InBoxTerm::none ? all.without_in_box() : all;
     }
 };
 

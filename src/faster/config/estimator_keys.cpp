@@ -55,11 +55,18 @@ template <class Field> Key coefficient_key(std::string const& name, std::string 
 }
 
 void add_weight_keys(Keys& keys) {
+    keys.push_back(Make::choice_key(
+        {"estimator.weights.in_box", "",
+         "How I_b is had, by accelerator and grip alike: I_r times the overlap of the sample's and the detection's "
+         "box, "
+         "inliers in the box as a share of all rendered points (eq. 2.3), or of those in the box, or not at all.",
+         searched},
+        [](auto& config) -> auto& { return config.estimator.in_box; }));
     keys.push_back(coefficient_key(
         "accelerator.box", "w_box, the confidence of its box; the four of accelerator are 1 together",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.box; }));
     keys.push_back(coefficient_key(
-        "accelerator.in_box", "I_b = I_r times the overlap of the sample's and the detection's box",
+        "accelerator.in_box", "I_b (estimator.weights.in_box)",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.in_box; }));
     keys.push_back(coefficient_key(
         "accelerator.raw", "I_r = inlier / valid_raster",
@@ -75,7 +82,7 @@ void add_weight_keys(Keys& keys) {
         "grip.box", "w_box, the confidence of its box; the five of grip are 1 together",
         [](auto& config) -> auto& { return config.estimator.grip_weights.box; }));
     keys.push_back(coefficient_key(
-        "grip.in_box", "I_b, the inlier ratio of what lies in the box",
+        "grip.in_box", "I_b (estimator.weights.in_box)",
         [](auto& config) -> auto& { return config.estimator.grip_weights.in_box; }));
     keys.push_back(coefficient_key(
         "grip.raw", "I_r, that of all points",

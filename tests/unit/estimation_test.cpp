@@ -8,8 +8,10 @@
 #include "faster/workload/models/builtin_models.hpp"
 #include "poses/estimation/estimator.hpp"
 #include "poses/estimation/first_samples.hpp"
+#include "poses/estimation/icp.hpp"
 #include "poses/estimation/resampling.hpp"
 #include "poses/estimation/streams.hpp"
+#include "poses/grip/rendered_object.hpp"
 
 namespace estimation_test {
 
@@ -335,6 +337,95 @@ TEST_CASE("The loop ends with the first iteration that reaches stop_weight", "[e
     CHECK(found.weight >= 0.5);
     config.stop_weight = 0;
     CHECK(estimate(can_scene(0.6), config, 100, closeness_to(some_particle())).iterations == 1);
+}
+
+TEST_CASE("Runs know nothing of each other, and the heaviest is kept", "[estimation]") {
+    EstimatorConfig config = plain_config();
+    config.iterations = 4;
+    config.restarts = 4;
+    Scene const scene = can_scene(0.6);
+    Score const score = closeness_to(some_particle());
+    std::vector<Iteration> iterations;
+    Estimate const found =
+        estimate(scene, config, 30, score, [&](Iteration const& iteration) { iterations.push_back(iteration); });
+    REQUIRE(iterations.size() == 16);
+    CHECK(found.iterations == 16);
+    CHECK(found.runs == 4);
+    EstimatorConfig alone = config;
+    alone.restarts = 1;
+    double heaviest = 0;
+    for (std::uint64_t run = 0; run < 4; ++run) {
+        alone.seed = config.seed + run;
+        Estimate const own = estimate(scene, alone, 30, score);
+        CAPTURE(run);
+        CHECK(iterations[4 * run].number == 0);
+        CHECK(iterations[4 * run + 3].run == run);
+        CHECK(iterations[4 * run + 3].best_weight() == own.weight);
+        CHECK((found.run == run) == (own.weight == found.weight));
+        heaviest = std::max(heaviest, own.weight);
+    }
+    CHECK(found.weight == heaviest);
+    CHECK(found.run != 0);  // otherwise these seeds say nothing: take others
+    config.stop_weight = iterations.front().best_weight();
+    CHECK(estimate(scene, config, 30, score).iterations == 1);
+}
+
+/// A box of which the camera sees three sides, before a wall; `hidden_cols` columns of the image are nearer.
+Stimulus box_before_wall(Pose const& pose, int hidden_cols) {
+    Stimulus observed;
+    observed.posed.mesh = models::make("cracker_box");
+    observed.posed.camera = {320, 240, 500, 500, 159.5, 119.5};
+    observed.width = 320;
+    observed.height = 240;
+    observed.fraction.depth_buffer = 9;
+    observed.observed_depth = Image<std::uint16_t>(240, 320, 614);
+    grip::RenderedObject const object = grip::render(observed.posed.mesh, pose, observed.posed.camera);
+    for (int row = 0; row < object.depth.height(); ++row)
+        for (int col = 0; col < object.depth.width(); ++col)
+            if (object.depth.at(row, col) > 0)
+                observed.observed_depth.at(row + object.first_row, col + object.first_col) =
+                    static_cast<std::uint16_t>(std::floor(object.depth.at(row, col) * 512));
+    for (int row = 0; row < 240; ++row)
+        for (int col = 0; col < hidden_cols; ++col)
+            observed.observed_depth.at(row, col) = static_cast<std::uint16_t>(0.4 * 512);
+    return observed;
+}
+
+double mean_distance(Mesh const& mesh, Pose const& a, Pose const& b) {
+    double sum = 0;
+    for (Eigen::Vector3d const& vertex : mesh.vertices)
+        sum += (a.rotation * vertex + a.translation - b.rotation * vertex - b.translation).norm();
+    return sum / static_cast<double>(mesh.vertices.size());
+}
+
+TEST_CASE("ICP brings a pose that is nearly right closer, and of an object of which half is hidden no further off",
+          "[estimation]") {
+    Pose truth;
+    truth.rotation =
+        (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()))
+            .toRotationMatrix();
+    truth.translation = {0.02, -0.01, 0.8};
+    Pose start = truth;
+    start.translation += Eigen::Vector3d(0.006, -0.005, 0.006);
+    start.rotation = Eigen::AngleAxisd(0.05, Eigen::Vector3d(1, 2, -1).normalized()) * start.rotation;
+    int const hidden_cols = GENERATE(0, 165);
+    CAPTURE(hidden_cols);
+    Stimulus const observed = box_before_wall(truth, hidden_cols);
+    double const before = mean_distance(observed.posed.mesh, start, truth);
+    double const after = mean_distance(observed.posed.mesh, refined_by_icp(observed, start), truth);
+    CAPTURE(before, after);
+    CHECK(before > 0.008);
+    CHECK(after <= (hidden_cols == 0 ? 0.002 : before));
+}
+
+TEST_CASE("ICP leaves a pose as it is where no reading is near, and where there is none at all", "[estimation]") {
+    Pose pose;
+    pose.translation = {0.02, -0.01, 0.8};
+    Stimulus observed = box_before_wall(pose, 320);
+    CHECK(refined_by_icp(observed, pose).translation == pose.translation);
+    CHECK(refined_by_icp(observed, pose).rotation == pose.rotation);
+    observed.observed_depth = Image<std::uint16_t>(240, 320, 0);
+    CHECK(refined_by_icp(observed, pose).translation == pose.translation);
 }
 
 TEST_CASE("The same seed gives the same estimate, another seed another, and scores of 0 are no trouble",

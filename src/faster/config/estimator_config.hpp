@@ -22,6 +22,12 @@ enum class EstimateKind {
     mean,  ///< the weighted mean of the poses close to it
 };
 
+/// What becomes of the estimate when the loop is over.
+enum class Refinement {
+    none,
+    icp,  ///< the host moves it so that the surface lies in the readings
+};
+
 /// How I_b of thesis eq. 2.4 is had, whoever scores: the inliers in the box of the first stage, as a share.
 enum class InBoxTerm {
     overlap,     ///< I_r times the overlap of the sample's box and the detection's
@@ -68,6 +74,8 @@ struct DetectionConfig {
 struct EstimatorConfig {
     EstimatorBackend backend = EstimatorBackend::accelerator;
     std::uint64_t iterations = 50;  ///< thesis 4.2.1
+    std::uint64_t restarts = 1;     ///< runs that know nothing of each other; the heaviest estimate is kept
+    Refinement refine = Refinement::none;
     double stop_weight = 1;
     double least_weight = 0.3;
     EstimateKind estimate = EstimateKind::best;
@@ -90,11 +98,12 @@ struct EstimatorConfig {
     }
 };
 
-/// What the host needs per iteration besides the accelerator; keys `host.*`.
+/// What the host needs besides the accelerator; keys `host.*`.
 struct HostConfig {
     double start_us = 20;
     double collect_us = 30;
     double resample_us = 2000;
+    double refine_us = 800'000;  ///< once per estimate, if it is refined
 };
 
 }  // namespace faster

@@ -26,8 +26,21 @@ void add_loop_keys(Keys& keys) {
     keys.push_back(Make::integer_key(
         {"estimator.iterations", "iterations", "Iterations at most.", "thesis 4.2.1"}, {1, 100'000},
         [](auto& config) -> auto& { return config.estimator.iterations; }));
+    keys.push_back(Make::integer_key(
+        {"estimator.restarts", "runs",
+         "Runs of all iterations that know nothing of each other, with seeds that follow each other; the heaviest "
+         "estimate is kept.",
+         "docs/poses.md"},
+        {1, 1000}, [](auto& config) -> auto& { return config.estimator.restarts; }));
+    keys.push_back(Make::choice_key(
+        {"estimator.refine", "",
+         "icp: the host moves the estimate so that the object's surface lies in the readings (iterative closest "
+         "points).",
+         "docs/poses.md"},
+        [](auto& config) -> auto& { return config.estimator.refine; }));
     keys.push_back(Make::number_key(
-        {"estimator.stop_weight", "", "The loop ends once the best weight reaches this.", "docs/poses.md"},
+        {"estimator.stop_weight", "", "The loop, and all runs, end once the best weight reaches this.",
+         "docs/poses.md"},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.stop_weight; }));
     keys.push_back(Make::number_key(
         {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", "this project"},
@@ -158,6 +171,10 @@ void add_host_keys(Keys& keys) {
         {"host.resample_us", "us", "Weights, resampling and diffusion of an iteration on the host's processor.",
          "measured, docs/poses.md"},
         zero_or_more, [](auto& config) -> auto& { return config.host.resample_us; }));
+    keys.push_back(Make::number_key(
+        {"host.refine_us", "us", "estimator.refine on the host's processor, once per estimate.",
+         "measured, docs/poses.md"},
+        zero_or_more, [](auto& config) -> auto& { return config.host.refine_us; }));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/build_stimulus.hpp"
 #include "poses/estimation/counter_scorer.hpp"
+#include "poses/estimation/icp.hpp"
 #include "poses/grip/score_poses.hpp"
 #include "poses/judging/pose_error.hpp"
 
@@ -136,6 +137,11 @@ std::string scorer_name(RunConfig const& config) {
         return "grip";
     AcceleratorConfig const& accelerator = accelerator_of(config);
     return accelerator.flow == Flow::faster ? accelerator.architecture : choice_name(accelerator.flow);
+}
+
+Pose final_pose(estimation::Scene const& scene, estimation::Particle const& particle, EstimatorConfig const& config) {
+    Pose const pose = pose_of(particle, scene.size);
+    return config.refine == Refinement::icp ? estimation::refined_by_icp(scene.observed, pose) : pose;
 }
 
 Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config) {

@@ -73,11 +73,11 @@ TEST_CASE("estimate finds the object, and tells how it got there", "[estimate]")
     CHECK(found["iterations"][24]["best_weight"] == found["weight"]);
     Words const rows = lines_of(workspace.text("out/iterations.csv"));
     REQUIRE(rows.size() == 26);
-    CHECK(cells_of(rows[0]).size() == 17);
+    CHECK(cells_of(rows[0]).size() == 18);
     double weight = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         Words const row = cells_of(rows[i]);
-        REQUIRE(row.size() == 17);
+        REQUIRE(row.size() == 18);
         CHECK(std::stod(row[2]) >= weight);
         CHECK(std::stod(row[4]) <= 200);
         CHECK(row[11].empty());  // cycles
@@ -356,6 +356,44 @@ TEST_CASE("A run does not know the keys of estimate", "[estimate]") {
     CHECK_THAT(workspace.text("run/summary.json"), !Contains("estimator") && !Contains("host.start"));
 }
 
+TEST_CASE("Restarts and the refinement cost their time, and the files say which run was kept", "[estimate]") {
+    Workspace const workspace;
+    Words const words{"--set", "estimator.restarts=3", "--set", "estimator.iterations=2",
+                      "--set", "host.refine_us=250000"};
+    Words plain = words, refined = words, alone = words;
+    plain.insert(plain.end(), {"--out", "plain", "-j", "2"});
+    alone.insert(alone.end(), {"--out", "alone", "-j", "1"});
+    refined.insert(refined.end(), {"--out", "refined", "-j", "2", "--set", "estimator.refine=icp"});
+    CommandResult const result = workspace.estimate(plain);
+    require_done(result);
+    require_done(workspace.estimate(alone));
+    require_done(workspace.estimate(refined));
+    CHECK_THAT(result.out, Contains("6 iterations of 60 samples") && Contains("of 3, the heaviest"));
+    CHECK(workspace.text("plain/estimate.json") == workspace.text("alone/estimate.json"));
+    Json const found = workspace.json("plain/estimate.json"), moved = workspace.json("refined/estimate.json");
+    CHECK(found["runs"] == 3);
+    REQUIRE(found["iterations"].size() == 6);
+    double ms = 0, heaviest = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+        Json const& row = found["iterations"][k];
+        CHECK(row["iteration"] == k);
+        CHECK(row["run"] == k / 2);
+        CHECK(row["cycles"].get<std::uint64_t>() > 0);
+        ms += row["iteration_ms"].get<double>();
+        heaviest = std::max(heaviest, row["best_weight"].get<double>());
+    }
+    CHECK(found["weight"] == heaviest);
+    CHECK(found["iterations"][2 * found["run"].get<std::size_t>() + 1]["best_weight"] == heaviest);
+    CHECK(found["total_ms"].get<double>() == Approx(ms));
+    CHECK(found["refine_ms"] == 0);
+    CHECK(moved["refine_ms"] == 250);
+    CHECK(moved["total_ms"].get<double>() == Approx(ms + 250));
+    CHECK(moved["total_mj"]["typical"].get<double>() > found["total_mj"]["typical"].get<double>());
+    CHECK(moved["weight"] == heaviest);
+    CHECK(cells_of(lines_of(workspace.text("plain/iterations.csv")).front()).back() == "run");
+    CHECK(cells_of(lines_of(workspace.text("plain/iterations.csv")).back()).back() == "2");
+}
+
 TEST_CASE("What cannot be found is said clearly", "[estimate]") {
     Workspace const workspace;
     SECTION("an empty table in the place of the object") {
@@ -409,6 +447,9 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
             {"estimator.box.left", "a box that overlaps the image of 160 x 120 pixels"});
     refuses({"--set", "estimator.box.top=-30", "--set", "estimator.box.width=20"}, {"estimator.box.top"});
     refuses({"--set", "estimator.weights.accelerator.raw=0.5"}, {"estimator.weights.accelerator", "add up to 1"});
+    refuses({"--set", "estimator.weights.in_box=none", "--set", "estimator.weights.grip.in_box=1"},
+            {"estimator.weights.grip.in_box", "less than 1"});
+    refuses({"--set", "estimator.weights.in_box=points"}, {"estimator.weights.in_box", "all_points"});
     refuses({"--set", "workload.samples.count=0"}, {"workload.samples.count", "at least 1"});
     refuses({"--set", "workload.trace=" + std::string(FASTER_SOURCE_DIR) + "/traces/one_triangle"},
             {"workload.trace", "moves a mesh"});

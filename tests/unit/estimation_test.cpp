@@ -8,8 +8,10 @@
 #include "faster/workload/models/builtin_models.hpp"
 #include "poses/estimation/estimator.hpp"
 #include "poses/estimation/first_samples.hpp"
+#include "poses/estimation/icp.hpp"
 #include "poses/estimation/resampling.hpp"
 #include "poses/estimation/streams.hpp"
+#include "poses/grip/rendered_object.hpp"
 
 namespace estimation_test {
 
@@ -337,6 +339,95 @@ TEST_CASE("The loop ends with the first iteration that reaches stop_weight", "[e
     CHECK(estimate(can_scene(0.6), config, 100, closeness_to(some_particle())).iterations == 1);
 }
 
+TEST_CASE("Runs know nothing of each other, and the heaviest is kept", "[estimation]") {
+    EstimatorConfig config = plain_config();
+    config.iterations = 4;
+    config.restarts = 4;
+    Scene const scene = can_scene(0.6);
+    Score const score = closeness_to(some_particle());
+    std::vector<Iteration> iterations;
+    Estimate const found =
+        estimate(scene, config, 30, score, [&](Iteration const& iteration) { iterations.push_back(iteration); });
+    REQUIRE(iterations.size() == 16);
+    CHECK(found.iterations == 16);
+    CHECK(found.runs == 4);
+    EstimatorConfig alone = config;
+    alone.restarts = 1;
+    double heaviest = 0;
+    for (std::uint64_t run = 0; run < 4; ++run) {
+        alone.seed = config.seed + run;
+        Estimate const own = estimate(scene, alone, 30, score);
+        CAPTURE(run);
+        CHECK(iterations[4 * run].number == 0);
+        CHECK(iterations[4 * run + 3].run == run);
+        CHECK(iterations[4 * run + 3].best_weight() == own.weight);
+        CHECK((found.run == run) == (own.weight == found.weight));
+        heaviest = std::max(heaviest, own.weight);
+    }
+    CHECK(found.weight == heaviest);
+    CHECK(found.run != 0);  // otherwise these seeds say nothing: take others
+    config.stop_weight = iterations.front().best_weight();
+    CHECK(estimate(scene, config, 30, score).iterations == 1);
+}
+
+/// A box of which the camera sees three sides, before a wall; `hidden_cols` columns of the image are nearer.
+Stimulus box_before_wall(Pose const& pose, int hidden_cols) {
+    Stimulus observed;
+    observed.posed.mesh = models::make("cracker_box");
+    observed.posed.camera = {320, 240, 500, 500, 159.5, 119.5};
+    observed.width = 320;
+    observed.height = 240;
+    observed.fraction.depth_buffer = 9;
+    observed.observed_depth = Image<std::uint16_t>(240, 320, 614);
+    grip::RenderedObject const object = grip::render(observed.posed.mesh, pose, observed.posed.camera);
+    for (int row = 0; row < object.depth.height(); ++row)
+        for (int col = 0; col < object.depth.width(); ++col)
+            if (object.depth.at(row, col) > 0)
+                observed.observed_depth.at(row + object.first_row, col + object.first_col) =
+                    static_cast<std::uint16_t>(std::floor(object.depth.at(row, col) * 512));
+    for (int row = 0; row < 240; ++row)
+        for (int col = 0; col < hidden_cols; ++col)
+            observed.observed_depth.at(row, col) = static_cast<std::uint16_t>(0.4 * 512);
+    return observed;
+}
+
+double mean_distance(Mesh const& mesh, Pose const& a, Pose const& b) {
+    double sum = 0;
+    for (Eigen::Vector3d const& vertex : mesh.vertices)
+        sum += (a.rotation * vertex + a.translation - b.rotation * vertex - b.translation).norm();
+    return sum / static_cast<double>(mesh.vertices.size());
+}
+
+TEST_CASE("ICP brings a pose that is nearly right closer, and of an object of which half is hidden no further off",
+          "[estimation]") {
+    Pose truth;
+    truth.rotation =
+        (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()))
+            .toRotationMatrix();
+    truth.translation = {0.02, -0.01, 0.8};
+    Pose start = truth;
+    start.translation += Eigen::Vector3d(0.006, -0.005, 0.006);
+    start.rotation = Eigen::AngleAxisd(0.05, Eigen::Vector3d(1, 2, -1).normalized()) * start.rotation;
+    int const hidden_cols = GENERATE(0, 165);
+    CAPTURE(hidden_cols);
+    Stimulus const observed = box_before_wall(truth, hidden_cols);
+    double const before = mean_distance(observed.posed.mesh, start, truth);
+    double const after = mean_distance(observed.posed.mesh, refined_by_icp(observed, start), truth);
+    CAPTURE(before, after);
+    CHECK(before > 0.008);
+    CHECK(after <= (hidden_cols == 0 ? 0.002 : before));
+}
+
+TEST_CASE("ICP leaves a pose as it is where no reading is near, and where there is none at all", "[estimation]") {
+    Pose pose;
+    pose.translation = {0.02, -0.01, 0.8};
+    Stimulus observed = box_before_wall(pose, 320);
+    CHECK(refined_by_icp(observed, pose).translation == pose.translation);
+    CHECK(refined_by_icp(observed, pose).rotation == pose.rotation);
+    observed.observed_depth = Image<std::uint16_t>(240, 320, 0);
+    CHECK(refined_by_icp(observed, pose).translation == pose.translation);
+}
+
 TEST_CASE("The same seed gives the same estimate, another seed another, and scores of 0 are no trouble",
           "[estimation]") {
     EstimatorConfig config = plain_config();
@@ -384,22 +475,61 @@ TEST_CASE("Eq. 2.4 by hand, of counters and of GRIP's clouds", "[estimation]") {
     counters.inlier = 100;
     counters.valid_edge = 50;
     counters.edge_inlier = 10;
-    WeightTerms const terms = terms_of(counters, 0.5, 0.8, 100);
+    BoxFit const fit{0.8, 0.9};
+    TermSettings const from_100{InBoxTerm::overlap, 100};
+    WeightTerms const terms = terms_of(counters, 0.5, fit, from_100);
     CHECK(terms.raw == 0.25);
     CHECK(terms.edge == 0.2);
     CHECK(terms.in_box == Approx(0.2));
     CHECK(terms.weight({0.1, 0.2, 0.3, 0.4, 0}) == Approx(0.1 * 0.5 + 0.2 * 0.2 + 0.3 * 0.25 + 0.4 * 0.2));
-    CHECK(terms_of(counters, 0.5, 0.8, 401).weight({0.1, 0, 0.4, 0.5, 0}) == Approx(0.05));
+    CHECK(terms_of(counters, 0.5, fit, {InBoxTerm::overlap, 401}).weight({0.1, 0, 0.4, 0.5, 0}) == Approx(0.05));
     counters.inlier = 500;  // contour pixels count too
-    CHECK(terms_of(counters, 0.5, 0.8, 100).raw == 1);
-    CHECK(terms_of(SampleCounters{}, 0, 1, 0).raw == 0);
+    CHECK(terms_of(counters, 0.5, fit, from_100).raw == 1);
+    CHECK(terms_of(SampleCounters{}, 0, {1, 1}, {}).raw == 0);
     grip::PoseScore score;
     score.raw = {400, 100};
     score.edge = {40, 20};
     score.planar = {360, 90};
     score.in_box = {200, 80};
-    CHECK(terms_of(score, 1, 0).weight({0.1, 0.2, 0.3, 0.25, 0.15}) ==
+    CHECK(terms_of(score, 1, {}, {InBoxTerm::box_points, 0}).weight({0.1, 0.2, 0.3, 0.25, 0.15}) ==
           Approx(0.1 + 0.2 * 0.4 + 0.3 * 0.25 + 0.25 * 0.5 + 0.15 * 0.25));
+    CHECK(terms_of(score, 1, {}, {InBoxTerm::box_points, 401}).weight({0.1, 0.2, 0.3, 0.25, 0.15}) == Approx(0.1));
+}
+
+TEST_CASE("I_b is had in the same four ways from counters and from GRIP's clouds", "[estimation]") {
+    SampleCounters counters;
+    counters.valid_raster = 400;
+    counters.inlier = 100;
+    grip::PoseScore score;
+    score.raw = {400, 100};
+    score.in_box = {200, 80};
+    BoxFit const fit{0.4, 0.5}, apart{0, 0};
+    auto const counted = [&](InBoxTerm term, BoxFit const& of) { return terms_of(counters, 1, of, {term, 0}).in_box; };
+    auto const by_grip = [&](InBoxTerm term) { return terms_of(score, 1, fit, {term, 0}).in_box; };
+    CHECK(counted(InBoxTerm::overlap, fit) == Approx(0.25 * 0.4));
+    CHECK(by_grip(InBoxTerm::overlap) == Approx(0.25 * 0.4));
+    CHECK(counted(InBoxTerm::all_points, fit) == Approx(0.25 * 0.5));
+    CHECK(by_grip(InBoxTerm::all_points) == Approx(80.0 / 400));
+    CHECK(counted(InBoxTerm::box_points, fit) == Approx(0.25));
+    CHECK(counted(InBoxTerm::box_points, apart) == 0);
+    CHECK(by_grip(InBoxTerm::box_points) == Approx(80.0 / 200));
+    CHECK(counted(InBoxTerm::none, fit) == 0);
+    CHECK(by_grip(InBoxTerm::none) == 0);
+}
+
+TEST_CASE("Without I_b the other coefficients keep their proportions and add up to 1", "[estimation]") {
+    EstimatorConfig config;
+    config.accelerator_weights = {0.1, 0.5, 0.3, 0.1, 0};
+    CHECK(config.coefficients().in_box == 0.5);
+    config.in_box = InBoxTerm::none;
+    WeightCoefficients const left = config.coefficients();
+    CHECK(left.box == Approx(0.2));
+    CHECK(left.in_box == 0);
+    CHECK(left.raw == Approx(0.6));
+    CHECK(left.edge == Approx(0.2));
+    config.backend = EstimatorBackend::grip;
+    WeightCoefficients const of_grip = config.coefficients();
+    CHECK(of_grip.box + of_grip.raw + of_grip.edge + of_grip.planar == Approx(1));
 }
 
 TEST_CASE("The box around an object ends at the image, and an object outside has none", "[estimation]") {
@@ -418,6 +548,9 @@ TEST_CASE("The box around an object ends at the image, and an object outside has
     CHECK(overlap_share({0, 0, 4, 4, 1}, {0, 0, 4, 4, 1}) == 1);
     CHECK(overlap_share({0, 0, 4, 4, 1}, {5, 0, 4, 4, 1}) == 0);
     CHECK(overlap_share({}, {}) == 0);
+    CHECK(share_inside({0, 0, 4, 4, 1}, {2, 2, 4, 4, 1}) == Approx(4.0 / 16));
+    CHECK(share_inside({0, 0, 4, 4, 1}, {-1, -1, 9, 9, 1}) == 1);
+    CHECK(share_inside({}, {0, 0, 4, 4, 1}) == 0);
     CHECK(overlaps({-5, -5, 6, 6, 1}, 160, 120));
     CHECK_FALSE(overlaps({-5, -5, 5, 6, 1}, 160, 120));
     CHECK_FALSE(overlaps({160, 0, 5, 6, 1}, 160, 120));

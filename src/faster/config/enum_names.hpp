@@ -67,6 +67,19 @@ template <> struct EnumNames<faster::EstimatorBackend> {
         {{faster::EstimatorBackend::accelerator, "accelerator"}, {faster::EstimatorBackend::grip, "grip"}}};
 };
 
+template <> struct EnumNames<faster::Refinement> {
+    static constexpr std::array<std::pair<faster::Refinement, char const*>, 2> all{
+        {{faster::Refinement::none, "none"}, {faster::Refinement::icp, "icp"}}};
+};
+
+template <> struct EnumNames<faster::InBoxTerm> {
+    static constexpr std::array<std::pair<faster::InBoxTerm, char const*>, 4> all{
+        {{faster::InBoxTerm::overlap, "overlap"},
+         {faster::InBoxTerm::all_points, "all_points"},
+         {faster::InBoxTerm::box_points, "box_points"},
+         {faster::InBoxTerm::none, "none"}}};
+};
+
 template <> struct EnumNames<faster::Resampling> {
     static constexpr std::array<std::pair<faster::Resampling, char const*>, 3> all{
         {{faster::Resampling::systematic, "systematic"},

@@ -22,6 +22,20 @@ enum class EstimateKind {
     mean,  ///< the weighted mean of the poses close to it
 };
 
+/// What becomes of the estimate when the loop is over.
+enum class Refinement {
+    none,
+    icp,  ///< the host moves it so that the surface lies in the readings
+};
+
+/// How I_b of thesis eq. 2.4 is had, whoever scores: the inliers in the box of the first stage, as a share.
+enum class InBoxTerm {
+    overlap,     ///< I_r times the overlap of the sample's box and the detection's
+    all_points,  ///< eq. 2.3: of all rendered points
+    box_points,  ///< of the rendered points in the box
+    none,        ///< left out; the other coefficients are scaled to add up to 1
+};
+
 /// Coefficients of thesis eq. 2.4, which add up to 1.
 struct WeightCoefficients {
     double box = 0;     ///< a_box, of the box's confidence
@@ -29,6 +43,12 @@ struct WeightCoefficients {
     double raw = 0;     ///< a_r, of all inliers
     double edge = 0;    ///< a_e, of the edges' inliers
     double planar = 0;  ///< a_p, of the planar points' inliers
+
+    /// Those that are left, which add up to 1.
+    WeightCoefficients without_in_box() const {
+        double const rest = 1 - in_box;
+        return {box / rest, 0, raw / rest, edge / rest, planar / rest};
+    }
 };
 
 /// Noise that is added after resampling: sigma of iteration k = max(sigma_min, sigma * decay^k).
@@ -54,12 +74,15 @@ struct DetectionConfig {
 struct EstimatorConfig {
     EstimatorBackend backend = EstimatorBackend::accelerator;
     std::uint64_t iterations = 50;  ///< thesis 4.2.1
+    std::uint64_t restarts = 1;     ///< runs that know nothing of each other; the heaviest estimate is kept
+    Refinement refine = Refinement::none;
     double stop_weight = 1;
     double least_weight = 0.3;
     EstimateKind estimate = EstimateKind::best;
     std::uint64_t seed = 3;
     WeightCoefficients accelerator_weights{0.1, 0.7, 0.1, 0.1, 0};
-    WeightCoefficients grip_weights{0.1, 0.2, 0.3, 0.2, 0.2};
+    WeightCoefficients grip_weights{0.1, 0.7, 0.1, 0.05, 0.05};
+    InBoxTerm in_box = InBoxTerm::overlap;
     std::uint64_t least_drawn_px = 100;
     double grip_inlier_distance_m = 0.008;
     Resampling resampling = Resampling::systematic;
@@ -69,16 +92,18 @@ struct EstimatorConfig {
     double cluster_rotation_deg = 10;
     DetectionConfig box;
 
-    WeightCoefficients const& coefficients() const {
-        return backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+    WeightCoefficients coefficients() const {
+        WeightCoefficients const& all = backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
+        return in_box == InBoxTerm::none ? all.without_in_box() : all;
     }
 };
 
-/// What the host needs per iteration besides the accelerator; keys `host.*`.
+/// What the host needs besides the accelerator; keys `host.*`.
 struct HostConfig {
     double start_us = 20;
     double collect_us = 30;
     double resample_us = 2000;
+    double refine_us = 800'000;  ///< once per estimate, if it is refined
 };
 
 }  // namespace faster

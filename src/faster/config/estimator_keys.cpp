@@ -26,8 +26,21 @@ void add_loop_keys(Keys& keys) {
     keys.push_back(Make::integer_key(
         {"estimator.iterations", "iterations", "Iterations at most.", "thesis 4.2.1"}, {1, 100'000},
         [](auto& config) -> auto& { return config.estimator.iterations; }));
+    keys.push_back(Make::integer_key(
+        {"estimator.restarts", "runs",
+         "Runs of all iterations that know nothing of each other, with seeds that follow each other; the heaviest "
+         "estimate is kept.",
+         "docs/poses.md"},
+        {1, 1000}, [](auto& config) -> auto& { return config.estimator.restarts; }));
+    keys.push_back(Make::choice_key(
+        {"estimator.refine", "",
+         "icp: the host moves the estimate so that the object's surface lies in the readings (iterative closest "
+         "points).",
+         "docs/poses.md"},
+        [](auto& config) -> auto& { return config.estimator.refine; }));
     keys.push_back(Make::number_key(
-        {"estimator.stop_weight", "", "The loop ends once the best weight reaches this.", "docs/poses.md"},
+        {"estimator.stop_weight", "", "The loop, and all runs, end once the best weight reaches this.",
+         "docs/poses.md"},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.stop_weight; }));
     keys.push_back(Make::number_key(
         {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", "this project"},
@@ -55,11 +68,18 @@ template <class Field> Key coefficient_key(std::string const& name, std::string 
 }
 
 void add_weight_keys(Keys& keys) {
+    keys.push_back(Make::choice_key(
+        {"estimator.weights.in_box", "",
+         "How I_b is had, by accelerator and grip alike: I_r times the overlap of the sample's and the detection's "
+         "box, "
+         "inliers in the box as a share of all rendered points (eq. 2.3), or of those in the box, or not at all.",
+         searched},
+        [](auto& config) -> auto& { return config.estimator.in_box; }));
     keys.push_back(coefficient_key(
         "accelerator.box", "w_box, the confidence of its box; the four of accelerator are 1 together",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.box; }));
     keys.push_back(coefficient_key(
-        "accelerator.in_box", "I_b = I_r times the overlap of the sample's and the detection's box",
+        "accelerator.in_box", "I_b (estimator.weights.in_box)",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.in_box; }));
     keys.push_back(coefficient_key(
         "accelerator.raw", "I_r = inlier / valid_raster",
@@ -75,7 +95,7 @@ void add_weight_keys(Keys& keys) {
         "grip.box", "w_box, the confidence of its box; the five of grip are 1 together",
         [](auto& config) -> auto& { return config.estimator.grip_weights.box; }));
     keys.push_back(coefficient_key(
-        "grip.in_box", "I_b, the inlier ratio of what lies in the box",
+        "grip.in_box", "I_b (estimator.weights.in_box)",
         [](auto& config) -> auto& { return config.estimator.grip_weights.in_box; }));
     keys.push_back(coefficient_key(
         "grip.raw", "I_r, that of all points",
@@ -151,6 +171,10 @@ void add_host_keys(Keys& keys) {
         {"host.resample_us", "us", "Weights, resampling and diffusion of an iteration on the host's processor.",
          "measured, docs/poses.md"},
         zero_or_more, [](auto& config) -> auto& { return config.host.resample_us; }));
+    keys.push_back(Make::number_key(
+        {"host.refine_us", "us", "estimator.refine on the host's processor, once per estimate.",
+         "measured, docs/poses.md"},
+        zero_or_more, [](auto& config) -> auto& { return config.host.refine_us; }));
 }
 
 }  // namespace

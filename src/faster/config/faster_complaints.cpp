@@ -118,6 +118,9 @@ void check_observation_copies(LoadedConfig const& loaded, std::vector<std::strin
 void check_weights(LoadedConfig const& loaded, char const* backend, WeightCoefficients const& weights,
                    std::vector<std::string>& complaints) {
     constexpr double tolerance = 1e-9;
+    if (estimator_of(loaded.config).in_box == InBoxTerm::none && weights.in_box == 1)
+        complaints.push_back(complaint(loaded, fmt::format("estimator.weights.{}.in_box", backend),
+                                       "less than 1 with estimator.weights.in_box none, which leaves it out"));
     double const sum = weights.box + weights.in_box + weights.raw + weights.edge + weights.planar;
     if (std::abs(sum - 1) <= tolerance)
         return;

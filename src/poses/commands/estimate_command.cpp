@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -87,7 +88,7 @@ std::set<std::uint64_t> chosen_iterations(std::vector<std::uint64_t> const& aske
 
 IterationRow row_of(estimation::Iteration const& iteration, estimation::Scene const& scene) {
     IterationRow row;
-    row.number = iteration.number;
+    row.run = iteration.run;
     row.best_sample = iteration.best;
     row.best_weight = iteration.best_weight();
     row.mean_weight = iteration.mean_weight;
@@ -119,7 +120,8 @@ class EstimateRun {
     WorkSize size() const {
         WorkSize size;
         size.command = "estimate";
-        size.amount = fmt::format("{} iterations of {} samples", estimator_of(loaded_.config).iterations,
+        size.amount = fmt::format("{} iterations of {} samples",
+                                  estimator_of(loaded_.config).restarts * estimator_of(loaded_.config).iterations,
                                   workload_of(loaded_.config).samples.count);
         size.seconds =
             seconds_of_estimate(loaded_.config, scene_.observed, !request_.untimed) / static_cast<double>(jobs_);
@@ -138,12 +140,14 @@ class EstimateRun {
             [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
             [&](estimation::Iteration const& iteration) {
                 rows_.push_back(row_of(iteration, scene_));
+                rows_.back().number = rows_.size() - 1;
                 scored_.push_back(scorer->last());
                 if (simulates_at_once())
                     set_cost(rows_.back(), cost);
-                progress.show(iteration.number + 1, config.iterations);
+                progress.show(rows_.size(), config.restarts * config.iterations);
             },
             score_of_mean());
+        pose_ = final_pose(scene_, estimate_.particle, config);
     }
 
     void find_times(io::AtomicFolder* folder) {
@@ -166,6 +170,8 @@ class EstimateRun {
         report.boxes = scene_.boxes;
         report.pose = scene_.own(estimated_pose());
         report.weight = estimate_.weight;
+        report.runs = estimate_.runs;
+        report.run = estimate_.run;
         report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
         report.verdict = verdict_of(scene_, estimate_.weight, estimator_of(loaded_.config));
         if (scene_.truth)
@@ -173,6 +179,8 @@ class EstimateRun {
         report.distances = distances_from_truth(scene_, estimated_pose());
         report.iterations = rows_;
         report.host = host_of(loaded_.config);
+        if (config.refine != Refinement::none)
+            add_refinement(report);
         report.keys = resolved_keys(loaded_.config, KeyScope::all);
         return report;
     }
@@ -225,9 +233,17 @@ class EstimateRun {
     }
 
     /// Of the frame of the scene's mesh.
-    Pose estimated_pose() const { return pose_of(estimate_.particle, scene_.size); }
+    Pose const& estimated_pose() const { return pose_; }
 
-    void set_cost(IterationRow& row, IterationCost const& cost) const {
+    void add_refinement(EstimateReport& report) const {
+        double const ms = report.host.refine_us / 1000;
+        report.refine_ms = ms;
+        if (idle_w_)
+            report.refine_mj = Estimate{idle_w_->low * ms, idle_w_->typical * ms, idle_w_->high * ms};
+    }
+
+    void set_cost(IterationRow& row, IterationCost const& cost) {
+        idle_w_ = cost.idle_w;
         HostConfig const& host = host_of(loaded_.config);
         double const host_ms = (host.start_us + host.collect_us + host.resample_us) / 1000;
         row.cycles = cost.cycles;
@@ -269,6 +285,8 @@ class EstimateRun {
     std::size_t jobs_;
     estimation::Scene scene_;
     estimation::Estimate estimate_;
+    Pose pose_;                       ///< of the frame of the scene's mesh, refined
+    std::optional<Estimate> idle_w_;  ///< while the accelerator waits, if it was simulated
     std::vector<IterationRow> rows_;
     std::vector<ScoredPoses> scored_;
 };

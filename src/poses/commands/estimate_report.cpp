@@ -80,6 +80,7 @@ std::string estimate_cells(std::optional<Estimate> const& estimate) {
 
 Json iteration_json(IterationRow const& row) {
     return {{"iteration", row.number},
+            {"run", row.run},
             {"best_sample", row.best_sample},
             {"best_weight", row.best_weight},
             {"mean_weight", row.mean_weight},
@@ -129,7 +130,7 @@ char const* name_of(Verdict verdict) {
 }
 
 std::optional<double> EstimateReport::total_ms() const {
-    double total = 0;
+    double total = refine_ms;
     for (IterationRow const& row : iterations) {
         if (!row.iteration_ms)
             return std::nullopt;
@@ -139,7 +140,7 @@ std::optional<double> EstimateReport::total_ms() const {
 }
 
 std::optional<Estimate> EstimateReport::total_mj() const {
-    Estimate total;
+    Estimate total = refine_mj.value_or(Estimate{});
     for (IterationRow const& row : iterations) {
         if (!row.energy_mj)
             return std::nullopt;
@@ -159,14 +160,17 @@ std::string estimate_text(EstimateReport const& report) {
         if (is_printed(i, report.iterations.size()))
             text += text_row(report.iterations[i]);
     text += "\n" + sentence_on(report) + (report.stopped_early ? " Stopped by estimator.stop_weight.\n" : "\n");
+    if (report.runs > 1)
+        text += fmt::format("  run {} of {}, the heaviest\n", report.run + 1, report.runs);
     text += pose_text(report.pose);
     if (report.distances)
         text += fmt::format("  from the truth   ADD {:.2f} mm, ADD-S {:.2f} mm\n", 1000 * report.distances->add_m,
                             1000 * report.distances->adds_m);
     if (std::optional<double> const total = report.total_ms())
-        text += fmt::format("  time             {:.3f} ms, of which the host {:.3f} ms\n", *total,
-                            static_cast<double>(report.iterations.size()) *
-                                (report.host.start_us + report.host.collect_us + report.host.resample_us) / 1000);
+        text += fmt::format(
+            "  time             {:.3f} ms, of which the host {:.3f} ms\n", *total,
+            report.refine_ms + static_cast<double>(report.iterations.size()) *
+                                   (report.host.start_us + report.host.collect_us + report.host.resample_us) / 1000);
     if (std::optional<Estimate> const total = report.total_mj())
         text += fmt::format("  energy           {:.2f} J ({:.2f} to {:.2f}), processing system included\n",
                             total->typical / 1000, total->low / 1000, total->high / 1000);
@@ -177,14 +181,14 @@ std::string estimate_csv(EstimateReport const& report) {
     std::string text =
         "iteration,best_sample,best_weight,mean_weight,effective_samples,spread_mm,spread_deg,translation_sigma_mm,"
         "rotation_sigma_deg,best_add_mm,best_adds_mm,cycles,accelerator_ms,iteration_ms,energy_low_mj,"
-        "energy_mj,energy_high_mj\n";
+        "energy_mj,energy_high_mj,run\n";
     for (IterationRow const& row : report.iterations)
         fmt::format_to(std::back_inserter(text),
-                       "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{}\n", row.number,
+                       "{},{},{:.9f},{:.9f},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{}\n", row.number,
                        row.best_sample, row.best_weight, row.mean_weight, row.effective_samples, row.spread_mm,
                        row.spread_deg, row.translation_sigma_mm, row.rotation_sigma_deg, cell(add_mm(row), "{:.4f}"),
                        cell(adds_mm(row), "{:.4f}"), cell(row.cycles, "{}"), cell(row.accelerator_ms, "{:.6f}"),
-                       cell(row.iteration_ms, "{:.6f}"), estimate_cells(row.energy_mj));
+                       cell(row.iteration_ms, "{:.6f}"), estimate_cells(row.energy_mj), row.run);
     return text;
 }
 
@@ -200,10 +204,13 @@ std::string estimate_json(EstimateReport const& report) {
     json["verdict"] = name_of(report.verdict);
     json["pose"] = pose_json(report.pose);
     json["weight"] = report.weight;
+    json["runs"] = report.runs;
+    json["run"] = report.run;
     json["stopped_early"] = report.stopped_early;
     json["truth"] = report.truth ? pose_json(*report.truth) : Json(nullptr);
     json["add_mm"] = report.distances ? Json(1000 * report.distances->add_m) : Json(nullptr);
     json["adds_mm"] = report.distances ? Json(1000 * report.distances->adds_m) : Json(nullptr);
+    json["refine_ms"] = report.refine_ms;
     json["total_ms"] = number_or_null(report.total_ms());
     json["total_mj"] = estimate_or_null(report.total_mj());
     json["iterations"] = Json::array();

@@ -20,7 +20,8 @@ struct PoseDistances {
 
 /// What is told of an iteration.
 struct IterationRow {
-    std::uint64_t number = 0;
+    std::uint64_t number = 0;  ///< over all runs
+    std::uint64_t run = 0;
     std::size_t best_sample = 0;
     double best_weight = 0;
     double mean_weight = 0;
@@ -55,12 +56,16 @@ struct EstimateReport {
     std::vector<DetectionConfig> boxes;
     Pose pose;
     double weight = 0;
+    std::uint64_t runs = 1;
+    std::uint64_t run = 0;       ///< that is kept
     bool stopped_early = false;  ///< by stop_weight
     Verdict verdict = Verdict::found;
     std::optional<Pose> truth;
     std::optional<PoseDistances> distances;
     std::vector<IterationRow> iterations;
     HostConfig host;
+    double refine_ms = 0;               ///< of the host; 0: not refined
+    std::optional<Estimate> refine_mj;  ///< while it does that, if times are known
     std::vector<ResolvedKey> keys;
 
     std::optional<double> total_ms() const;  ///< if all iterations have a time

@@ -10,6 +10,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/build_stimulus.hpp"
 #include "poses/estimation/counter_scorer.hpp"
+#include "poses/estimation/icp.hpp"
 #include "poses/grip/score_poses.hpp"
 #include "poses/judging/pose_error.hpp"
 
@@ -21,12 +22,17 @@ double confidence_of(estimation::Scene const& scene, estimation::Particle const&
     return scene.boxes.empty() ? 0 : scene.boxes[particle.box].confidence;
 }
 
-/// How well what a pose covers in the image fills the box that the sample began in.
-double overlap_with_box(estimation::Scene const& scene, estimation::Particle const& particle, Pose const& pose) {
+/// By the few vertices that reach furthest.
+estimation::BoxFit fit_of(estimation::Scene const& scene, estimation::Particle const& particle, Pose const& pose) {
     if (scene.boxes.empty())
-        return 0;
+        return {};
     DetectionConfig const covered = estimation::box_around(scene.size.outline, pose, scene.observed.posed.camera);
-    return estimation::overlap_share(covered, scene.boxes[particle.box]);
+    DetectionConfig const& box = scene.boxes[particle.box];
+    return {estimation::overlap_share(covered, box), estimation::share_inside(covered, box)};
+}
+
+estimation::TermSettings term_settings_of(RunConfig const& config) {
+    return {estimator_of(config).in_box, estimator_of(config).least_drawn_px};
 }
 
 std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {
@@ -44,7 +50,7 @@ class AcceleratorScorer final : public IterationScorer {
     using Count = std::function<std::vector<SampleCounters>()>;
 
     AcceleratorScorer(RunConfig const& config, estimation::Scene& scene, Count count)
-        : scene_(scene), least_drawn_(estimator_of(config).least_drawn_px), count_(std::move(count)) {}
+        : scene_(scene), settings_(term_settings_of(config)), count_(std::move(count)) {}
 
     std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
         last_.poses = poses_of(scene_, particles);
@@ -53,14 +59,14 @@ class AcceleratorScorer final : public IterationScorer {
         std::vector<estimation::WeightTerms> terms;
         for (std::size_t i = 0; i < particles.size(); ++i)
             terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
-                                                 overlap_with_box(scene_, particles[i], last_.poses[i]), least_drawn_));
+                                                 fit_of(scene_, particles[i], last_.poses[i]), settings_));
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }
 
   private:
     estimation::Scene& scene_;
-    std::uint64_t least_drawn_;
+    estimation::TermSettings settings_;
     Count count_;
     ScoredPoses last_;
 };
@@ -69,23 +75,24 @@ class GripScorer final : public IterationScorer {
   public:
     GripScorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs)
         : scene_(scene),
-          least_drawn_(estimator_of(config).least_drawn_px),
+          settings_(term_settings_of(config)),
           jobs_(jobs),
-          scorer_(scene.observed, settings_of(config)) {}
+          scorer_(scene.observed, grip_settings_of(config)) {}
 
     std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
         last_.poses = poses_of(scene_, particles);
         std::vector<estimation::WeightTerms> terms(particles.size());
         on_threads(particles.size(), jobs_, [&](std::size_t i) {
             terms[i] = estimation::terms_of(scorer_.score(last_.poses[i], area_of(particles[i])),
-                                            confidence_of(scene_, particles[i]), least_drawn_);
+                                            confidence_of(scene_, particles[i]),
+                                            fit_of(scene_, particles[i], last_.poses[i]), settings_);
         });
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }
 
   private:
-    static grip::Settings settings_of(RunConfig const& config) {
+    static grip::Settings grip_settings_of(RunConfig const& config) {
         grip::Settings settings;
         settings.neighbourhood = workload_of(config).observed_edges.neighbourhood;
         settings.threshold = workload_of(config).observed_edges.threshold;
@@ -100,7 +107,7 @@ class GripScorer final : public IterationScorer {
     }
 
     estimation::Scene& scene_;
-    std::uint64_t least_drawn_;
+    estimation::TermSettings settings_;
     std::size_t jobs_;
     grip::PoseScorer scorer_;
     ScoredPoses last_;
@@ -130,6 +137,11 @@ std::string scorer_name(RunConfig const& config) {
         return "grip";
     AcceleratorConfig const& accelerator = accelerator_of(config);
     return accelerator.flow == Flow::faster ? accelerator.architecture : choice_name(accelerator.flow);
+}
+
+Pose final_pose(estimation::Scene const& scene, estimation::Particle const& particle, EstimatorConfig const& config) {
+    Pose const pose = pose_of(particle, scene.size);
+    return config.refine == Refinement::icp ? estimation::refined_by_icp(scene.observed, pose) : pose;
 }
 
 Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config) {

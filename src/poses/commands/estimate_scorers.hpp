@@ -34,6 +34,9 @@ std::unique_ptr<IterationScorer> make_simulating_scorer(LoadedConfig const& load
 /// What people call it: the preset, or the flow that was chosen on its own, or grip.
 std::string scorer_name(RunConfig const& config);
 
+/// The pose of an estimate, refined if that is configured.
+Pose final_pose(estimation::Scene const& scene, estimation::Particle const& particle, EstimatorConfig const& config);
+
 /// What an estimate of that weight is worth.
 Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config);
 

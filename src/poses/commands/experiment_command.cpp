@@ -187,7 +187,7 @@ std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments
     std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,truth_weight,verdict,adds_mm\n";
     for (WantedEstimate const& each : wanted)
         if (experiments::EstimateResult const* const result = journal.find(each.id)) {
-            std::optional<PoseDistances> const off = errors.of(each);
+            std::optional<JudgedError> const off = errors.of(each);
             fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", each.setting->name,
                            each.method->name, each.target.image.scene_id, each.target.image.im_id, each.target.obj_id,
                            each.boxes.size(), result->weight, result->truth_weight, result->verdict,

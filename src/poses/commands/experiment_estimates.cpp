@@ -145,15 +145,21 @@ experiments::EstimateResult estimated(WantedEstimate const& wanted) {
     estimation::Scene scene = scene_of(wanted);
     std::unique_ptr<IterationScorer> const scorer = make_scorer(loaded.config, scene, 1);
     experiments::EstimateResult result;
+    double heaviest = -1, its_adds_mm = 0;
     estimation::Estimate const estimate = estimation::estimate(
         scene, config, workload_of(loaded.config).samples.count,
         [&](std::vector<estimation::Particle> const& particles) { return scorer->score(particles); },
         [&](estimation::Iteration const& iteration) {
-            if (auto const off = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size)))
-                result.adds_mm.push_back(1000 * off->adds_m);
+            auto const off = distances_from_truth(scene, pose_of(iteration.particles[iteration.best], scene.size));
+            if (!off)
+                return;
+            if (iteration.best_weight() > heaviest)
+                its_adds_mm = 1000 * off->adds_m;
+            heaviest = std::max(heaviest, iteration.best_weight());
+            result.adds_mm.push_back(its_adds_mm);
         });
     result.truth_weight = truth_weight(scene, config, *scorer);
-    result.pose = scene.own(pose_of(estimate.particle, scene.size));
+    result.pose = scene.own(final_pose(scene, estimate.particle, config));
     result.weight = estimate.weight;
     result.verdict = name_of(verdict_of(scene, estimate.weight, config));
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

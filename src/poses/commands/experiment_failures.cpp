@@ -114,7 +114,7 @@ Image<Colour> picture_of(Failure const& failure) {
 }
 
 std::string label_of(Failure const& failure) {
-    bool const is_turned = failure.reason == FailureReason::symmetry;
+    bool const is_turned = failure.reason == FailureReason::symmetry || failure.reason == FailureReason::turned;
     return fmt::format("{} {}/{}: {}{:.0f} mm, {} {:.2f}/{:.2f}", failure.wanted->method->name,
                        failure.wanted->target.image.im_id, failure.wanted->target.obj_id, is_turned ? "ADD " : "",
                        is_turned ? failure.add_mm : failure.adds_mm, failure.reason_name(), failure.result->weight,
@@ -166,10 +166,10 @@ std::optional<double> visible_share(WantedEstimate const& wanted) {
 }
 
 FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResult const& result,
-                        estimation::Scene const& scene, PoseDistances const& off) {
+                        estimation::Scene const& scene, JudgedError const& off) {
     bool const has_window = estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
     if (off.adds_m < wrong_m)
-        return FailureReason::symmetry;
+        return off.mssd_m < wrong_m ? FailureReason::symmetry : FailureReason::turned;
     if (!was_seen(scene))
         return FailureReason::box;
     if (has_window && share_in_window(scene) < least_in_window)
@@ -180,11 +180,16 @@ FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResul
 }
 
 std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::EstimateResult const& result,
-                                 std::optional<PoseDistances> const& off) {
+                                 std::optional<JudgedError> const& off) {
     if (!off || off->add_m < wrong_m)
         return std::nullopt;
     estimation::Scene const scene = scene_of(wanted);
-    return Failure{&wanted, &result, 1000 * off->add_m, 1000 * off->adds_m, reason_of(wanted, result, scene, *off)};
+    return Failure{&wanted,
+                   &result,
+                   1000 * off->add_m,
+                   1000 * off->adds_m,
+                   1000 * off->mssd_m,
+                   reason_of(wanted, result, scene, *off)};
 }
 
 }  // namespace
@@ -193,17 +198,16 @@ void JudgedErrors::add(SettingData const& setting, MethodData const& method, pos
     for (poses::InstanceErrors const& instance : judgement.instances) {
         if (!std::isfinite(instance.add_s_m))
             continue;
-        PoseDistances const distances{instance.add_m, instance.add_s_m};
-        auto const [found, is_new] =
-            distances_.emplace(Key{&setting, &method, instance.image, instance.obj_id}, distances);
-        if (!is_new && distances.adds_m < found->second.adds_m)
-            found->second = distances;
+        JudgedError const error{instance.add_m, instance.add_s_m, instance.mssd_m};
+        auto const [found, is_new] = errors_.emplace(Key{&setting, &method, instance.image, instance.obj_id}, error);
+        if (!is_new && error.adds_m < found->second.adds_m)
+            found->second = error;
     }
 }
 
-std::optional<PoseDistances> JudgedErrors::of(WantedEstimate const& wanted) const {
-    auto const found = distances_.find({wanted.setting, wanted.method, wanted.target.image, wanted.target.obj_id});
-    return found == distances_.end() ? std::nullopt : std::optional(found->second);
+std::optional<JudgedError> JudgedErrors::of(WantedEstimate const& wanted) const {
+    auto const found = errors_.find({wanted.setting, wanted.method, wanted.target.image, wanted.target.obj_id});
+    return found == errors_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<Failure> worst_of(std::vector<Failure> const& failures, SettingData const& setting, std::size_t most) {
@@ -253,14 +257,16 @@ std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
 }
 
 std::string failures_csv(std::vector<Failure> const& failures) {
-    std::string text = "setting,method,scene_id,im_id,obj_id,visible_share,weight,truth_weight,add_mm,adds_mm,reason\n";
+    std::string text =
+        "setting,method,scene_id,im_id,obj_id,visible_share,weight,truth_weight,add_mm,adds_mm,mssd_mm,reason\n";
     for (Failure const& each : failures) {
         WantedEstimate const& wanted = *each.wanted;
         std::optional<double> const visible = visible_share(wanted);
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{:.4f},{:.4f},{}\n",
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{:.4f},{:.4f},{:.4f},{}\n",
                        wanted.setting->name, wanted.method->name, wanted.target.image.scene_id,
                        wanted.target.image.im_id, wanted.target.obj_id, visible ? fmt::format("{:.4f}", *visible) : "",
-                       each.result->weight, each.result->truth_weight, each.add_mm, each.adds_mm, each.reason_name());
+                       each.result->weight, each.result->truth_weight, each.add_mm, each.adds_mm, each.mssd_mm,
+                       each.reason_name());
     }
     return text;
 }

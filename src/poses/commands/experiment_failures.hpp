@@ -21,11 +21,12 @@ enum class FailureReason {
     box,       ///< no box of the first stage, or none that has a tenth in common with the object's
     size,      ///< more than a tenth of the object's box lies outside of the accelerator's window
     hidden,    ///< less than a tenth of the object can be seen, says the annotation
-    symmetry,  ///< turned, but the points lie right: ADD is 2 cm or more, ADD-S is less
+    symmetry,  ///< right but for a symmetry of the object: MSSD is below 2 cm
+    turned,    ///< the points lie right, though by none of its symmetries: ADD-S is below 2 cm, MSSD is not
     score,     ///< the estimate weighs no less than the true pose
     search,    ///< the true pose weighs more, and no sample found it
 };
-constexpr std::array failure_reasons{"box", "size", "hidden", "symmetry", "score", "search"};
+constexpr std::array failure_reasons{"box", "size", "hidden", "symmetry", "turned", "score", "search"};
 static_assert(failure_reasons.size() == dataflow::enum_size<FailureReason>(), "every reason has a name");
 
 /// An estimate with an ADD of 2 cm or more.
@@ -34,9 +35,17 @@ struct Failure {
     experiments::EstimateResult const* result = nullptr;
     double add_mm = 0;
     double adds_mm = 0;
+    double mssd_mm = 0;
     FailureReason reason = FailureReason::search;
 
     char const* reason_name() const { return failure_reasons[static_cast<std::size_t>(reason)]; }
+};
+
+/// Distances of an estimate from the truth [m] (docs/poses.md#errors).
+struct JudgedError {
+    double add_m = 0;
+    double adds_m = 0;
+    double mssd_m = 0;
 };
 
 /// How far off estimates are, as `evaluate` says: by the meshes that it judges with.
@@ -45,11 +54,11 @@ class JudgedErrors {
     /// Of the judged estimates of a method in a setting.
     void add(SettingData const& setting, MethodData const& method, poses::Judgement const& judgement);
     /// Nothing if the truth is not known.
-    std::optional<PoseDistances> of(WantedEstimate const& wanted) const;
+    std::optional<JudgedError> of(WantedEstimate const& wanted) const;
 
   private:
     using Key = std::tuple<SettingData const*, MethodData const*, bop::ImageId, int>;
-    std::map<Key, PoseDistances> distances_;
+    std::map<Key, JudgedError> errors_;
 };
 
 /// Of all estimates that are there, in their order. Those whose truth is not known are none.

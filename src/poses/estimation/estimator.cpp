@@ -84,22 +84,46 @@ Estimate estimate_of(Iteration const& last, EstimatorConfig const& config, Score
     return estimate;
 }
 
-}  // namespace
-
-Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
-                  std::function<void(Iteration const&)> const& done, Score const& score_mean) {
+Estimate run_once(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
+                  std::function<void(Iteration&)> const& done, Score const& score_mean) {
     std::vector<Particle> particles = first_samples(scene, count, config.seed);
     NoiseLevel noise;
     for (std::uint64_t number = 0;; ++number) {
         Iteration iteration = scored(number, std::move(particles), config, score);
         iteration.noise = noise;
-        if (done)
-            done(iteration);
+        done(iteration);
         if (iteration.best_weight() >= config.stop_weight || number + 1 == config.iterations)
             return estimate_of(iteration, config, score_mean ? score_mean : score);
         particles = next_samples(iteration, config);
         noise = noise_of(config.diffusion, number);
     }
+}
+
+}  // namespace
+
+Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
+                  std::function<void(Iteration const&)> const& done, Score const& score_mean) {
+    Estimate heaviest;
+    std::uint64_t run = 0, scored_iterations = 0;
+    EstimatorConfig own = config;
+    auto const tell = [&](Iteration& iteration) {
+        iteration.run = run;
+        if (done)
+            done(iteration);
+    };
+    for (; run < config.restarts; ++run, ++own.seed) {
+        Estimate const found = run_once(scene, own, count, score, tell, score_mean);
+        scored_iterations += found.iterations;
+        if (run == 0 || found.weight > heaviest.weight) {
+            heaviest = found;
+            heaviest.run = run;
+        }
+        heaviest.runs = run + 1;
+        heaviest.iterations = scored_iterations;
+        if (found.ending == Ending::stop_weight)
+            break;
+    }
+    return heaviest;
 }
 
 Particle cluster_mean(Iteration const& iteration, EstimatorConfig const& config) {

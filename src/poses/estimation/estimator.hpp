@@ -15,7 +15,8 @@ using Score = std::function<std::vector<WeightTerms>(std::vector<Particle> const
 
 /// An iteration as it was scored.
 struct Iteration {
-    std::uint64_t number = 0;
+    std::uint64_t run = 0;     ///< which of the runs it belongs to
+    std::uint64_t number = 0;  ///< in its run
     std::vector<Particle> particles;
     std::vector<double> weights;
     std::size_t best = 0;  ///< the first sample of the largest weight
@@ -35,12 +36,14 @@ struct Estimate {
     Particle particle;
     double weight = 0;
     Ending ending = Ending::iterations;
-    std::uint64_t iterations = 0;  ///< that were scored
+    std::uint64_t iterations = 0;  ///< that were scored, in all runs
+    std::uint64_t runs = 1;        ///< that were made
+    std::uint64_t run = 0;         ///< that it is of: the first of the heaviest
 };
 
 /// The loop of docs/poses.md#the-loop: score, stop or resample, diffuse. The best sample stays sample 0, unchanged, and
-/// the other samples are drawn. `count` >= 1. `done` is told of every iteration. `score_mean`: what scores the mean,
-/// which is no iteration; empty: `score`.
+/// the other samples are drawn. Run r of `restarts` draws with seed + r. `count` >= 1. `done` is told of every
+/// iteration. `score_mean`: what scores the mean, which is no iteration; empty: `score`.
 Estimate estimate(Scene const& scene, EstimatorConfig const& config, std::size_t count, Score const& score,
                   std::function<void(Iteration const&)> const& done = {}, Score const& score_mean = {});
 

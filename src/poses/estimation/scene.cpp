@@ -18,6 +18,12 @@ struct Pixels {
     int end;
 };
 
+double common_area(DetectionConfig const& a, DetectionConfig const& b) {
+    double const width = std::min(a.left + a.width, b.left + b.width) - std::max(a.left, b.left);
+    double const height = std::min(a.top + a.height, b.top + b.height) - std::max(a.top, b.top);
+    return std::max(0.0, width) * std::max(0.0, height);
+}
+
 }  // namespace
 
 Pose Scene::own(Pose pose) const {
@@ -63,11 +69,14 @@ bool overlaps(DetectionConfig const& box, int width, int height) {
 }
 
 double overlap_share(DetectionConfig const& a, DetectionConfig const& b) {
-    double const width = std::min(a.left + a.width, b.left + b.width) - std::max(a.left, b.left);
-    double const height = std::min(a.top + a.height, b.top + b.height) - std::max(a.top, b.top);
-    double const common = std::max(0.0, width) * std::max(0.0, height);
+    double const common = common_area(a, b);
     double const together = a.width * a.height + b.width * b.height - common;
     return together > 0 ? common / together : 0;
+}
+
+double share_inside(DetectionConfig const& a, DetectionConfig const& b) {
+    double const area = a.width * a.height;
+    return area > 0 ? common_area(a, b) / area : 0;
 }
 
 std::size_t readings_in(DetectionConfig const& box, Image<std::uint16_t> const& depth) {

@@ -37,6 +37,9 @@ DetectionConfig box_around(std::vector<Eigen::Vector3d> const& points, Pose cons
 /// Area that two boxes have in common, as a share of what they cover together; 0 if they cover nothing.
 double overlap_share(DetectionConfig const& a, DetectionConfig const& b);
 
+/// Area that two boxes have in common, as a share of what `a` covers; 0 if it covers nothing.
+double share_inside(DetectionConfig const& a, DetectionConfig const& b);
+
 /// Whether some pixel of the image lies in the box.
 bool overlaps(DetectionConfig const& box, int width, int height);
 

@@ -10,25 +10,54 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+double in_box_by_counters(InBoxTerm term, double raw, BoxFit const& fit) {
+    switch (term) {
+        case InBoxTerm::overlap:
+            return raw * fit.overlap;
+        case InBoxTerm::all_points:
+            return raw * fit.inside;
+        case InBoxTerm::box_points:
+            return fit.inside > 0 ? raw : 0;
+        case InBoxTerm::none:
+            break;
+    }
+    return 0;
+}
+
+double in_box_by_points(InBoxTerm term, grip::PoseScore const& score, BoxFit const& fit) {
+    switch (term) {
+        case InBoxTerm::overlap:
+            return score.raw.ratio() * fit.overlap;
+        case InBoxTerm::all_points:
+            return ratio(score.in_box.inliers, score.raw.points);
+        case InBoxTerm::box_points:
+            return score.in_box.ratio();
+        case InBoxTerm::none:
+            break;
+    }
+    return 0;
+}
+
 }  // namespace
 
-WeightTerms terms_of(SampleCounters const& counters, double confidence, double box_overlap, std::uint64_t least_drawn) {
+WeightTerms terms_of(SampleCounters const& counters, double confidence, BoxFit const& fit,
+                     TermSettings const& settings) {
     WeightTerms terms;
     terms.box = confidence;
-    if (counters.valid_raster < least_drawn)
+    if (counters.valid_raster < settings.least_drawn)
         return terms;
     terms.raw = std::min(1.0, ratio(counters.inlier, counters.valid_raster));
-    terms.in_box = terms.raw * box_overlap;
+    terms.in_box = in_box_by_counters(settings.in_box, terms.raw, fit);
     terms.edge = ratio(counters.edge_inlier, counters.valid_edge);
     return terms;
 }
 
-WeightTerms terms_of(grip::PoseScore const& score, double confidence, std::uint64_t least_drawn) {
+WeightTerms terms_of(grip::PoseScore const& score, double confidence, BoxFit const& fit, TermSettings const& settings) {
     WeightTerms terms;
     terms.box = confidence;
-    if (score.raw.points < least_drawn)
+    if (score.raw.points < settings.least_drawn)
         return terms;
-    terms.in_box = score.in_box.ratio();
+    terms.in_box = in_box_by_points(settings.in_box, score, fit);
     terms.raw = score.raw.ratio();
     terms.edge = score.edge.ratio();
     terms.planar = score.planar.ratio();

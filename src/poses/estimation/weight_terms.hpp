@@ -18,12 +18,25 @@ struct WeightTerms {
     }
 };
 
-/// Of the accelerator's counters: I_r = inlier / valid_raster, at most 1 (pixels of the contour are inliers too, but no
-/// draws), I_e = edge_inlier / valid_edge. Counters do not say where the inliers lie: I_b = I_r times `box_overlap`,
-/// the overlap_share() of the sample's box and its detection. All 0 if fewer than `least_drawn` fragments were drawn.
-WeightTerms terms_of(SampleCounters const& counters, double confidence, double box_overlap, std::uint64_t least_drawn);
+/// How what a sample covers in the image lies to the box it began in.
+struct BoxFit {
+    double overlap = 0;  ///< overlap_share() of the two
+    double inside = 0;   ///< share_inside() the detection's of the sample's
+};
 
-/// Of GRIP's clouds, by eq. 2.3. All 0 with fewer than `least_drawn` points.
-WeightTerms terms_of(grip::PoseScore const& score, double confidence, std::uint64_t least_drawn);
+/// What a sample's terms are made by, besides its score.
+struct TermSettings {
+    InBoxTerm in_box = InBoxTerm::overlap;
+    std::uint64_t least_drawn = 0;  ///< a sample that drew less has no terms but that of its box
+};
+
+/// Of the accelerator's counters: I_r = inlier / valid_raster, at most 1 (pixels of the contour are inliers too, but no
+/// draws), I_e = edge_inlier / valid_edge. Counters do not say where the inliers lie: for I_b by points, they are taken
+/// as spread evenly over what the sample covers.
+WeightTerms terms_of(SampleCounters const& counters, double confidence, BoxFit const& fit,
+                     TermSettings const& settings);
+
+/// Of GRIP's clouds, by eq. 2.3.
+WeightTerms terms_of(grip::PoseScore const& score, double confidence, BoxFit const& fit, TermSettings const& settings);
 
 }  // namespace faster::estimation

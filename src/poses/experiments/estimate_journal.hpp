@@ -19,7 +19,7 @@ struct EstimateResult {
     double truth_weight = 0;      ///< of the true pose: if it is more, the search failed, not the score
     std::string verdict;          ///< found, weak, no_readings
     double seconds = 0;           ///< of the host
-    std::vector<double> adds_mm;  ///< ADD-S of the best sample, per iteration
+    std::vector<double> adds_mm;  ///< ADD-S of the heaviest sample so far, per iteration
 };
 
 Json to_json(EstimateResult const& result);

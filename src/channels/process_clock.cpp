@@ -267,16 +267,21 @@ void ProcessClock::let_out() {
     wake_behind_flushing();
 }
 
-/// All that is told, or in a pipelined loop, all that is before a step.
-void ProcessClock::follow_in_lockstep(std::uint64_t end) {
+/// All that is told, or in a pipelined loop, all that is before a step. Returns whether others had a turn meanwhile.
+bool ProcessClock::follow_in_lockstep(std::uint64_t end) {
     using Status = timing::ProcessTiming::Status;
+    bool has_waited = false;
+    auto const wait_for = [&has_waited](auto const& what) {
+        has_waited = true;
+        sc_core::wait(what);
+    };
     for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
         if (is_held_ && timing_.in_loop() && timing_.front_step() >= end)
             break;
         if (uses_memory())
             dataflow_core_.tell_memory();
         if (status == Status::blocked && is_memory(timing_.blocking_port())) {
-            sc_core::wait(dataflow_core_.memory_event(timing_.index()));
+            wait_for(dataflow_core_.memory_event(timing_.index()));
             continue;
         }
         if (status == Status::blocked) {
@@ -284,10 +289,11 @@ void ProcessClock::follow_in_lockstep(std::uint64_t end) {
             bool const writing = timing_.writes(timing_.blocking_port());
             (writing ? fifo.writer_waits_ : fifo.reader_waits_) = true;
             wake_behind_flushing();
-            sc_core::wait(writing ? fifo.read_ : fifo.written_);
+            wait_for(writing ? fifo.read_ : fifo.written_);
             continue;
         }
-        bring_kernel_to(timing_.front_cycle());
+        if (sc_core::sc_time const left = left_until(timing_.front_cycle()); left > sc_core::SC_ZERO_TIME)
+            wait_for(left);
         timing::Ports const ports = timing_.front_ports();
         timing_.commit_front();
         ports.each([this](unsigned port) {
@@ -299,6 +305,7 @@ void ProcessClock::follow_in_lockstep(std::uint64_t end) {
     wake_behind_flushing();
     if (uses_memory())
         dataflow_core_.tell_memory();
+    return has_waited;
 }
 
 void ProcessClock::wake_writer(FifoChannel& fifo) {
@@ -307,16 +314,16 @@ void ProcessClock::wake_writer(FifoChannel& fifo) {
         fifo.writer_->let_out();
 }
 
-void ProcessClock::bring_kernel_to(Cycles cycle) {
+/// For the SystemC kernel to go.
+sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
     sc_dt::uint64 const target = cycle * ticks_per_cycle_;
     sc_dt::uint64 const now = sc_core::sc_time_stamp().value();
-    if (target > now)
-        sc_core::wait(sc_core::sc_time::from_value(target - now));
+    return sc_core::sc_time::from_value(target - std::min(target, now));
 }
 
 void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
-    if (is_held_ && collecting_ && lockstep())
-        follow_in_lockstep(reached_ + fifo.timing().shape().read_stage);
+    if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
+        return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()));
     timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;

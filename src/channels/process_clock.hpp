@@ -202,7 +202,7 @@ class ProcessClock {
         if (collecting_ && is_pipelining_)
             require_first_stage(fifo);
     }
-    /// Suspends the calling thread until the FIFO's other side has done something; what for is told to deadlock
+    /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
     /// reports.
     void wait_for_tokens(FifoChannel& fifo);
     void wait_for_room(FifoChannel& fifo);
@@ -230,8 +230,8 @@ class ProcessClock {
             catch_up();
     }
     void catch_up();
-    void follow_in_lockstep(std::uint64_t end);
-    void bring_kernel_to(Cycles cycle);
+    bool follow_in_lockstep(std::uint64_t end);
+    sc_core::sc_time left_until(Cycles cycle) const;
     static void wake_writer(FifoChannel& fifo);
     void wake_behind_flushing();
     void let_out();

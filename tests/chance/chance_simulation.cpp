@@ -206,9 +206,9 @@ Outcome run_forked(Design const& design, Design const& other, faster::Engine eng
 
 }  // namespace faster::chance
 
-namespace faster {
+namespace dataflow {
 
-faster::Design const& design() { return chance::simulation(); }
-SimulatedDesign const& simulated_design() { return chance::simulation(); }
+Design const& design() { return faster::chance::simulation(); }
+SimulatedDesign const& simulated_design() { return faster::chance::simulation(); }
 
-}  // namespace faster
+}  // namespace dataflow

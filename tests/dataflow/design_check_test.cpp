@@ -4,6 +4,7 @@
 
 #include "dataflow/core/machine/core_of.hpp"
 #include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/simple_design.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 
@@ -65,6 +66,25 @@ TEST_CASE("a loop or a memory that is named and not described is told by name", 
     CHECK(complaint_about([](auto&, auto& reader) { reader.loops.front().also_reads({"g"}); }) ==
           "loop reader.receive reads the FIFO g, which its module does not, expected reads_from(\"g\") in its "
           "describe()");
+}
+
+class Storing : public SimpleDesign {
+  public:
+    Storing() : SimpleDesign({"storing", {}, {}}) {}
+
+  private:
+    CoreDescription describe(Numbers const& /*numbers*/) const override {
+        ModuleDescription module("writer");
+        module.loop("send").of_depth(1);
+        module.stores("out");
+        return core_of({module});
+    }
+};
+
+TEST_CASE("a port to a memory that a design has no keys for is told", "[machine]") {
+    CHECK(input_error_text([] { Storing().keys(); }) ==
+          "module writer stores out by a port to the external memory, which a simple design does not have, expected a "
+          "design with keys of its own (external_memory_keys())");
 }
 
 }  // namespace design_check_test

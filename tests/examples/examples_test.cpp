@@ -276,6 +276,15 @@ TEST_CASE("The cyclic design takes two cycles per message, and three", "[example
     CHECK_THAT(example.text("out/samples.csv"), Contains("0,0,0,22,23,90"));  // 2 * (0 + ... + 9)
 }
 
+TEST_CASE("The cyclic design takes four cycles per message if it has three to begin one", "[examples]") {
+    // A request is written in step 3 i + 1, its answer read in the step after: a cycle late.
+    Example const example("cyclic");
+    for (std::string const engine : {"decoupled", "lockstep"})
+        for (std::uint64_t const n : {1U, 10U, 2025U})
+            CHECK(example.cycles({"accelerator.loops.controller.exchange.ii=3", "simulation.engine=" + engine,
+                                  "workload.messages=" + std::to_string(n)}) == 4 * n + 1);
+}
+
 TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {
     Example const example("cyclic");
     for (char const* engine : {"decoupled", "lockstep"}) {
@@ -285,6 +294,15 @@ TEST_CASE("A design that waits in a circle is reported, with who waits for whom"
         CHECK(result.exit_code == 3);
         CHECK_THAT(result.err,
                    Contains("controller") && Contains("processor") && Contains("request") && Contains("response"));
+        for (Words const& recorded : {Words{"--events", "events"}, Words{"--sensitivities"}}) {
+            Words all{"run", example.source("deadlock.yaml").string(), "--set",
+                      std::string("simulation.engine=") + engine};
+            all.insert(all.end(), recorded.begin(), recorded.end());
+            CommandResult const same = example.call(all);
+            CHECK(same.exit_code == 3);
+            CHECK(same.err == result.err);
+        }
+        CHECK_FALSE(fs::exists(example / "events"));
     }
 }
 

@@ -156,8 +156,8 @@ class ProcessClock {
         access(read_port_of(fifo));
         later(fifo, [&fifo, use = std::move(use)]() mutable { use(fifo.take()); });
     }
-    /// The same in every iteration of a loop, for one FIFO: `take` is called with the number of the iteration that has
-    /// got there, and takes the token itself.
+    /// All of a pipelined loop whose every iteration reads `late_fifo` in a later stage: `take` is called with the
+    /// number of the iteration that has got there, and takes the token itself.
     template <class Body, class Take>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, FifoChannel& late_fifo, Take take,
                   SourceSite site = SourceSite::here()) {

@@ -65,7 +65,7 @@ struct Design {
     }
 };
 
-/// The same for a seed, always.
+/// A seed always gives one design.
 Design random_design(std::uint64_t seed);
 /// What a design is at other timing keys.
 Design retimed(Design const& design, std::uint64_t seed);

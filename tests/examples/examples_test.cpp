@@ -202,7 +202,7 @@ TEST_CASE("Every example does the same in both engines and as a what-if, whateve
             });
             if (!changes_work)
                 CHECK(outcome(example, with({"whatif", "events"}), "whatif") == decoupled);
-            stuck += decoupled[0] == '3' ? 1 : 0;
+            stuck += decoupled[0] == '3' ? 1U : 0U;
         }
     }
     CHECK(stuck > 0);

@@ -15,7 +15,7 @@ namespace dataflow {
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
 ///   width   a token may be several values side by side, its lanes; such tokens move in bursts only
 ///   fields  how many of a token's fields there are as wires, for recordings; the last may not be
-///   errors  a non-blocking access in the decoupled engine is a fatal report: its outcome would depend on run-ahead
+///   errors  InputError for a non-blocking access, and for SystemC's events of FIFOs: there are none
 template <class Token>
 class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, public sc_core::sc_fifo_out_if<Token> {
   public:
@@ -25,52 +25,27 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
 
     void read(Token& token) override { token = read(); }
     Token read() override {
+        reader_->begins_read(*this);
         peek();
         Token const token = *tokens_.front();
         reader_->access(read_port_);
         consume(1);
         return token;
     }
-    bool nb_read(Token& token) override {
-        require_lockstep("nb_read");
-        if (num_available() == 0)
-            return false;
-        token = read();
-        return true;
-    }
-    int num_available() const override {
-        require_lockstep("num_available");
-        auto const& times = timing();
-        std::uint64_t n = 0;
-        while (n < times.known_reads() && times.earliest_read(n) <= reader_->local_time())
-            ++n;
-        return static_cast<int>(n);
-    }
-    sc_core::sc_event const& data_written_event() const override { return written_; }
+    bool nb_read(Token& /*token*/) override { refuse("nb_read"); }
+    int num_available() const override { refuse("num_available"); }
+    sc_core::sc_event const& data_written_event() const override { refuse("data_written_event"); }
 
     void write(Token const& token) override {
         put(token);
         writer_->access(write_port_);
     }
-    bool nb_write(Token const& token) override {
-        require_lockstep("nb_write");
-        if (num_free() == 0)
-            return false;
-        write(token);
-        return true;
-    }
-    int num_free() const override {
-        require_lockstep("num_free");
-        auto const& times = timing();
-        std::uint64_t n = 0;
-        while (n < times.known_writes() && times.earliest_write(n) <= writer_->local_time())
-            ++n;
-        return static_cast<int>(n);
-    }
-    sc_core::sc_event const& data_read_event() const override { return read_; }
+    bool nb_write(Token const& /*token*/) override { refuse("nb_write"); }
+    int num_free() const override { refuse("num_free"); }
+    sc_core::sc_event const& data_read_event() const override { refuse("data_read_event"); }
 
     /// The tokens at hand, contiguous from front(); suspends the reader until there is one. In lockstep it is one at a
-    /// time, and not before its write has its cycle: nothing is known before its time.
+    /// time.
     std::size_t peek() {
         std::size_t there = visible();
         for (; there == 0; there = visible())
@@ -148,14 +123,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         return std::max<std::uint64_t>(1024, 2 * (shape.capacity + shape.write_latency + shape.read_stage) + 64);
     }
     std::size_t visible() const {
-        if (!reader_->lockstep())
-            return tokens_.size();
-        return timing().known_reads() > 0 ? std::min<std::size_t>(1, tokens_.size()) : 0;
-    }
-    void require_lockstep(char const* call) const {
-        if (!(reader_ ? reader_ : writer_)->lockstep())
-            SC_REPORT_FATAL("faster/nonblocking",
-                            (std::string(name()) + ": " + call + " needs simulation.engine lockstep").c_str());
+        return reader_->lockstep() ? std::min<std::size_t>(1, tokens_.size()) : tokens_.size();
     }
 
     TokenQueue<Token> tokens_;

@@ -85,6 +85,9 @@ void DataflowAccelerator::run() {
         sc_core::sc_start();
     }
     back_on_own_stack();
+    for (std::unique_ptr<DataflowCore> const& core : cores_)
+        if (core->error())
+            std::rethrow_exception(core->error());
 }
 
 }  // namespace dataflow

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -103,6 +104,12 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     void run_after(DataflowCore const& other) { before_ = &other; }
     /// Whether the core has done its share, or has let the next one begin all the same.
     bool is_turn_over() const { return is_turn_over_; }
+    /// A process cannot go on. The first error is thrown by DataflowAccelerator::run().
+    void fail(std::exception_ptr error) {
+        if (!error_)
+            error_ = std::move(error);
+    }
+    std::exception_ptr const& error() const { return error_; }
     /// Lets the next core begin. By itself when the share is done.
     void end_turn();
     /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled).
@@ -165,6 +172,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::vector<std::function<void(std::size_t)>> process_begins_;
     std::vector<std::size_t> begun_;  // samples, by process
     std::size_t samples_ended_ = 0;
+    std::exception_ptr error_;
     DataflowCore const* before_ = nullptr;  // whose turn is before
     bool is_turn_over_;
     sc_core::sc_event turn_ends_{"turn_ends"};

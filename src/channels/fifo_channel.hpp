@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <string>
 #include <systemc>
 #include <vector>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/core/time/fifo_timing.hpp"
 #include "dataflow/core/time/ports.hpp"
 #include "dataflow/tools/recording/token_tap.hpp"
@@ -28,6 +30,8 @@ class FifoChannel : public sc_core::sc_prim_channel {
         writer_ = &clock;
         write_port_ = timing::Ports::of(port);
     }
+    /// A process has stopped for it.
+    bool is_awaited() const { return reader_waits_ || writer_waits_; }
     /// What the FIFO's tokens consist of.
     virtual std::vector<TokenField> token_fields() const = 0;
     /// See all tokens that are appended from now on.
@@ -50,6 +54,13 @@ class FifoChannel : public sc_core::sc_prim_channel {
             writer_waits_ = false;
             read_.notify();
         }
+    }
+
+    /// Of an access whose outcome would depend on who has got how far.
+    [[noreturn]] void refuse(char const* call) const {
+        throw InputError(std::string(name()) + ": " + call +
+                         " asks what a FIFO holds at the moment, which is not modelled, expected read() and write(), " +
+                         "which wait");
     }
 
     ProcessClock* reader_ = nullptr;

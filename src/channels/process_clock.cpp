@@ -7,6 +7,8 @@
 
 #include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
 
 namespace dataflow {
 
@@ -83,7 +85,12 @@ unsigned ProcessClock::loop(std::string_view name) const {
     for (unsigned i = 0; i < loops.size(); ++i)
         if (loops[i].name == name)
             return i;
-    throw std::out_of_range("process " + timing_.name() + " has no loop " + std::string(name));
+    std::vector<std::string> names;
+    for (timing::LoopShape const& loop : loops)
+        names.push_back(loop.name);
+    throw InputError("module " + timing_.name() + " runs a loop " + std::string(name) +
+                     ", which it does not describe, expected loop(\"" + std::string(name) + "\") in its describe()" +
+                     did_you_mean(name, names));
 }
 
 std::uint64_t ProcessClock::number(std::string_view name) const {
@@ -124,9 +131,98 @@ void ProcessClock::await_writes(unsigned loop, bool of_one_before) {
 
 timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.read_port(); }
 
-/// How many iterations after the one that takes a token of the FIFO the loop has begun by then.
-std::uint64_t ProcessClock::iterations_behind(std::string_view name, FifoChannel const& fifo) const {
-    return fifo.timing().shape().read_stage / timing_.loops()[loop(name)].interval.achieved;
+// A pipelined loop. In decoupled, the module runs ahead of time, and waits for tokens only. In lockstep it must not be
+// kept from what it does in a step by accesses of later steps, of iterations that it has told of: others may wait for
+// what it does there. So the process is let go as far as the module has got, step by step.
+
+void ProcessClock::begin_pipeline(unsigned loop, SourceSite site) {
+    enter_loop(loop, site);
+    std::vector<timing::LoopRead> const& reads = timing_.loops()[loop].reads;
+    pipelined_ = loop;
+    is_pipelining_ = true;
+    is_held_ = std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
+    reached_ = 0;
+}
+
+/// The begin of an iteration.
+void ProcessClock::reach(std::uint64_t iteration) {
+    if (!is_held_)
+        return;
+    std::uint64_t const step = iteration * timing_.loops()[pipelined_].interval.achieved;
+    take_before(step);
+    reached_ = step;
+    follow();
+}
+
+void ProcessClock::take_before(std::uint64_t step) {
+    while (!takings_.empty() && takings_.front().step < step) {
+        Taking const taking = std::move(takings_.front());
+        takings_.pop_front();
+        reached_ = std::max(reached_, taking.step);
+        follow();
+        taking.take();
+    }
+}
+
+void ProcessClock::end_pipeline() {
+    leave_loop();
+    take_before(all_steps);
+    is_held_ = is_pipelining_ = false;
+    follow();
+}
+
+void ProcessClock::later(FifoChannel const& fifo, std::function<void()> take) {
+    Cycles const stage = fifo.timing().shape().read_stage;
+    if (!is_held_ || stage == 0) {
+        take();
+        return;
+    }
+    Taking taking{reached_ + stage, std::move(take)};
+    auto const at = std::upper_bound(takings_.begin(), takings_.end(), taking,
+                                     [](Taking const& one, Taking const& other) { return one.step < other.step; });
+    takings_.insert(at, std::move(taking));
+}
+
+/// What is read when an iteration begins keeps the module from everything else that the iteration does.
+void ProcessClock::require_first_stage(FifoChannel const& fifo) const {
+    timing::LoopShape const& loop = timing_.loops()[pipelined_];
+    Cycles const stage = fifo.timing().shape().read_stage;
+    Cycles first = stage;
+    for (timing::LoopRead const& read : loop.reads)
+        first = std::min(first, read.stage);
+    for (timing::LoopWrite const& write : loop.writes)
+        first = std::min(first, write.write_latency);
+    if (first < stage)
+        throw InputError("loop " + timing_.name() + "." + loop.name + " reads " + fifo.timing().name() + " in stage " +
+                         std::to_string(stage) + ", behind other accesses of an iteration (stage " +
+                         std::to_string(first) + "), but its module reads it first of all, expected " +
+                         "accelerator.fifos." + fifo.timing().name() + ".read_stage of at most " +
+                         std::to_string(first) + ", or take_later() in the module");
+}
+
+/// An iteration, or a step, does one thing at a port at most. Which ports a loop accesses decides when it does so.
+void ProcessClock::require_once(timing::Ports port) const {
+    unsigned const number = port.first();
+    if (is_memory(number))
+        return;
+    std::string const fifo = fifos_[number]->timing().name();
+    std::string const does = timing_.writes(number) ? "writes" : "reads";
+    if (collected_.has(number))
+        throw InputError("module " + timing_.name() + " " + does + " " + fifo +
+                         " twice in a step or an iteration of a loop, " + "expected once");
+    if (is_pipelining_ && !is_named_by_loop(number))
+        throw InputError("loop " + timing_.name() + "." + timing_.loops()[pipelined_].name + " " + does + " " + fifo +
+                         ", which its describe() does not say, expected " +
+                         (timing_.writes(number) ? "leaves() or writes_to()" : "taken() or also_reads()"));
+}
+
+/// A loop that only reads, in the first stage, need not say what.
+bool ProcessClock::is_named_by_loop(unsigned port) const {
+    timing::LoopShape const& loop = timing_.loops()[pipelined_];
+    auto const is_it = [port](auto const& access) { return access.port == port; };
+    if (timing_.writes(port))
+        return std::any_of(loop.writes.begin(), loop.writes.end(), is_it);
+    return (loop.writes.empty() && loop.reads.empty()) || std::any_of(loop.reads.begin(), loop.reads.end(), is_it);
 }
 
 void ProcessClock::begin_sample() { dataflow_core_.begin_sample(timing_.index()); }
@@ -171,13 +267,21 @@ void ProcessClock::let_out() {
     wake_behind_flushing();
 }
 
-void ProcessClock::follow_in_lockstep() {
+/// All that is told, or in a pipelined loop, all that is before a step. Returns whether others had a turn meanwhile.
+bool ProcessClock::follow_in_lockstep(std::uint64_t end) {
     using Status = timing::ProcessTiming::Status;
+    bool has_waited = false;
+    auto const wait_for = [&has_waited](auto const& what) {
+        has_waited = true;
+        sc_core::wait(what);
+    };
     for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
+        if (is_held_ && timing_.in_loop() && timing_.front_step() >= end)
+            break;
         if (uses_memory())
             dataflow_core_.tell_memory();
         if (status == Status::blocked && is_memory(timing_.blocking_port())) {
-            sc_core::wait(dataflow_core_.memory_event(timing_.index()));
+            wait_for(dataflow_core_.memory_event(timing_.index()));
             continue;
         }
         if (status == Status::blocked) {
@@ -185,10 +289,11 @@ void ProcessClock::follow_in_lockstep() {
             bool const writing = timing_.writes(timing_.blocking_port());
             (writing ? fifo.writer_waits_ : fifo.reader_waits_) = true;
             wake_behind_flushing();
-            sc_core::wait(writing ? fifo.read_ : fifo.written_);
+            wait_for(writing ? fifo.read_ : fifo.written_);
             continue;
         }
-        bring_kernel_to(timing_.front_cycle());
+        if (sc_core::sc_time const left = left_until(timing_.front_cycle()); left > sc_core::SC_ZERO_TIME)
+            wait_for(left);
         timing::Ports const ports = timing_.front_ports();
         timing_.commit_front();
         ports.each([this](unsigned port) {
@@ -200,6 +305,7 @@ void ProcessClock::follow_in_lockstep() {
     wake_behind_flushing();
     if (uses_memory())
         dataflow_core_.tell_memory();
+    return has_waited;
 }
 
 void ProcessClock::wake_writer(FifoChannel& fifo) {
@@ -208,14 +314,16 @@ void ProcessClock::wake_writer(FifoChannel& fifo) {
         fifo.writer_->let_out();
 }
 
-void ProcessClock::bring_kernel_to(Cycles cycle) {
+/// For the SystemC kernel to go.
+sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
     sc_dt::uint64 const target = cycle * ticks_per_cycle_;
     sc_dt::uint64 const now = sc_core::sc_time_stamp().value();
-    if (target > now)
-        sc_core::wait(sc_core::sc_time::from_value(target - now));
+    return sc_core::sc_time::from_value(target - std::min(target, now));
 }
 
 void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
+    if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
+        return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()));
     timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;

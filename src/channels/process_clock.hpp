@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -132,34 +134,39 @@ class ProcessClock {
     }
     /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
     /// reads and writes through plain ports are the accesses of the iteration; time passes between iterations only.
+    /// What it reads through plain ports is read in the first stage of the loop that accesses anything; any other
+    /// read is for take_later(). Errors: InputError for a plain read of a FIFO that the loop reads in a later stage.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
-        enter_loop(loop(loop_name), site);
+        begin_pipeline(loop(loop_name), site);
         for (std::uint64_t i = 0; i < count; ++i) {
+            reach(i);
             collecting_ = true;
             body(i);
             collecting_ = false;
             iterate(std::exchange(collected_, timing::Ports()), 1);
         }
-        leave_loop();
+        end_pipeline();
     }
-
-    /// A loop that reads a FIFO in a later stage (FifoEnd::taken): each iteration reads one token of it, in that stage.
-    /// `take` is called with the iteration's number when it has got there, and takes the token.
+    /// In the body of an iteration, which reads a FIFO in a later stage (FifoEnd::taken): when the iteration has got to
+    /// that stage, `use` is called with the token. That is before the body of any iteration that begins after that, and
+    /// after those of all that begin before. Tokens that `use` makes of it are put into their FIFOs by put(), and the
+    /// body says by access(fifo.write_port()) that its iteration writes them.
+    template <class Fifo, class Use> void take_later(Fifo& fifo, Use use) {
+        access(read_port_of(fifo));
+        later(fifo, [&fifo, use = std::move(use)]() mutable { use(fifo.take()); });
+    }
+    /// All of a pipelined loop whose every iteration reads `late_fifo` in a later stage: `take` is called with the
+    /// number of the iteration that has got there, and takes the token itself.
     template <class Body, class Take>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, FifoChannel& late_fifo, Take take,
                   SourceSite site = SourceSite::here()) {
-        timing::Ports const read = read_port_of(late_fifo);
-        std::uint64_t const behind = iterations_behind(loop_name, late_fifo);
         auto const whole_body = [&](std::uint64_t i) {
-            if (i > behind)
-                take(i - behind - 1);  // the iteration that was in that stage in the step before
-            access(read);
+            access(read_port_of(late_fifo));
+            later(late_fifo, [&take, i] { take(i); });
             body(i);
         };
         pipeline(loop_name, count, whole_body, site);
-        for (std::uint64_t i = count - std::min(count, behind + 1); i < count; ++i)
-            take(i);
     }
 
     bool uses_memory() const { return timing_.stream() != nullptr; }
@@ -175,20 +182,27 @@ class ProcessClock {
     void tell_entry(timing::MemoryEntry entry);
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
+    /// Errors: InputError for one that is accessed twice in a step or iteration, or that its loop does not name.
     void access(timing::Ports port) {
         timing_.note_site(port.first(), site_);
-        if (collecting_)
+        if (collecting_) {
+            require_once(port);
             collected_ = collected_ | port;
-        else
+        } else {
             step(port);
+        }
     }
 
     bool lockstep() const { return time_base_.engine == Engine::lockstep; }
     timing::ProcessTiming const& timing() const { return timing_; }
-    /// Non-blocking accesses need the present: only lockstep has one.
     Cycles local_time() const { return timing_.local_time(); }
 
-    /// Suspends the calling thread until the FIFO's other side has done something; what for is told to deadlock
+    /// The calling thread is about to read a token of the FIFO. Errors: see pipeline().
+    void begins_read(FifoChannel const& fifo) {
+        if (collecting_ && is_pipelining_)
+            require_first_stage(fifo);
+    }
+    /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
     /// reports.
     void wait_for_tokens(FifoChannel& fifo);
     void wait_for_room(FifoChannel& fifo);
@@ -211,13 +225,13 @@ class ProcessClock {
     }
     void follow() {
         if (lockstep())
-            follow_in_lockstep();
+            follow_in_lockstep(is_held_ ? reached_ : all_steps);
         else if (timing_.log().pending() > log_limit_)
             catch_up();
     }
     void catch_up();
-    void follow_in_lockstep();
-    void bring_kernel_to(Cycles cycle);
+    bool follow_in_lockstep(std::uint64_t end);
+    sc_core::sc_time left_until(Cycles cycle) const;
     static void wake_writer(FifoChannel& fifo);
     void wake_behind_flushing();
     void let_out();
@@ -225,7 +239,14 @@ class ProcessClock {
     std::string connect_stream();
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
-    std::uint64_t iterations_behind(std::string_view loop, FifoChannel const& fifo) const;
+    void require_first_stage(FifoChannel const& fifo) const;
+    void require_once(timing::Ports port) const;
+    bool is_named_by_loop(unsigned port) const;
+    void begin_pipeline(unsigned loop, SourceSite site);
+    void reach(std::uint64_t iteration);
+    void take_before(std::uint64_t step);
+    void end_pipeline();
+    void later(FifoChannel const& fifo, std::function<void()> take);
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 
@@ -246,6 +267,18 @@ class ProcessClock {
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;
+
+    // The loop that pipeline() is in. Steps are counted from its begin.
+    static constexpr std::uint64_t all_steps = ~std::uint64_t{0};
+    struct Taking {
+        std::uint64_t step;
+        std::function<void()> take;
+    };
+    std::deque<Taking> takings_;  // of what is read later, in the order of their steps
+    unsigned pipelined_ = 0;      // the loop's number
+    bool is_pipelining_ = false;
+    bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,
+    std::uint64_t reached_ = 0;  // which is this step
 };
 
 /// Accesses through plain ports in this scope happen together, as one step.

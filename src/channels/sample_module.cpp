@@ -1,5 +1,7 @@
 #include "channels/sample_module.hpp"
 
+#include <exception>
+
 namespace dataflow {
 
 SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& core)
@@ -8,11 +10,20 @@ SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& co
     SC_THREAD(run);
 }
 
+/// What is wrong is told when nothing moves any more: an exception cannot leave a process of the SystemC kernel.
 void SampleModule::run() {
+    try {
+        work_on_all();
+    } catch (std::exception const&) {
+        core_.fail(std::current_exception());
+    }
+}
+
+void SampleModule::work_on_all() {
     std::size_t const number = clock_.timing().index();
     for (std::size_t i = 0; i < core_.share().count; ++i) {
         clock_.begin_sample();
-        if (number == core_.machine().begins)
+        if (number == core_.machine().begins && number != core_.machine().ends)
             clock_.stamp();
         work(core_.share().first + i);
         if (number == core_.machine().ends) {

@@ -25,6 +25,7 @@ class SampleModule : public sc_core::sc_module {
   private:
     void end_of_elaboration() override { clock_.connect_all(); }
     void run();
+    void work_on_all();
 
     DataflowCore& core_;
 };

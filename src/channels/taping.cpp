@@ -127,8 +127,12 @@ void Taping::finish() {
 
 /// All processes have done all samples.
 bool Taping::is_done() const {
-    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(),
-                       [](auto const& core) { return core->results() == core->share().count; });
+    return std::all_of(accelerator_.cores().begin(), accelerator_.cores().end(), [](auto const& core) {
+        std::vector<FifoChannel*> const& channels = core->channels();
+        return core->results() == core->share().count &&
+               std::none_of(channels.begin(), channels.end(),
+                            [](FifoChannel const* fifo) { return fifo != nullptr && fifo->is_awaited(); });
+    });
 }
 
 }  // namespace dataflow

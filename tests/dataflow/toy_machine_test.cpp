@@ -96,7 +96,8 @@ TEST_CASE("A machine has the parts of its description, by number and by name", "
 TEST_CASE("A FIFO that nobody writes is a mistake of the design", "[machine]") {
     CoreDescription core = describe_toy({});
     core.fifos.emplace_back("question");
-    CHECK_THROWS_AS(make_machine(core, {}), std::logic_error);
+    CHECK(input_error_text([&] { make_machine(core, {}); }) ==
+          "nobody writes the FIFO question, expected a module that describes it by writes_to(\"question\")");
 }
 
 TEST_CASE("Kinds of FIFOs are resolved, with what they mean for room and latency", "[machine]") {
@@ -108,11 +109,19 @@ TEST_CASE("Kinds of FIFOs are resolved, with what they mean for room and latency
     CHECK(fifo().write_latency == 3);
     CHECK(fifo().shape().capacity == 2);
     CHECK(fifo().shape().read_latency == 1);
-    config.settings.fifo("answer").depth = 3;
+    config.settings.fifo("answer").depth = 32;  // of 32 bits
+    CHECK(fifo().kind == FifoKind::shift_register);
+    config.settings.fifo("answer").depth = 33;
     CHECK(fifo().kind == FifoKind::memory);
     CHECK(fifo().configured_kind == FifoKind::automatic);
-    CHECK(fifo().shape().capacity == 4);
+    CHECK(fifo().shape().capacity == 33);
     CHECK(fifo().shape().read_latency == 2);
+    config.settings.fifo_rules = FifoGeneration::vivado_hls;
+    CHECK(fifo().shape().capacity == 34);
+    config.settings.fifo_rules = FifoGeneration::spec;
+    config.settings.fifo("answer").depth = 3;
+    CHECK(fifo().kind == FifoKind::memory);
+    CHECK(fifo().shape().capacity == 4);
     config.settings.fifo("answer").kind = FifoKind::shift_register;
     config.settings.fifo("answer").write_latency = 1;
     CHECK(fifo().kind == FifoKind::shift_register);

@@ -1,8 +1,10 @@
 // The designs of examples/: each by the commands that every design has, and its cycles against closed forms.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -107,6 +109,105 @@ TEST_CASE("What-if answers what a run would", "[examples]") {
     }
 }
 
+/// A key, and the values that chance may give it.
+struct KeyRange {
+    std::string key;
+    Words values;
+};
+
+Words numbers(int first, int last) {
+    Words all;
+    for (int i = first; i <= last; ++i)
+        all.push_back(std::to_string(i));
+    return all;
+}
+
+std::vector<KeyRange> ranges_of(std::string const& example) {
+    Words const kinds{"auto", "shift_register", "memory"};
+    std::vector<KeyRange> ranges{{"fifo_rules", {"spec", "vivado_hls", "vitis_hls"}}};
+    auto const add = [&ranges](std::string const& key, Words const& values) { ranges.push_back({key, values}); };
+    if (example == "pipeline") {
+        for (std::string const fifo : {"fifos.number.", "fifos.product."}) {
+            add(fifo + "depth", numbers(1, 40));
+            add(fifo + "kind", kinds);
+        }
+        add("fifos.number.read_stage", numbers(0, 3));
+        for (std::string const loop : {"reader.fetch", "scaler.scale", "writer.store"})
+            add("loops." + loop + ".ii", numbers(1, 4));
+        add("loops.writer.store.recurrence_ii", numbers(1, 4));
+    } else if (example == "cyclic") {
+        for (std::string const fifo : {"fifos.request.", "fifos.response."}) {
+            add(fifo + "depth", numbers(1, 4));
+            add(fifo + "kind", kinds);
+        }
+        add("fifos.request.read_stage", numbers(0, 1));
+        add("fifos.response.read_stage", numbers(0, 2));
+        add("loops.controller.exchange.ii", numbers(1, 4));
+        add("loops.processor.double.ii", numbers(1, 4));
+        add("controller.entry_states", numbers(0, 3));
+    } else {
+        for (std::string const fifo : {"fifos.pixel.", "fifos.sum."}) {
+            add(fifo + "depth", numbers(1, 9));
+            add(fifo + "kind", kinds);
+        }
+        add("brams.line_buffer.ports", numbers(1, 4));
+        add("loops.convolve.convolve.ii", numbers(1, 4));
+        add("loops.convolve.convolve.depth", numbers(6, 12));
+    }
+    return ranges;
+}
+
+/// What a run says of its cycles, or of a deadlock.
+std::string outcome(Example const& example, Words const& arguments, std::string const& out) {
+    Words all = arguments;
+    all.insert(all.end(), {"--out", out});
+    CommandResult const result = example.call(all);
+    std::string const text =
+        result.exit_code == 0 ? example.tables(out) : result.err.substr(0, result.err.find("\nwritten"));
+    fs::remove_all(example / out);
+    return std::to_string(result.exit_code) + "\n" + text;
+}
+
+TEST_CASE("Every example does the same in both engines and as a what-if, whatever its keys", "[examples]") {
+    unsigned const seed = 40;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    unsigned stuck = 0;
+    for (std::string const& name : all_examples) {
+        Example const example(name);
+        Words const workload{"--set", "workload.samples=2"};
+        example.run({"workload.samples=2"}, {"--events", "events"});
+        for (int trial = 0; trial < 12; ++trial) {
+            Words settings;
+            for (KeyRange const& range : ranges_of(name))
+                if (random() % 2 == 0)
+                    settings.insert(settings.end(), {"--set", "accelerator." + range.key + "=" +
+                                                                  range.values[random() % range.values.size()]});
+            CAPTURE(name, trial, settings);
+            auto const with = [&settings](Words first) {
+                first.insert(first.end(), settings.begin(), settings.end());
+                return first;
+            };
+            Words const run = with({"run", example.configuration().string(), "--set", "workload.samples=2"});
+            Words in_lockstep = run;
+            in_lockstep.insert(in_lockstep.end(), {"--set", "simulation.engine=lockstep"});
+            std::string const decoupled = outcome(example, run, "run");
+            CHECK(decoupled[0] != '2');
+            CHECK(outcome(example, in_lockstep, "run") == decoupled);
+            Words recorded = run;
+            recorded.insert(recorded.end(), {"--events", "other"});
+            CHECK(outcome(example, recorded, "run") == decoupled);
+            bool const changes_work = std::any_of(settings.begin(), settings.end(), [](std::string const& one) {
+                return one.find("entry_states") != std::string::npos;
+            });
+            if (!changes_work)
+                CHECK(outcome(example, with({"whatif", "events"}), "whatif") == decoupled);
+            stuck += decoupled[0] == '3' ? 1U : 0U;
+        }
+    }
+    CHECK(stuck > 0);
+}
+
 TEST_CASE("The other commands know every example", "[examples]") {
     for (std::string const& name : all_examples) {
         CAPTURE(name);
@@ -175,6 +276,15 @@ TEST_CASE("The cyclic design takes two cycles per message, and three", "[example
     CHECK_THAT(example.text("out/samples.csv"), Contains("0,0,0,22,23,90"));  // 2 * (0 + ... + 9)
 }
 
+TEST_CASE("The cyclic design takes four cycles per message if it has three to begin one", "[examples]") {
+    // A request is written in step 3 i + 1, its answer read in the step after: a cycle late.
+    Example const example("cyclic");
+    for (std::string const engine : {"decoupled", "lockstep"})
+        for (std::uint64_t const n : {1U, 10U, 2025U})
+            CHECK(example.cycles({"accelerator.loops.controller.exchange.ii=3", "simulation.engine=" + engine,
+                                  "workload.messages=" + std::to_string(n)}) == 4 * n + 1);
+}
+
 TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {
     Example const example("cyclic");
     for (char const* engine : {"decoupled", "lockstep"}) {
@@ -184,6 +294,15 @@ TEST_CASE("A design that waits in a circle is reported, with who waits for whom"
         CHECK(result.exit_code == 3);
         CHECK_THAT(result.err,
                    Contains("controller") && Contains("processor") && Contains("request") && Contains("response"));
+        for (Words const& recorded : {Words{"--events", "events"}, Words{"--sensitivities"}}) {
+            Words all{"run", example.source("deadlock.yaml").string(), "--set",
+                      std::string("simulation.engine=") + engine};
+            all.insert(all.end(), recorded.begin(), recorded.end());
+            CommandResult const same = example.call(all);
+            CHECK(same.exit_code == 3);
+            CHECK(same.err == result.err);
+        }
+        CHECK_FALSE(fs::exists(example / "events"));
     }
 }
 

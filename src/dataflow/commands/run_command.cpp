@@ -237,7 +237,12 @@ int run(RunRequest const& request, RunExtras& extras) {
         statistics.warnings.push_back(warning);
     }
     if (std::string const left = leftover_tokens(statistics); !left.empty())
-        throw std::logic_error("tokens are left at the end of the run: " + left);
+        throw InputError("tokens are left at the end of the run, unread: " + left +
+                         ", expected modules that read all that is written, or keeps_tokens() where it need not be");
+    if (std::string const kept = kept_tokens(statistics); !kept.empty()) {
+        statistics.warnings.push_back("tokens are left at the end of the run, unread: " + kept);
+        say_warnings({statistics.warnings.back()});
+    }
     add_compute_alone(recorded, loaded, statistics);
     if (request.sensitivities) {
         statistics.sensitivities = work_out_sensitivities(recorded, loaded);

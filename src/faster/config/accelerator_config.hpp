@@ -16,7 +16,10 @@ namespace faster {
 /// The machine: keys `accelerator.*`. Defaults are the thesis's final design as docs/timing-model.md times it; those of
 /// FIFOs, loops and block RAMs stand in the modules' descriptions.
 struct AcceleratorConfig : MachineSettings {
-    AcceleratorConfig() { cores = 10; }  ///< accelerator.raster_cores
+    AcceleratorConfig() {
+        cores = 10;                         // accelerator.raster_cores
+        fifo_rules = FifoGeneration::spec;  // by which all its figures were measured
+    }
 
     std::string architecture = "faster";  ///< name of the preset that the other keys start from
     int window = 200;                     ///< side of the square window [px]

@@ -36,6 +36,7 @@ CoreDescription describe_raster_core(AcceleratorConfig const& config) {
     core.remark = "window " + std::to_string(config.window) + " x " + std::to_string(config.window) + " px";
     core.begins = "rasterizer";
     core.ends = "result_collector";
+    core.is_over_with_last_sample = true;
     core.pace = {"rasterizer",
                  {{"vertex_transform", "vertex"},
                   {"area_reciprocal", "area"},

@@ -15,9 +15,9 @@ enum class WhenFull { freeze, squeeze };
 /// Whose FIFOs a machine has; key `accelerator.fifo_rules` (docs/timing-model.md#fifos). The generations differ in what
 /// `automatic` becomes, and in whether a memory's output register holds a token besides the memory's words.
 enum class FifoGeneration {
-    spec,        ///< the rules of docs/timing-model.md#fifos
-    vivado_hls,  ///< Vivado HLS up to 2020.2
-    vitis_hls,   ///< Vitis HLS from 2021.1 on
+    spec,        ///< a memory from depth 3 on; no tool's
+    vivado_hls,  ///< Vivado HLS
+    vitis_hls,   ///< Vitis HLS, from 2020.1 on
 };
 
 /// The largest that HLS builds of shift registers where it is free to choose: `auto_srl_max_depth` and

@@ -5,6 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/core/machine/design_check.hpp"
 #include "dataflow/core/machine/lead_of.hpp"
 
 namespace dataflow {
@@ -73,6 +76,7 @@ std::optional<timing::ExternalMemory> shape_of(MachineSettings const& settings) 
 class Maker {
   public:
     Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
+        check_design(core);
         machine_.cores = settings.cores;
         machine_.clock_mhz = settings.clock_mhz;
         machine_.cores_are = core.cores_are;
@@ -103,6 +107,7 @@ class Maker {
         }
         machine_.begins = machine_.process(core.begins);
         machine_.ends = machine_.process(core.ends);
+        machine_.is_over_with_last_sample = core.is_over_with_last_sample;
         machine_.lead = lead_of(core_.pace, machine_);
     }
 
@@ -131,7 +136,9 @@ class Maker {
                     found = {&end, i, key};
             }
         if (found.end == nullptr)
-            throw std::logic_error("nobody " + std::string(writes ? "writes" : "reads") + " the FIFO " + fifo);
+            throw InputError("nobody " + std::string(writes ? "writes" : "reads") + " the FIFO " + fifo +
+                             ", expected a module that describes it by " + (writes ? "writes_to" : "reads_from") +
+                             "(\"" + fifo + "\")");
         return found;
     }
 
@@ -149,6 +156,7 @@ class Maker {
         fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
         if (read.end->read_stage)
             fifo.read_stage = settings.read_stage.value_or(*read.end->read_stage);
+        fifo.may_keep_tokens = written.end->may_keep_tokens;
         fifo.flushes = written.end->flushes;
         fifo.when_full = settings.when_full.value_or(WhenFull::freeze);
         fifo.bits = fifo.is_present ? written.end->bits : 0;
@@ -363,7 +371,8 @@ std::string keyed_loop(ModuleDescription const& module, std::string const& loop)
     auto const found = std::find_if(module.loops.begin(), module.loops.end(),
                                     [&loop](LoopDescription const& one) { return one.name == loop; });
     if (found == module.loops.end())
-        throw std::logic_error("module " + module.name + " has no loop " + loop);
+        throw InputError("module " + module.name + " names a loop " + loop + ", which it does not describe, " +
+                         "expected loop(\"" + loop + "\") in its describe()");
     return keyed_loop(module, *found);
 }
 

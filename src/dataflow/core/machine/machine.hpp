@@ -52,10 +52,11 @@ struct MachineFifo {
     std::size_t reader = 0;
     FifoKind configured_kind = FifoKind::automatic;
     FifoKind kind = FifoKind::shift_register;  ///< resolved
-    FifoGeneration generation = FifoGeneration::spec;
+    FifoGeneration generation = FifoGeneration::vitis_hls;
     std::uint64_t depth = 2;  ///< tokens
     Cycles write_latency = 0;
     Cycles read_stage = 0;
+    bool may_keep_tokens = false;  ///< unread at the end of a run
     bool flushes = false;
     WhenFull when_full = WhenFull::freeze;  ///< if it flushes
     unsigned bits = 0;                      ///< of a token; 0: not there
@@ -135,6 +136,7 @@ struct Machine {
     timing::Lead lead;
     std::size_t begins = 0;                          ///< process whose stamps begin samples
     std::size_t ends = 0;                            ///< process whose stamps end them
+    bool is_over_with_last_sample = false;           ///< what processes do after that is not part of the run
     std::shared_ptr<TellResources const> resources;  ///< asked by resources_of(); or none
 
     double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / (clock_mhz * 1e3); }

@@ -48,7 +48,7 @@ struct DependenceSettings {
 struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
-    FifoGeneration fifo_rules = FifoGeneration::spec;
+    FifoGeneration fifo_rules = FifoGeneration::vitis_hls;
     ExternalMemorySettings external_memory;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;

@@ -30,6 +30,7 @@ struct FifoEnd {
     std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
     std::string loop;                     ///< the loop whose depth bounds the write latency or read stage; or empty
+    bool may_keep_tokens = false;         ///< at the end of a run, unread: of the writing end
     bool flushes = false;                 ///< behind a flushing pipeline of its module, see timing::FlushingPipeline
     std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
 
@@ -47,6 +48,8 @@ struct FifoEnd {
     FifoEnd& flushes_after(Cycles stages, std::string meaning) {
         return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
     }
+    /// Tokens may be left in the FIFO at the end of a run, which warns of them; otherwise they are an error.
+    FifoEnd& keeps_tokens() { return may_keep_tokens = true, *this; }
     FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };
 
@@ -244,8 +247,11 @@ struct CoreDescription {
 
     std::vector<ModuleDescription> modules;
     std::vector<std::string> fifos;
-    std::string begins;               ///< module whose stamps begin samples
-    std::string ends;                 ///< module whose stamps end them
+    std::string begins;  ///< module whose stamps begin samples
+    std::string ends;    ///< module whose stamps end them
+    /// The run is over with the last sample, whatever modules do after that: what they prepare for samples that do not
+    /// come. Otherwise all that they do counts.
+    bool is_over_with_last_sample = false;
     std::string cores_are = "cores";  ///< what reports call cores
     std::string remark;               ///< what reports say of the machine besides, e.g. "window 200 x 200 px"
     Pace pace;                        ///< about speed of simulation only, see timing::Lead

@@ -199,7 +199,7 @@ std::vector<Wait> CoreTiming::waits() {
             continue;
         unsigned const port = process.waits_for_room() ? process.flushing_port()
                               : starving               ? static_cast<unsigned>(process.starving_port())
-                                                       : process.blocking_port();
+                                                       : process.missing_port();
         FifoTiming const& fifo = process.fifo(port);
         Wait wait;
         wait.process = process.name();

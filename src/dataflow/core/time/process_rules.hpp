@@ -89,6 +89,11 @@ template <class Process, class Port> class ProcessRules {
         return state_.in_loop && state_.pipeline.open && !drains;
     }
     LoopPlan const& plan() const { return *plan_; }
+    /// The accesses of the step that a process has stopped in front of which goes step by step.
+    Ports step_at_hand() const {
+        bool const is_in_pipeline = state_.in_loop && !plan_->aligned && state_.pipeline.open;
+        return is_in_pipeline ? ports_in(plan_->phases[state_.pipeline.phase]) : Ports(log_.front().ports());
+    }
     /// No access to come is before this cycle: the local time, less what the process goes back when it leaves a loop
     /// whose last tokens are out before the last initiation interval is over.
     Time not_before() const {
@@ -477,6 +482,15 @@ template <class Process, class Port> class ProcessRules {
         return true;
     }
 
+    /// What the iterations in the pipeline access in a phase of the one at hand.
+    Ports ports_in(LoopPhase const& phase) const {
+        Ports step;
+        for (auto const& [port, lag] : phase.ports)
+            if (state_.pipeline.iteration >= lag && Ports(state_.delayed(lag)).has(port))
+                step = step | Ports::of(port);
+        return step;
+    }
+
     /// The II steps of an iteration that accesses `ports`, whose tokens leave in this or later iterations. False: it
     /// waits in one of them.
     bool pass_phases(Ports::Number ports, bool is_counted) {
@@ -495,10 +509,7 @@ template <class Process, class Port> class ProcessRules {
             LoopPhase const& phase = plan_->phases[pipeline.phase];
             pass(phase.offset - pipeline.offset);
             pipeline.offset = phase.offset;
-            Ports step;
-            for (auto const& [port, lag] : phase.ports)
-                if (pipeline.iteration >= lag && Ports(state_.delayed(lag)).has(port))
-                    step = step | Ports::of(port);
+            Ports const step = ports_in(phase);
             if (!step.is_empty() && !perform(step.number()))
                 return false;
         }

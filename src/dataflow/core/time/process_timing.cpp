@@ -84,6 +84,18 @@ ProcessTiming::Status ProcessTiming::front() {
     return log_.exhausted() ? Status::exhausted : status_;
 }
 
+unsigned ProcessTiming::missing_port() const {
+    if (flushes() || ports_[blocking_port_].fifo->is_memory())
+        return blocking_port_;
+    unsigned missing = blocking_port_;
+    step_at_hand().each([&](unsigned port) {
+        bool const is_nearer = writes(missing) != writes(port) ? writes(missing) : port < missing;
+        if (ports_[port].end.known() == 0 && is_nearer)
+            missing = port;
+    });
+    return missing;
+}
+
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = state_.time;
     front_ports_.each([&](unsigned number) {
@@ -130,6 +142,10 @@ bool ProcessTiming::may_access(Ports::Number ports) {
 
 void ProcessTiming::add_stall(ProcessPort const& port, Cycles stall) {
     port.fifo->add_stall(port.writes, stall);
+    if (!figures_.has_accessed) {
+        figures_.waits_before.resize(ports_.size());
+        figures_.waits_before[port.number] += stall;
+    }
     (port.fifo->is_memory() ? figures_.memory_stall_cycles
      : port.writes          ? figures_.full_stall_cycles
                             : figures_.empty_stall_cycles) += stall;
@@ -182,7 +198,6 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
         return;
     figures_.has_accessed = true;
     by_steps_ = observer_ != nullptr;
-    figures_.first_port = Ports(ports).first();
     bool const waits_for_memory = stream_ != nullptr && !stream_->is_write() && Ports(ports).has(stream_port_);
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }

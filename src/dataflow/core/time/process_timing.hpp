@@ -51,7 +51,7 @@ struct ProcessFigures {
     Cycles memory_stall_cycles = 0;
     Cycles awaited_setup_cycles = 0;
     Cycles idle_before_cycles = 0;
-    unsigned first_port = 0;
+    std::vector<Cycles> waits_before;  ///< by port: before the first access
     bool has_accessed = false;
     std::uint64_t loops_entered = 0;
     std::vector<LoopCounters> loops;
@@ -112,6 +112,12 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// The cycle in which the front step happens; front() said `ready`.
     Cycles front_cycle() const;
     Ports front_ports() const { return front_ports_; }
+    /// Steps from the begin of the loop that it is in to the one that front() stopped at.
+    Cycles front_step() const {
+        PipelinePosition const& pipeline = state_.pipeline;
+        return plan_->fill +
+               (plan_->aligned ? state_.iterations * plan_->ii : pipeline.iteration * plan_->ii + pipeline.offset);
+    }
     void commit_front();
 
     /// Gives cycles to as many operations as possible. Returns the bits of the processes that may go on because of it.
@@ -163,9 +169,12 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     Cycles full_stall_cycles() const { return figures_.full_stall_cycles; }
     Cycles memory_stall_cycles() const { return figures_.memory_stall_cycles; }
     LoopCost loop_cost(unsigned loop) const;
-    /// What the process waited for its first access of all, if it had nothing to do before it; and the port.
+    /// What the process waited for its first access of all, if it had nothing to do before it; and at which ports.
     Cycles idle_before_cycles() const { return figures_.idle_before_cycles; }
-    unsigned first_port() const { return figures_.first_port; }
+    Cycles idle_before_cycles(unsigned port) const {
+        bool const is_idle = figures_.idle_before_cycles > 0 && port < figures_.waits_before.size();
+        return is_idle ? figures_.waits_before[port] : 0;
+    }
     bool has_accessed() const { return figures_.has_accessed; }
 
     /// From now on, goes step by step and tells the observer. Null: no longer.
@@ -194,6 +203,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     LoopCounters const& loop_counters(unsigned loop) const { return figures_.loops[loop]; }
     /// The port that front() found blocked.
     unsigned blocking_port() const { return blocking_port_; }
+    /// Of the ports that front() found blocked the first that is read, or else the first that is written. So it does
+    /// not matter who looks, and when.
+    unsigned missing_port() const;
     /// The port whose next token the process itself waits for before it can say what it does next; -1: none.
     int starving_port() const { return starving_port_; }
     void set_starving(int port) { starving_port_ = port; }

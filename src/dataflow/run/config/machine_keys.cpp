@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/core/machine/machine.hpp"
 
 namespace dataflow {
@@ -70,7 +71,8 @@ template <class Is> std::optional<EndOfModule> find_end(CoreDescription const& c
 EndOfModule writing_end(CoreDescription const& core, std::string const& fifo) {
     auto const end = find_end(core, [&](FifoEnd const& one) { return one.writes && one.fifo == fifo; });
     if (!end)
-        throw std::logic_error("nobody writes the FIFO " + fifo);
+        throw InputError("nobody writes the FIFO " + fifo + ", expected a module that describes it by writes_to(\"" +
+                         fifo + "\")");
     return *end;
 }
 
@@ -273,8 +275,8 @@ Key clock_key(std::string source) {
 Key fifo_rules_key() {
     Key key = of_time(KeyMaker<MachineSettings>::choice_key(
         {"accelerator.fifo_rules", "",
-         "Whose FIFOs: this model's own (spec), those of Vivado HLS up to 2020.2, or of Vitis HLS from 2021.1 on; "
-         "decides what kind auto is and how many tokens a memory holds.",
+         "Whose FIFOs: those of Vivado HLS, of Vitis HLS, or spec, which no tool builds; decides what kind auto is and "
+         "how many tokens a memory holds.",
          "timing model"},
         [](auto& settings) -> auto& { return settings.fifo_rules; }));
     key.is_alternative = true;

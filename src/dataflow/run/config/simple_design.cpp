@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/core/machine/design_check.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 
 namespace dataflow {
@@ -11,6 +13,16 @@ Key number_key(std::string const& design, DesignNumber const& number) {
     return KeyMaker<SimpleConfig>::integer_key(
         {number.key, "", number.meaning, design},
         number.range, [name = number.key](auto& config) -> auto& { return config.numbers.of(name); });
+}
+
+/// There are no keys of an external memory, and so there is none.
+void require_no_streams(CoreDescription const& core) {
+    for (ModuleDescription const& module : core.modules)
+        for (StreamDescription const& stream : module.streams)
+            throw InputError(
+                "module " + module.name + (stream.writes ? " stores " : " fetches ") + stream.name +
+                " by a port to the external memory, which a simple design does not have, expected a design " +
+                "with keys of its own (external_memory_keys())");
 }
 
 }  // namespace
@@ -44,7 +56,10 @@ std::vector<Key> SimpleDesign::keys() const {
     keys.push_back(clock_key(facts_.name));
     keys.push_back(fifo_rules_key());
     add_numbers(true);
-    for (Key& key : machine_keys(describe(defaults().numbers)))
+    CoreDescription const core = describe(defaults().numbers);
+    check_design(core);
+    require_no_streams(core);
+    for (Key& key : machine_keys(core))
         keys.push_back(std::move(key));
     return keys;
 }

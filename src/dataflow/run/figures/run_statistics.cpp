@@ -69,16 +69,22 @@ ProcessStatistics process_sum(RunStatistics const& run, std::size_t module) {
     return sum;
 }
 
-std::string leftover_tokens(RunStatistics const& run) {
+namespace {
+std::string unread_tokens(RunStatistics const& run, bool may_be_kept) {
     std::string text;
     for (std::size_t core = 0; core < run.cores.size(); ++core)
         for (std::size_t i = 0; i < run.machine.fifos.size(); ++i) {
             FifoStatistics const& fifo = run.cores[core].fifos[i];
-            if (fifo.writes != fifo.reads)
+            if (fifo.writes != fifo.reads && run.machine.fifos[i].may_keep_tokens == may_be_kept)
                 text += (text.empty() ? "" : ", ") + run.machine.fifos[i].name + " of core " + std::to_string(core) +
                         " (" + std::to_string(fifo.writes - fifo.reads) + ")";
         }
     return text;
 }
+}  // namespace
+
+std::string leftover_tokens(RunStatistics const& run) { return unread_tokens(run, false); }
+
+std::string kept_tokens(RunStatistics const& run) { return unread_tokens(run, true); }
 
 }  // namespace dataflow

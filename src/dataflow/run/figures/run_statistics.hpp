@@ -30,7 +30,7 @@ struct ProcessStatistics {
 
 struct CoreStatistics {
     std::uint64_t samples = 0;
-    Cycles end_cycle = 0;               ///< one past the end of its last sample; 0 without samples
+    Cycles end_cycle = 0;               ///< one past the last cycle that counts, see run_end(); 0 without samples
     std::vector<FifoStatistics> fifos;  ///< by their numbers in the machine
     std::vector<LoopStatistics> loops;
     std::vector<ProcessStatistics> processes;
@@ -80,6 +80,8 @@ CoreStatistics empty_core(Machine const& machine);
 
 /// FIFOs that were not read empty, for people: a finished run has none, or the model is wrong.
 std::string leftover_tokens(RunStatistics const& run);
+/// Those that need not be: FifoEnd::keeps_tokens().
+std::string kept_tokens(RunStatistics const& run);
 
 /// One module of all cores together.
 ProcessStatistics process_sum(RunStatistics const& run, std::size_t module);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dataflow/core/machine/core_ends.hpp"
 #include "dataflow/run/replay/collect_traffic.hpp"
 
 namespace dataflow::replay {
@@ -103,7 +104,7 @@ void CycleSorter::add_stalls(timing::ProcessTiming const& process, ProcessStatis
         if (fifo.is_memory())
             continue;
         bool const writes = process.writes(port);
-        Cycles const idle = port == process.first_port() ? process.idle_before_cycles() : 0;
+        Cycles const idle = process.idle_before_cycles(port);
         Cycles const stall = (writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles()) - idle;
         row.stalls[core_.number_of(fifo)] += stall;
         row[writes ? CycleClass::full_stall : CycleClass::empty_stall] += stall;
@@ -160,15 +161,15 @@ CoreStatistics core_statistics(FinishedCore const& core, Machine const& machine)
         statistics.fifos.push_back(fifo_statistics(machine.fifos[i], core.timing.fifos()[i]));
     for (MachineLoop const& loop : machine.loops)
         statistics.loops.push_back(loop_statistics(loop, core.timing));
-    std::vector<Cycles> const& ends = core.timing.process(machine.ends).stamps();
-    statistics.end_cycle = ends.empty() ? 0 : ends.back() + 1;
+    std::optional<RunEnd> const end = run_end(machine, core.timing);
+    statistics.end_cycle = end ? end->cycle + 1 : 0;
     return statistics;
 }
 
 void add_samples(FinishedCore const& core, std::uint64_t index, Machine const& machine,
                  std::vector<SampleStatistics>& rows) {
-    std::vector<Cycles> const& begins = core.timing.process(machine.begins).stamps();
-    std::vector<Cycles> const& ends = core.timing.process(machine.ends).stamps();
+    std::vector<Cycles> const begins = sample_begins(machine, core.timing);
+    std::vector<Cycles> const& ends = sample_ends(machine, core.timing);
     for (std::size_t i = 0; i < std::min(begins.size(), ends.size()); ++i)
         rows.push_back({core.share.first + i, index, begins[i], ends[i], core.counters[i]});
 }
@@ -176,8 +177,8 @@ void add_samples(FinishedCore const& core, std::uint64_t index, Machine const& m
 /// Up to the deadlock.
 void add_unfinished(FinishedCore const& core, std::uint64_t index, RunStatistics& run) {
     auto const is_of_core = [index](StuckProcess const& process) { return process.core == index; };
-    std::vector<Cycles> const& begins = core.timing.process(run.machine.begins).stamps();
-    std::size_t const done = core.timing.process(run.machine.ends).stamps().size();
+    std::vector<Cycles> const begins = sample_begins(run.machine, core.timing);
+    std::size_t const done = sample_ends(run.machine, core.timing).size();
     if (begins.size() > done && std::any_of(run.stuck.begin(), run.stuck.end(), is_of_core))
         run.unfinished.push_back({core.share.first + done, index, begins[done], run.deadlock_cycle(), {}});
 }

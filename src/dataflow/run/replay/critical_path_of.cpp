@@ -1,7 +1,9 @@
 #include "dataflow/run/replay/critical_path_of.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "dataflow/core/machine/core_ends.hpp"
 #include "dataflow/core/time/path_sweep.hpp"
 
 namespace dataflow::replay {
@@ -116,12 +118,15 @@ class ProcessRows {
 };
 
 /// Of the core that ends last, the first of them.
-std::size_t last_core(std::vector<timing::CoreTiming const*> const& cores, std::size_t ending_process) {
+std::size_t last_core(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine) {
     std::size_t last = 0;
+    std::optional<RunEnd> latest = run_end(machine, *cores[last]);
     for (std::size_t i = 1; i < cores.size(); ++i) {
-        std::vector<Cycles> const& ends = cores[i]->processes()[ending_process].stamps();
-        if (!ends.empty() && ends.back() > cores[last]->processes()[ending_process].stamps().back())
-            last = i;
+        std::optional<RunEnd> const end = run_end(machine, *cores[i]);
+        if (!end || (latest && end->cycle <= latest->cycle))
+            continue;
+        latest = end;
+        last = i;
     }
     return last;
 }
@@ -130,14 +135,14 @@ std::size_t last_core(std::vector<timing::CoreTiming const*> const& cores, std::
 
 CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine) {
     CriticalPath path;
-    path.core = last_core(cores, machine.ends);
+    path.core = last_core(cores, machine);
     timing::CoreTiming const& core = *cores[path.core];
-    std::vector<Cycles> const& ends = core.processes()[machine.ends].stamps();
-    if (ends.empty())
+    std::optional<RunEnd> const end = run_end(machine, core);
+    if (!end)
         return path;
-    auto const last = static_cast<unsigned>(machine.ends);
-    timing::PathSums sums = timing::critical_path(core, last, ends.back());
-    ++sums.of(last, timing::Region(), timing::PathSums::Share::own);  // the cycle of the last stamp itself
+    auto const last = static_cast<unsigned>(end->process);
+    timing::PathSums sums = timing::critical_path(core, last, end->cycle);
+    ++sums.of(last, timing::Region(), timing::PathSums::Share::own);  // the last cycle itself
     for (unsigned process = 0; process < core.processes().size(); ++process)
         ProcessRows(machine, core, process, sums, path.rows).add();
     std::stable_sort(path.rows.begin(), path.rows.end(),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dataflow/core/machine/core_ends.hpp"
+
 namespace dataflow::recording {
 
 namespace {
@@ -152,8 +154,8 @@ void CoreRecorder::learn_window() {
     if (!samples_)
         return;
     Machine const& machine = core_.machine();
-    std::vector<Cycles> const& starts = core_.timing().process(machine.begins).stamps();
-    std::vector<Cycles> const& ends = core_.timing().process(machine.ends).stamps();
+    std::vector<Cycles> const starts = dataflow::sample_begins(machine, core_.timing());
+    std::vector<Cycles> const& ends = dataflow::sample_ends(machine, core_.timing());
     if (!from_ && starts.size() > samples_->first)
         from_ = starts[samples_->first];
     if (!to_ && ends.size() > samples_->last)
@@ -162,7 +164,7 @@ void CoreRecorder::learn_window() {
 
 /// Before the first sample wanted there are those that have begun.
 Cycles CoreRecorder::earliest_from() const {
-    std::vector<Cycles> const& starts = core_.timing().process(core_.machine().begins).stamps();
+    std::vector<Cycles> const starts = dataflow::sample_begins(core_.machine(), core_.timing());
     return from_.value_or(starts.empty() ? 0 : starts.back());
 }
 

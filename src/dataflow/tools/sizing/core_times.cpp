@@ -5,6 +5,7 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
+#include "dataflow/core/machine/core_ends.hpp"
 #include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/tools/sizing/cut_members.hpp"
@@ -155,17 +156,19 @@ bool CoreTimes::is_same(Choice const& choice, Place const& place, Known const& k
 Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     if (!core.waits().empty())
         return Cut::deadlock;
-    auto const is_left = [](timing::FifoTiming const& fifo) { return fifo.writes() != fifo.reads(); };
+    auto const is_left = [&](timing::FifoTiming const& fifo) {
+        return fifo.writes() != fifo.reads() && !machine_.fifos[core.number_of(fifo)].may_keep_tokens;
+    };
     std::size_t const samples = share_of(number, machine_.cores, run_->run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
-    return load_ + results_of(core).back() + 1;
+    return load_ + run_end(machine_, core)->cycle + 1;
 }
 
 CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core) {
     Known known{end_of(core, number), false, {}};
     if (known.end != Cut::deadlock && is_monotone())
-        note_work(number, core, known.end - load_);
+        note_work(number, core, results_of(core).back() + 1);
     for (std::size_t i = 0; i < machine_.fifos.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
@@ -375,7 +378,7 @@ Cut CoreTimes::first_suspects(std::size_t core, Choice const& choice, std::size_
     timing::CoreTiming const& timing = *timings[are_together_ ? core : 0];
     if (results_of(timing).empty())
         return {};
-    return {members_of_path(timing, machine_.ends), results_of(timing).back() + 1};
+    return {members_of_path(timing, {machine_.ends, results_of(timing).back()}), results_of(timing).back() + 1};
 }
 
 std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, Cycles bound,
@@ -389,8 +392,9 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
     if (!is_left)
         enter(with(core), choice, timings);
     Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
-    Members const members =
-        cycles == Cut::deadlock ? members_of_deadlock(timing) : members_of_path(timing, machine_.ends);
+    Members const members = cycles == Cut::deadlock ? members_of_deadlock(timing)
+                            : is_left ? members_of_path(timing, {machine_.ends, results_of(timing).back()})
+                                      : members_of_path(timing, run_end(machine_, timing).value());
     return Cut{members, cycles};
 }
 

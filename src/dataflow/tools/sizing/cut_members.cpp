@@ -46,9 +46,8 @@ std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
 
 }  // namespace
 
-Members members_of_path(timing::CoreTiming const& core, std::size_t collector) {
-    std::vector<Cycles> const& results = core.processes()[collector].stamps();
-    timing::PathSums const path = critical_path(core, static_cast<unsigned>(collector), results.back());
+Members members_of_path(timing::CoreTiming const& core, RunEnd const& end) {
+    timing::PathSums const path = critical_path(core, static_cast<unsigned>(end.process), end.cycle);
     Members members(core.fifos().size());
     for (timing::ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port) {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "dataflow/core/machine/core_ends.hpp"
 #include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/tools/sizing/cut.hpp"
 
@@ -9,8 +10,8 @@ namespace dataflow::sizing {
 
 using Members = std::vector<Cut::Member>;
 
-/// The FIFOs that hold a core up. Of the critical path to the last result of a process, with its trail:
-Members members_of_path(timing::CoreTiming const& core, std::size_t collector);
+/// The FIFOs that hold a core up. Of the critical path to a cycle of a process, with its trail:
+Members members_of_path(timing::CoreTiming const& core, RunEnd const& end);
 /// Of a deadlock. Everything else could have all the room it wants: what is full would be as full.
 Members members_of_deadlock(timing::CoreTiming& core);
 

@@ -1,0 +1,128 @@
+#include "dataflow/core/machine/design_check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/core/machine/machine.hpp"
+
+namespace dataflow {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool has(Names const& names, std::string const& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Names of one kind of part, each of which may be used once.
+class NamedOnce {
+  public:
+    explicit NamedOnce(std::string where) : where_(std::move(where)) {}
+    void add(std::string const& name, std::string const& what) {
+        auto const [there, is_new] = what_.emplace(name, what);
+        if (!is_new)
+            throw InputError(where_ + " the name " + name + " is used twice, by " + there->second + " and by " + what +
+                             ", expected another name for one of them");
+    }
+
+  private:
+    std::string where_;
+    std::map<std::string, std::string> what_;
+};
+
+class DesignCheck {
+  public:
+    explicit DesignCheck(CoreDescription const& core) : core_(core) {
+        for (ModuleDescription const& module : core.modules)
+            for (MemoryDescription const& memory : module.memories)
+                memories_.push_back(memory.name);
+    }
+
+    void check() const {
+        check_names();
+        for (ModuleDescription const& module : core_.modules) {
+            for (FifoEnd const& end : module.ends)
+                check_end(module, end);
+            for (LoopDescription const& loop : module.loops)
+                check_loop(module, loop);
+        }
+        for (std::string const& fifo : core_.fifos)
+            for (bool const writes : {true, false})
+                check_ends(fifo, writes);
+    }
+
+  private:
+    void check_names() const {
+        NamedOnce parts("in the design");
+        for (ModuleDescription const& module : core_.modules)
+            parts.add(module.name, "a module");
+        for (std::string const& fifo : core_.fifos)
+            parts.add(fifo, "a FIFO");
+        NamedOnce memories("in the design");
+        for (ModuleDescription const& module : core_.modules)
+            for (MemoryDescription const& memory : module.memories)
+                if (hold(module.conditions) && hold(memory.conditions))
+                    memories.add(memory.name, "a memory");
+        for (ModuleDescription const& module : core_.modules) {
+            NamedOnce loops("in module " + module.name);
+            for (LoopDescription const& loop : module.loops)
+                if (hold(loop.conditions))
+                    loops.add(loop.name, "a loop");
+        }
+    }
+
+    void check_end(ModuleDescription const& module, FifoEnd const& end) const {
+        if (!has(core_.fifos, end.fifo))
+            throw InputError("module " + module.name + (end.writes ? " writes" : " reads") + " the FIFO " + end.fifo +
+                             ", which " + (end.writes ? "the design does not list" : "nobody writes") +
+                             ", expected another module's writes_to(\"" + end.fifo + "\")" +
+                             did_you_mean(end.fifo, core_.fifos));
+        if (!end.loop.empty())
+            keyed_loop(module, end.loop);
+    }
+
+    void check_loop(ModuleDescription const& module, LoopDescription const& loop) const {
+        for (MemoryAccess const& access : loop.accesses)
+            if (!has(memories_, access.memory))
+                throw InputError("loop " + module.name + "." + loop.name + " accesses the memory " + access.memory +
+                                 ", which no module describes, expected memory(\"" + access.memory + "\")" +
+                                 did_you_mean(access.memory, memories_));
+        for (bool const writes : {true, false})
+            for (std::string const& fifo : writes ? loop.writes : loop.reads)
+                if (std::none_of(module.ends.begin(), module.ends.end(),
+                                 [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; }))
+                    throw InputError("loop " + module.name + "." + loop.name + (writes ? " writes" : " reads") +
+                                     " the FIFO " + fifo + ", which its module does not, expected " +
+                                     (writes ? "writes_to" : "reads_from") + "(\"" + fifo + "\") in its describe()");
+    }
+
+    /// At most one is there.
+    void check_ends(std::string const& fifo, bool writes) const {
+        Names there;
+        for (ModuleDescription const& module : core_.modules)
+            for (FifoEnd const& end : module.ends)
+                if (end.fifo == fifo && end.writes == writes && hold(module.conditions) && hold(end.conditions))
+                    there.push_back(module.name);
+        if (there.size() > 1)
+            throw InputError("the FIFO " + fifo + (writes ? " is written" : " is read") + " by " + there[0] +
+                             " and by " + there[1] + ", expected one " + (writes ? "writer" : "reader") +
+                             ", and a FIFO for each other");
+    }
+    static bool hold(Conditions const& conditions) {
+        return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
+    }
+
+    CoreDescription const& core_;
+    Names memories_;
+};
+
+}  // namespace
+
+void check_design(CoreDescription const& core) { DesignCheck(core).check(); }
+
+}  // namespace dataflow

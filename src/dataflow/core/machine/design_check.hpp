@@ -1,0 +1,10 @@
+#pragma once
+#include "dataflow/core/machine/module_description.hpp"
+
+namespace dataflow {
+
+/// What cannot be timed, or would be timed wrongly, whatever the configuration: names that are used twice, parts that
+/// are named and not there, an end of a FIFO that several modules have. Errors: InputError.
+void check_design(CoreDescription const& core);
+
+}  // namespace dataflow

@@ -1,0 +1,301 @@
+#include "chance/chance_design.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "dataflow/core/machine/core_of.hpp"
+#include "faster/dataflow_names.hpp"
+
+namespace faster::chance {
+
+namespace {
+
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : random_(seed) {}
+    std::uint64_t below(std::uint64_t end) { return random_() % end; }
+    std::uint64_t between(std::uint64_t first, std::uint64_t last) { return first + below(last - first + 1); }
+    bool one_in(std::uint64_t n) { return below(n) == 0; }
+
+  private:
+    std::mt19937_64 random_;
+};
+
+/// Number of a loop of a process; -1: by steps.
+constexpr std::size_t by_steps = ~std::size_t{0};
+
+class Maker {
+  public:
+    explicit Maker(std::uint64_t seed) : dice_(seed) {}
+
+    Design make() {
+        add_processes();
+        add_fifos();
+        for (Process& process : design_.processes)
+            add_loops(process);
+        for (std::uint64_t phase = dice_.between(1, 3); phase > 0; --phase)
+            add_phase();
+        design_.cores = dice_.one_in(4) ? 2 : 1;
+        design_.samples = dice_.between(1, 3);
+        return design_;
+    }
+
+  private:
+    void add_processes() {
+        std::uint64_t const count = dice_.one_in(12) ? 1 : dice_.between(2, 8);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Process process;
+            process.name = "p" + std::to_string(i);
+            process.takes_early = dice_.one_in(2);
+            process.memory_ports = dice_.between(1, 3);
+            process.program.push_back(wait(dice_.one_in(2) ? 1 : dice_.below(6)));
+            design_.processes.push_back(process);
+        }
+    }
+
+    void add_fifos() {
+        std::size_t const processes = design_.processes.size();
+        std::uint64_t const count = processes == 1 ? 0 : dice_.between(processes - 1, processes + 2);
+        bool const may_be_cyclic = dice_.one_in(3);
+        for (std::size_t f = 0; f < count; ++f) {
+            Fifo fifo;
+            fifo.writer = dice_.below(processes);
+            fifo.reader = (fifo.writer + dice_.between(1, processes - 1)) % processes;
+            if (!may_be_cyclic && fifo.writer > fifo.reader)
+                std::swap(fifo.writer, fifo.reader);
+            fifo.bits = dice_.one_in(2) ? 32 : static_cast<unsigned>(dice_.between(1, 300));
+            fifo.write_stage = dice_.one_in(2) ? 0 : dice_.below(7);
+            fifo.read_stage = dice_.one_in(2) ? 0 : dice_.below(5);
+            set_room(fifo, dice_);
+            design_.fifos.push_back(fifo);
+        }
+        // As a core lists them: by their writers.
+        std::stable_sort(design_.fifos.begin(), design_.fifos.end(),
+                         [](Fifo const& one, Fifo const& other) { return one.writer < other.writer; });
+        for (std::size_t f = 0; f < count; ++f) {
+            Fifo& fifo = design_.fifos[f];
+            fifo.name = "f" + std::to_string(f);
+            design_.processes[fifo.writer].ends.push_back(f);
+            design_.processes[fifo.reader].ends.push_back(f);
+        }
+        design_.rules = static_cast<FifoGeneration>(dice_.below(3));
+    }
+
+    void add_loops(Process& process) {
+        for (std::uint64_t i = dice_.between(1, 2); i > 0; --i) {
+            Loop loop;
+            loop.name = "loop" + std::to_string(process.loops.size());
+            set_pace(loop, dice_);
+            if (dice_.one_in(4)) {
+                loop.reads = static_cast<unsigned>(dice_.between(1, 4));
+                loop.writes = static_cast<unsigned>(dice_.below(3));
+            }
+            process.loops.push_back(loop);
+        }
+        if (process.ends.empty() && dice_.one_in(2))
+            process.loops.clear();
+        std::size_t const number = static_cast<std::size_t>(&process - design_.processes.data());
+        for (Loop& loop : process.loops) {
+            Cycles deepest = 0;
+            for (std::size_t const fifo : process.ends)
+                deepest = std::max(deepest, design_.stage(number, fifo));
+            loop.depth = deepest + dice_.between(1, 4);
+        }
+    }
+
+    /// Both ends of each FIFO that takes part access it equally often.
+    void add_phase() {
+        std::uint64_t const count = dice_.one_in(6) ? dice_.between(1, 200) : dice_.between(1, 15);
+        std::vector<bool> takes_part;
+        for (std::size_t f = 0; f < design_.fifos.size(); ++f)
+            takes_part.push_back(!dice_.one_in(6));
+        for (Process& process : design_.processes) {
+            Accesses ports;
+            for (std::size_t const fifo : process.ends)
+                if (takes_part[fifo])
+                    ports.push_back(fifo);
+            std::size_t const loop =
+                process.loops.empty() || dice_.one_in(6) ? by_steps : dice_.below(process.loops.size());
+            if (loop != by_steps)
+                add_loop(process, loop, iterations(ports, count));
+            else
+                for (Accesses const& step : iterations(ports, count))
+                    add_step(process, step);
+            if (dice_.one_in(2))
+                process.program.push_back(wait(dice_.below(5)));
+        }
+    }
+
+    void add_loop(Process& process, std::size_t loop, std::vector<Accesses> iterations) {
+        Segment segment;
+        segment.kind = Segment::Kind::loop;
+        segment.loop = loop;
+        segment.iterations = std::move(iterations);
+        process.program.push_back(segment);
+    }
+
+    void add_step(Process& process, Accesses const& ports) {
+        Segment segment = wait(1);
+        if (!ports.empty()) {
+            segment.kind = Segment::Kind::step;
+            segment.step = ports;
+        }
+        process.program.push_back(segment);
+        if (dice_.one_in(2))
+            process.program.push_back(wait(1));
+    }
+
+    std::vector<Accesses> iterations(Accesses const& ports, std::uint64_t count) {
+        std::vector<Accesses> all;
+        if (ports.empty() || dice_.one_in(2)) {
+            for (std::uint64_t i = 0; i < count; ++i) {
+                all.push_back(ports);
+                if (dice_.one_in(8))
+                    all.resize(all.size() + dice_.below(3));
+            }
+            return all;
+        }
+        std::vector<std::uint64_t> left(ports.size(), count);
+        while (std::any_of(left.begin(), left.end(), [](std::uint64_t n) { return n > 0; })) {
+            Accesses iteration;
+            for (std::size_t i = 0; i < ports.size(); ++i)
+                if (left[i] > 0 && !dice_.one_in(4)) {
+                    iteration.push_back(ports[i]);
+                    --left[i];
+                }
+            all.push_back(iteration);
+        }
+        return all;
+    }
+
+    static Segment wait(Cycles cycles) {
+        Segment segment;
+        segment.cycles = cycles;
+        return segment;
+    }
+
+  public:
+    static void set_room(Fifo& fifo, Dice& dice) {
+        fifo.depth = dice.one_in(2) ? dice.between(1, 4) : dice.between(3, 40);
+        fifo.kind = dice.one_in(2) ? FifoKind::automatic : dice.one_in(2) ? FifoKind::shift_register : FifoKind::memory;
+    }
+    static void set_pace(Loop& loop, Dice& dice) {
+        loop.ii = dice.one_in(2) ? 1 : dice.between(1, 5);
+        loop.recurrence = dice.one_in(4) ? dice.between(1, 4) : 1;
+    }
+
+  private:
+    Dice dice_;
+    Design design_;
+};
+
+ModuleDescription module_of(Design const& design, std::size_t number) {
+    Process const& process = design.processes[number];
+    ModuleDescription module(process.name);
+    for (std::size_t const f : process.ends) {
+        Fifo const& fifo = design.fifos[f];
+        if (design.writes(number, f))
+            module.writes_to(fifo.name).carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name,
+                                                                                     fifo.write_stage);
+        else
+            module.reads_from(fifo.name).taken(process.loops.front().name, fifo.read_stage);
+    }
+    std::string const memory = "memory_of_" + process.name;
+    bool uses_memory = false;
+    for (Loop const& loop : process.loops) {
+        LoopDescription& described = module.loop(loop.name).does("works").of_depth(loop.depth);
+        std::vector<std::string> written, read;
+        for (std::size_t const f : process.ends)
+            (design.writes(number, f) ? written : read).push_back(design.fifos[f].name);
+        described.writes_to(written).also_reads(read);
+        if (loop.reads + loop.writes == 0)
+            continue;
+        uses_memory = true;
+        AccessPattern pattern;
+        for (unsigned i = 0; i < loop.reads; ++i)
+            pattern.reads.push_back({0, static_cast<int>(i)});
+        for (unsigned i = 0; i < loop.writes; ++i)
+            pattern.writes.push_back({0, static_cast<int>(i)});
+        described.accesses_memory(memory, pattern);
+    }
+    if (uses_memory)
+        module.memory(memory).holds("numbers").of_words(16, 16, 32);
+    return module;
+}
+
+}  // namespace
+
+Design random_design(std::uint64_t seed) { return Maker(seed).make(); }
+
+Design retimed(Design const& design, std::uint64_t seed) {
+    Dice dice(seed);
+    Design other = design;
+    for (Fifo& fifo : other.fifos)
+        if (dice.one_in(2))
+            Maker::set_room(fifo, dice);
+    for (Process& process : other.processes)
+        for (Loop& loop : process.loops)
+            if (dice.one_in(2))
+                Maker::set_pace(loop, dice);
+    return other;
+}
+
+CoreDescription description_of(Design const& design) {
+    std::vector<ModuleDescription> modules;
+    for (std::size_t i = 0; i < design.processes.size(); ++i)
+        modules.push_back(module_of(design, i));
+    return core_of(modules);
+}
+
+MachineSettings settings_of(Design const& design) {
+    MachineSettings settings;
+    settings.cores = design.cores;
+    settings.fifo_rules = design.rules;
+    for (Fifo const& fifo : design.fifos) {
+        settings.fifo(fifo.name).depth = fifo.depth;
+        settings.fifo(fifo.name).kind = fifo.kind;
+    }
+    for (Process const& process : design.processes)
+        for (Loop const& loop : process.loops) {
+            LoopSettings& of_loop = settings.loop(process.name + '.' + loop.name);
+            of_loop.ii = loop.ii;
+            of_loop.recurrence_ii = loop.recurrence;
+            if (loop.reads + loop.writes > 0)
+                settings.memory("memory_of_" + process.name).ports = process.memory_ports;
+        }
+    return settings;
+}
+
+std::string text_of(Design const& design) {
+    std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
+                       std::to_string(static_cast<int>(design.rules)) + "\n";
+    for (Fifo const& fifo : design.fifos)
+        text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
+                ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
+                "), depth " + std::to_string(fifo.depth) + " kind " + std::to_string(static_cast<int>(fifo.kind)) +
+                " of " + std::to_string(fifo.bits) + " bits\n";
+    auto const list = [&](Accesses const& accesses) {
+        std::string names;
+        for (std::size_t const fifo : accesses)
+            names += " " + design.fifos[fifo].name;
+        return names;
+    };
+    for (Process const& process : design.processes) {
+        text += process.name + (process.takes_early ? " (takes early):" : ":") + list(process.ends) + "\n";
+        for (Loop const& loop : process.loops)
+            text += "  " + loop.name + ": II " + std::to_string(loop.ii) + ", recurrence " +
+                    std::to_string(loop.recurrence) + ", depth " + std::to_string(loop.depth) + ", memory " +
+                    std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
+                    std::to_string(process.memory_ports) + "\n";
+        for (Segment const& segment : process.program)
+            text += segment.kind == Segment::Kind::wait ? "  wait " + std::to_string(segment.cycles) + "\n"
+                    : segment.kind == Segment::Kind::step
+                        ? "  step" + list(segment.step) + "\n"
+                        : "  run loop" + std::to_string(segment.loop) + " " +
+                              std::to_string(segment.iterations.size()) + " times, first" +
+                              list(segment.iterations.front()) + "\n";
+    }
+    return text;
+}
+
+}  // namespace faster::chance

@@ -1,0 +1,80 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dataflow/base/cycles.hpp"
+#include "dataflow/core/machine/machine_settings.hpp"
+#include "dataflow/core/machine/module_description.hpp"
+#include "faster/dataflow_names.hpp"
+
+namespace faster::chance {
+
+/// A design by chance, as data: what its modules do, and with what timing.
+
+struct Fifo {
+    std::string name;
+    std::size_t writer = 0;  ///< numbers of processes
+    std::size_t reader = 0;
+    std::uint64_t depth = 2;
+    FifoKind kind = FifoKind::automatic;
+    unsigned bits = 32;
+    Cycles write_stage = 0;
+    Cycles read_stage = 0;
+};
+
+/// By number of a FIFO.
+using Accesses = std::vector<std::size_t>;
+
+struct Loop {
+    std::string name;
+    Cycles ii = 1;          ///< asked for
+    Cycles recurrence = 1;  ///< demanded
+    Cycles depth = 1;
+    unsigned reads = 0, writes = 0;  ///< of the process's memory, per iteration
+};
+
+/// Some cycles, one step, or all of a loop: an iteration for each list of accesses.
+struct Segment {
+    enum class Kind { wait, step, loop } kind = Kind::wait;
+    Cycles cycles = 0;
+    Accesses step;
+    std::size_t loop = 0;
+    std::vector<Accesses> iterations;
+};
+
+struct Process {
+    std::string name;
+    Accesses ends;  ///< FIFOs in the program order of a step
+    std::vector<Loop> loops;
+    std::uint64_t memory_ports = 2;
+    std::vector<Segment> program;  ///< of every sample
+    bool takes_early = false;      ///< reads by plain ports where that is allowed
+};
+
+struct Design {
+    std::vector<Fifo> fifos;
+    std::vector<Process> processes;
+    FifoGeneration rules = FifoGeneration::vitis_hls;
+    std::uint64_t cores = 1;
+    std::size_t samples = 1;
+
+    bool writes(std::size_t process, std::size_t fifo) const { return fifos[fifo].writer == process; }
+    Cycles stage(std::size_t process, std::size_t fifo) const {
+        return writes(process, fifo) ? fifos[fifo].write_stage : fifos[fifo].read_stage;
+    }
+};
+
+/// A seed always gives one design.
+Design random_design(std::uint64_t seed);
+/// What a design is at other timing keys.
+Design retimed(Design const& design, std::uint64_t seed);
+
+/// As the kernel is told of it.
+CoreDescription description_of(Design const& design);
+MachineSettings settings_of(Design const& design);
+
+/// For people, to see a failure by.
+std::string text_of(Design const& design);
+
+}  // namespace faster::chance

@@ -1,0 +1,214 @@
+#include "chance/chance_simulation.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <systemc>
+#include <unistd.h>
+#include <vector>
+
+#include "channels/clocked_fifo.hpp"
+#include "channels/sample_module.hpp"
+#include "channels/simple_simulation.hpp"
+#include "channels/simulate.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
+#include "dataflow/run/events/event_file.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "dataflow/tools/report/summary.hpp"
+#include "faster/dataflow_names.hpp"
+#include "support/byte_stream.hpp"
+#include "support/forked_bytes.hpp"
+
+namespace faster::chance {
+
+namespace {
+
+using Token = std::uint32_t;
+
+/// What the program of this process simulates.
+Design& design_at_hand() {
+    static Design design;
+    return design;
+}
+
+/// One process of a design, as a user would write it. Tokens are numbered, so that a reader knows what to expect.
+class ChanceModule : public SampleModule {
+  public:
+    ChanceModule(sc_core::sc_module_name const& name, SimpleCore& core, std::size_t number)
+        : SampleModule(name, core), core_of_it_(core), number_(number), next_(design().fifos.size()) {}
+
+  private:
+    static Design const& design() { return design_at_hand(); }
+    Process const& process() const { return design().processes[number_]; }
+    ClockedFifo<Token>& fifo(std::size_t number) const { return core_of_it_.fifo<Token>(design().fifos[number].name); }
+    bool writes(std::size_t fifo) const { return design().writes(number_, fifo); }
+
+    void work(std::size_t /*sample*/) override {
+        for (Segment const& segment : process().program)
+            if (segment.kind == Segment::Kind::wait)
+                clock_.advance(segment.cycles);
+            else if (segment.kind == Segment::Kind::step)
+                do_step(segment.step);
+            else
+                do_loop(segment);
+    }
+
+    void do_step(Accesses const& accesses) {
+        if (accesses.size() == 1) {
+            access(accesses.front());
+        } else {
+            Step const step(clock_);
+            for (std::size_t const fifo : accesses)
+                access(fifo);
+        }
+        clock_.advance(1);
+    }
+
+    void do_loop(Segment const& segment) {
+        clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {
+            for (std::size_t const one : segment.iterations[i])
+                if (writes(one) || is_first_stage(one))
+                    access(one);
+                else
+                    clock_.take_later(fifo(one), [this, one](Token token) { take(one, token); });
+        });
+    }
+    /// Read by a plain port.
+    bool is_first_stage(std::size_t fifo) const {
+        Cycles first = design().stage(number_, fifo);
+        for (std::size_t const other : process().ends)
+            first = std::min(first, design().stage(number_, other));
+        return first == 0 ? design().stage(number_, fifo) == 0
+                          : process().takes_early && design().stage(number_, fifo) == first;
+    }
+
+    void access(std::size_t number) {
+        if (writes(number))
+            fifo(number).write(next_[number]++);
+        else
+            take(number, fifo(number).read());
+    }
+    void take(std::size_t number, Token token) {
+        if (token != next_[number]++)
+            throw std::logic_error("a token is not what was written");
+    }
+
+    SimpleCore& core_of_it_;
+    std::size_t number_;
+    std::vector<Token> next_;  ///< by FIFO
+};
+
+class ChanceCore : public SimpleCore {
+  public:
+    static CoreDescription describe(Numbers const& /*numbers*/) { return description_of(design_at_hand()); }
+    explicit ChanceCore(SimpleCoreParts const& parts) : SimpleCore(parts) {
+        for (Fifo const& fifo : design_at_hand().fifos)
+            make_fifo<Token>(fifo.name);
+        for (std::size_t i = 0; i < design_at_hand().processes.size(); ++i)
+            modules_.push_back(std::make_unique<ChanceModule>(design_at_hand().processes[i].name.c_str(), *this, i));
+    }
+
+  private:
+    std::vector<std::unique_ptr<ChanceModule>> modules_;
+};
+
+SimpleSimulation<ChanceCore> const& simulation() {
+    static SimpleSimulation<ChanceCore> const one({"chance", {}, {}});
+    return one;
+}
+
+RunConfig config_of(Design const& design, faster::Engine engine) {
+    RunConfig config;
+    config.simulation.engine = engine;
+    config.machine() = settings_of(design);
+    return config;
+}
+
+/// Written and read back.
+Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const& recorded, RunStatistics const& run) {
+    auto const file =
+        std::filesystem::temp_directory_path() / ("faster_chance_" + std::to_string(getpid()) + ".events");
+    events::write_event_file(io::OutputFile(file), loaded.config, recorded, run,
+                             report::summary_json(resolved_keys(loaded.config), run, {}));
+    events::EventFile const read = events::read_event_file(file);
+    Figures figures = figures_of(replay::retime(read.run, machine_of(read.loaded.config)));
+    std::filesystem::remove(file);
+    return figures;
+}
+
+Outcome run_here(Design const& design, Design const& other, faster::Engine engine, bool records) {
+    Outcome outcome;
+    try {
+        design_at_hand() = design;
+        LoadedConfig loaded;
+        loaded.config = config_of(design, engine);
+        loaded.config.as<SimpleConfig>().numbers.of("workload.samples") = design.samples;
+        auto const workload = simulation().load_workload(loaded);
+        auto const machine = std::make_shared<Machine const>(machine_of(loaded.config));
+        auto const accelerator = simulation().elaborate(loaded.config, machine, *workload);
+        replay::RecordedRun recorded;
+        SimulationOptions options;
+        options.recorded = records ? &recorded : nullptr;
+        RunStatistics const run = simulate(*accelerator, options);
+        outcome.run = figures_of(run);
+        if (std::string const left = leftover_tokens(run); !run.deadlocked() && !left.empty())
+            throw std::logic_error("tokens are left: " + left);
+        if (records && !run.deadlocked()) {
+            outcome.as_is = figures_of(replay::retime(recorded, *machine));
+            outcome.from_file = figures_from_file(loaded, recorded, run);
+            outcome.other =
+                figures_of(replay::retime(recorded, make_machine(description_of(other), settings_of(other))));
+        }
+    } catch (std::exception const& error) {
+        outcome.error = error.what();
+    }
+    return outcome;
+}
+
+void put(testing::ByteWriter& writer, Figures const& figures) {
+    writer.put(figures.is_stuck, figures.lines.size());
+    for (std::string const& line : figures.lines)
+        writer.put(line);
+}
+
+Figures get(testing::ByteReader& reader) {
+    Figures figures;
+    reader.get(figures.is_stuck);
+    figures.lines.resize(reader.get_size());
+    for (std::string& line : figures.lines)
+        reader.get(line);
+    return figures;
+}
+
+std::string bytes_of(Outcome const& outcome) {
+    testing::ByteWriter writer;
+    writer.put(outcome.error);
+    for (Figures const* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
+        put(writer, *figures);
+    return writer.bytes();
+}
+
+}  // namespace
+
+Outcome run_forked(Design const& design, Design const& other, faster::Engine engine, bool records) {
+    Outcome outcome;
+    try {
+        testing::ByteReader reader(
+            testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records)); }));
+        reader.get(outcome.error);
+        for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
+            *figures = get(reader);
+    } catch (std::runtime_error const& error) {
+        outcome.error = error.what();
+    }
+    return outcome;
+}
+
+}  // namespace faster::chance
+
+namespace dataflow {
+
+Design const& design() { return faster::chance::simulation(); }
+SimulatedDesign const& simulated_design() { return faster::chance::simulation(); }
+
+}  // namespace dataflow

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "chance/chance_design.hpp"
+#include "chance/figures.hpp"
+#include "dataflow/run/config/run_config.hpp"
+#include "faster/dataflow_names.hpp"
+
+namespace faster::chance {
+
+/// What came of a design, in a process of its own: the SystemC kernel elaborates once per process.
+struct Outcome {
+    std::string error;  ///< what was thrown; empty: nothing
+    Figures run;
+    // Of a run that was recorded and did not get stuck.
+    Figures as_is;      ///< the recording retimed as it is, ...
+    Figures from_file;  ///< ... and likewise from its event file
+    Figures other;      ///< retimed as another design
+};
+
+/// With `records`, the run is recorded; `other` is the same design with other timing keys.
+Outcome run_forked(Design const& design, Design const& other, Engine engine, bool records);
+
+}  // namespace faster::chance

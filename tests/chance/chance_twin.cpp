@@ -1,0 +1,267 @@
+#include "chance/chance_twin.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+namespace faster::chance {
+
+namespace {
+
+/// One cycle of a process, unless it has to wait in front of it.
+struct Step {
+    Accesses accesses;                  ///< in program order
+    std::optional<std::size_t> begins;  ///< the first step of this sample of the core
+    std::optional<std::size_t> ends;    ///< the last
+};
+using Steps = std::vector<Step>;
+
+Cycles interval_of(Process const& process, Loop const& loop) {
+    Cycles const of_ports = (loop.reads + loop.writes + process.memory_ports - 1) / process.memory_ports;
+    return std::max({loop.ii, loop.recurrence, of_ports});
+}
+
+void append_loop(Design const& design, std::size_t number, Segment const& segment, Steps& steps) {
+    Process const& process = design.processes[number];
+    Loop const& loop = process.loops[segment.loop];
+    Cycles const interval = interval_of(process, loop);
+    std::size_t const begin = steps.size();
+    steps.resize(begin + (segment.iterations.size() - 1) * interval + loop.depth);
+    for (std::size_t i = 0; i < segment.iterations.size(); ++i)
+        for (std::size_t const fifo : segment.iterations[i])
+            steps.at(begin + i * interval + design.stage(number, fifo)).accesses.push_back(fifo);
+}
+
+Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
+    Process const& process = design.processes[number];
+    Steps steps;
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+        std::size_t const begin = steps.size();
+        for (Segment const& segment : process.program)
+            if (segment.kind == Segment::Kind::wait)
+                steps.resize(steps.size() + segment.cycles);
+            else if (segment.kind == Segment::Kind::step)
+                steps.push_back({segment.step, {}, {}});
+            else
+                append_loop(design, number, segment, steps);
+        steps[begin].begins = sample;
+        steps.back().ends = sample;
+    }
+    auto const place = [&](std::size_t fifo) {
+        return std::find(process.ends.begin(), process.ends.end(), fifo) - process.ends.begin();
+    };
+    for (Step& step : steps)
+        std::sort(step.accesses.begin(), step.accesses.end(),
+                  [&](std::size_t one, std::size_t other) { return place(one) < place(other); });
+    return steps;
+}
+
+class CoreSimulation {
+  public:
+    struct OfFifo {
+        std::uint64_t room = 0;
+        Cycles latency = 1;
+        std::vector<Cycles> written, read;
+        Cycles full = 0, empty = 0;
+        std::uint64_t most = 0;
+        std::uint64_t holds() const { return written.size() - read.size(); }
+    };
+    struct OfProcess {
+        Steps steps;
+        std::size_t next = 0;
+        Cycles arrived = 0;  ///< at the step to come
+        Cycles end = 0;
+        bool has_accessed = false;
+        Cycles empty = 0, full = 0, idle = 0;
+        std::vector<Cycles> begins, ends;
+        bool is_done() const { return next == steps.size(); }
+    };
+
+    CoreSimulation(Design const& design, std::size_t samples) : design_(design) {
+        for (Fifo const& fifo : design.fifos) {
+            bool const is_small = design.rules != FifoGeneration::spec && fifo.depth * fifo.bits <= 1024;
+            bool const is_memory =
+                fifo.kind == FifoKind::memory || (fifo.kind == FifoKind::automatic && fifo.depth > 2 && !is_small);
+            bool const has_register = is_memory && design.rules != FifoGeneration::vitis_hls;
+            OfFifo of_fifo;
+            of_fifo.room = fifo.depth + (has_register ? 1 : 0);
+            of_fifo.latency = is_memory ? 2 : 1;
+            fifos.push_back(of_fifo);
+        }
+        for (std::size_t i = 0; i < design.processes.size(); ++i) {
+            OfProcess process;
+            process.steps = steps_of(design, i, samples);
+            processes.push_back(process);
+        }
+    }
+
+    void run() {
+        for (; !is_done(); ++cycle_)
+            if (!pass_cycle()) {
+                is_stuck = true;
+                return;
+            }
+    }
+
+    std::vector<OfFifo> fifos;
+    std::vector<OfProcess> processes;
+    bool is_stuck = false;
+
+    bool may_access(std::size_t process, std::size_t number) const {
+        OfFifo const& fifo = fifos[number];
+        if (!design_.writes(process, number))
+            return fifo.written.size() > fifo.read.size() && fifo.written[fifo.read.size()] + fifo.latency <= cycle_;
+        std::size_t const place = fifo.written.size();
+        return place < fifo.room ||
+               (place - fifo.room < fifo.read.size() && fifo.read[place - fifo.room] + 1 <= cycle_);
+    }
+
+  private:
+    bool is_done() const {
+        return std::all_of(processes.begin(), processes.end(), [](OfProcess const& one) { return one.is_done(); });
+    }
+
+    /// Who may step is decided before anybody does. False: nothing moves, nor will it.
+    bool pass_cycle() {
+        std::vector<std::size_t> movers;
+        for (std::size_t i = 0; i < processes.size(); ++i)
+            if (!processes[i].is_done() && may_step(i))
+                movers.push_back(i);
+        for (std::size_t const i : movers)
+            step(i);
+        for (OfFifo& fifo : fifos)
+            fifo.most = std::max(fifo.most, fifo.holds());
+        return !movers.empty() || something_ripens();
+    }
+
+    bool may_step(std::size_t number) {
+        OfProcess& process = processes[number];
+        for (std::size_t const fifo : process.steps[process.next].accesses) {
+            if (may_access(number, fifo))
+                continue;
+            bool const writes = design_.writes(number, fifo);
+            ++(writes ? fifos[fifo].full : fifos[fifo].empty);
+            ++(!process.has_accessed && process.next == 0 ? process.idle : writes ? process.full : process.empty);
+            return false;
+        }
+        return true;
+    }
+
+    void step(std::size_t number) {
+        OfProcess& process = processes[number];
+        Step const& step = process.steps[process.next++];
+        for (std::size_t const fifo : step.accesses)
+            (design_.writes(number, fifo) ? fifos[fifo].written : fifos[fifo].read).push_back(cycle_);
+        process.has_accessed = process.has_accessed || !step.accesses.empty();
+        // A sample begins when the process gets to its first step, and waits there.
+        if (step.begins)
+            process.begins.push_back(process.arrived);
+        if (step.ends)
+            process.ends.push_back(cycle_);
+        process.arrived = process.end = cycle_ + 1;
+    }
+
+    bool something_ripens() const {
+        return std::any_of(fifos.begin(), fifos.end(), [this](OfFifo const& fifo) {
+            bool const token = !fifo.written.empty() && fifo.written.back() + fifo.latency > cycle_;
+            return token || (!fifo.read.empty() && fifo.read.back() + 1 > cycle_);
+        });
+    }
+
+    Design const& design_;
+    Cycles cycle_ = 0;
+};
+
+/// Of a process that cannot go on: the FIFOs that it cannot read in the step at hand, or else the first that it cannot
+/// write. Of several that it reads, whichever its module comes to first is named, which the steps do not tell.
+Accesses missing(Design const& design, CoreSimulation const& core, std::size_t number) {
+    CoreSimulation::OfProcess const& process = core.processes[number];
+    Accesses empty, full;
+    for (std::size_t const fifo : process.steps[process.next].accesses)
+        if (!core.may_access(number, fifo))
+            (design.writes(number, fifo) ? full : empty).push_back(fifo);
+    full.resize(std::min<std::size_t>(full.size(), 1));
+    return empty.empty() ? full : empty;
+}
+
+void add_waits(Design const& design, std::size_t core, CoreSimulation const& simulation, Figures& figures,
+               Cycles& latest) {
+    for (std::size_t i = 0; i < simulation.processes.size(); ++i) {
+        CoreSimulation::OfProcess const& process = simulation.processes[i];
+        if (process.is_done())
+            continue;
+        std::string line;
+        for (std::size_t const fifo : missing(design, simulation, i)) {
+            bool const writes = design.writes(i, fifo);
+            std::size_t const other = writes ? design.fifos[fifo].reader : design.fifos[fifo].writer;
+            line += (line.empty() ? "" : any_of_these) +
+                    wait_line(core, design.processes[i].name, design.fifos[fifo].name, writes, process.arrived,
+                              design.processes[other].name, simulation.fifos[fifo].holds());
+        }
+        figures.lines.push_back(line);
+        latest = std::max(latest, process.arrived);
+    }
+}
+
+void add_tables(Design const& design, std::size_t core, CoreSimulation const& simulation, std::size_t samples,
+                Cycles total, Figures& figures) {
+    for (std::size_t i = 0; i < design.fifos.size(); ++i) {
+        CoreSimulation::OfFifo const& fifo = simulation.fifos[i];
+        figures.lines.push_back(fifo_line(core, design.fifos[i].name, fifo.written.size(), fifo.read.size(), fifo.full,
+                                          fifo.empty, fifo.most));
+    }
+    for (Process const& process : design.processes)
+        for (std::size_t i = 0; i < process.loops.size(); ++i) {
+            std::uint64_t entries = 0, iterations = 0;
+            for (Segment const& segment : process.program)
+                if (segment.kind == Segment::Kind::loop && segment.loop == i) {
+                    entries += samples;
+                    iterations += samples * segment.iterations.size();
+                }
+            figures.lines.push_back(loop_line(core, process.name + '.' + process.loops[i].name,
+                                              interval_of(process, process.loops[i]), entries, iterations));
+        }
+    for (std::size_t i = 0; i < design.processes.size(); ++i) {
+        CoreSimulation::OfProcess const& process = simulation.processes[i];
+        figures.lines.push_back(process_line(core, design.processes[i].name, process.empty, process.full, process.idle,
+                                             total - process.end));
+    }
+}
+
+}  // namespace
+
+Figures simulated(Design const& design) {
+    std::vector<CoreSimulation> cores;
+    std::vector<std::size_t> shares;
+    std::size_t const largest = (design.samples + design.cores - 1) / design.cores;
+    for (std::size_t core = 0; core < design.cores; ++core) {
+        std::size_t const first = std::min(core * largest, design.samples);
+        shares.push_back(std::min(largest, design.samples - first));
+        cores.emplace_back(design, shares.back());
+        cores.back().run();
+    }
+    Figures figures;
+    Cycles latest = 0, total = 0;
+    for (std::size_t core = 0; core < cores.size(); ++core) {
+        figures.is_stuck = figures.is_stuck || cores[core].is_stuck;
+        if (cores[core].is_stuck)
+            add_waits(design, core, cores[core], figures, latest);
+        for (CoreSimulation::OfProcess const& process : cores[core].processes)
+            total = std::max(total, process.end);
+    }
+    if (figures.is_stuck) {
+        figures.lines.insert(figures.lines.begin(), fmt::format("deadlock at {}", latest));
+        return figures;
+    }
+    figures.lines.push_back(fmt::format("total {}", total));
+    std::size_t sample = 0;
+    for (CoreSimulation const& core : cores)
+        for (std::size_t i = 0; i < core.processes.back().ends.size(); ++i)
+            figures.lines.push_back(
+                sample_line(sample++, core.processes.front().begins[i], core.processes.back().ends[i]));
+    for (std::size_t core = 0; core < cores.size(); ++core)
+        add_tables(design, core, cores[core], shares[core], total, figures);
+    return figures;
+}
+
+}  // namespace faster::chance

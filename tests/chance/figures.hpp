@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "dataflow/run/figures/run_statistics.hpp"
+#include "faster/dataflow_names.hpp"
+
+namespace faster::chance {
+
+/// All figures of a run that are compared, a line each, under names.
+struct Figures {
+    std::vector<std::string> lines;
+    bool is_stuck = false;
+};
+
+/// Of a run that got stuck: when, and who waits for whom. Otherwise totals, samples and tables.
+Figures figures_of(RunStatistics const& run);
+
+std::string sample_line(std::uint64_t sample, Cycles begin, Cycles end);
+std::string fifo_line(std::size_t core, std::string const& name, std::uint64_t writes, std::uint64_t reads, Cycles full,
+                      Cycles empty, std::uint64_t most);
+std::string loop_line(std::size_t core, std::string const& name, Cycles ii, std::uint64_t entries,
+                      std::uint64_t iterations);
+std::string process_line(std::size_t core, std::string const& name, Cycles empty, Cycles full, Cycles idle_before,
+                         Cycles idle_after);
+std::string wait_line(std::size_t core, std::string const& process, std::string const& fifo, bool to_write,
+                      Cycles since, std::string const& other, std::uint64_t occupancy);
+
+/// Between lines that are as good as each other.
+inline std::string const any_of_these = " | ";
+
+/// The first line in which two differ, of both; empty if none does.
+std::string first_difference(Figures const& found, Figures const& expected);
+
+}  // namespace faster::chance

@@ -1,0 +1,70 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+
+#include "chance/chance_design.hpp"
+#include "chance/chance_simulation.hpp"
+#include "chance/chance_twin.hpp"
+
+namespace random_designs_test {
+
+using namespace faster::chance;
+using faster::Engine;
+
+struct Count {
+    std::uint64_t designs = 0, stuck = 0, others_stuck = 0;
+};
+
+void check(Figures const& found, Figures const& expected, char const* which) {
+    INFO(which);
+    CHECK(first_difference(found, expected) == "");
+}
+
+/// Both engines, recorded or not, retimings as it is, from a file and as another design, against the twin.
+void check_seed(std::uint64_t seed, Count& count) {
+    Design const design = random_design(seed);
+    Design const other = retimed(design, seed);
+    CAPTURE(seed, text_of(design));
+    Figures const twin = simulated(design), other_twin = simulated(other);
+    ++count.designs;
+    count.stuck += twin.is_stuck ? 1 : 0;
+    count.others_stuck += other_twin.is_stuck ? 1 : 0;
+    Figures of_first;
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled})
+        for (bool const records : {false, true}) {
+            CAPTURE(engine == Engine::lockstep, records);
+            Outcome const outcome = run_forked(design, other, engine, records);
+            CHECK(outcome.error == "");
+            check(outcome.run, twin, "run");
+            if (of_first.lines.empty())
+                of_first = outcome.run;
+            check(outcome.run, of_first, "against the first run");
+            if (!records || twin.is_stuck)
+                continue;
+            check(outcome.as_is, twin, "as it is");
+            check(outcome.from_file, twin, "from its event file");
+            INFO(text_of(other));
+            check(outcome.other, other_twin, "retimed");
+        }
+}
+
+/// What the environment asks for: CHANCE_SEED, the first, and CHANCE_DESIGNS, how many.
+std::uint64_t asked(char const* name, std::uint64_t otherwise) {
+    char const* const text = std::getenv(name);
+    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+TEST_CASE("random designs do the same in both engines, retimed, and in a simulation cycle by cycle") {
+    std::uint64_t const first = asked("CHANCE_SEED", 1), designs = asked("CHANCE_DESIGNS", 300);
+    Count count;
+    for (std::uint64_t seed = first; count.designs < designs; ++seed)
+        check_seed(seed, count);
+    WARN(designs << " random designs from seed " << first << " on: " << count.stuck << " get stuck, retimed "
+                 << count.others_stuck);
+    if (designs >= 300) {
+        CHECK(count.stuck > designs / 20);
+        CHECK(count.stuck < designs / 2);  // most get to their ends
+    }
+}
+
+}  // namespace random_designs_test

@@ -1,0 +1,11 @@
+#pragma once
+#include <functional>
+#include <string>
+
+namespace faster::testing {
+
+/// What a function returns in a process of its own, as the SystemC kernel elaborates once per process. Errors:
+/// std::runtime_error if a signal ends the process.
+std::string forked_bytes(std::function<std::string()> const& work);
+
+}  // namespace faster::testing

@@ -171,16 +171,16 @@ void ProcessClock::end_pipeline() {
     follow();
 }
 
-void ProcessClock::later(FifoChannel const& fifo, std::function<void()> take) {
+void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) {
     Cycles const stage = fifo.timing().shape().read_stage;
     if (!is_held_ || stage == 0) {
-        take();
+        taking();
         return;
     }
-    Taking taking{reached_ + stage, std::move(take)};
-    auto const at = std::upper_bound(takings_.begin(), takings_.end(), taking,
+    Taking due{reached_ + stage, std::move(taking)};
+    auto const at = std::upper_bound(takings_.begin(), takings_.end(), due,
                                      [](Taking const& one, Taking const& other) { return one.step < other.step; });
-    takings_.insert(at, std::move(taking));
+    takings_.insert(at, std::move(due));
 }
 
 /// What is read when an iteration begins keeps the module from everything else that the iteration does.

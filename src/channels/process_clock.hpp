@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <systemc>
 #include <utility>
 #include <vector>
 
@@ -246,7 +247,7 @@ class ProcessClock {
     void reach(std::uint64_t iteration);
     void take_before(std::uint64_t step);
     void end_pipeline();
-    void later(FifoChannel const& fifo, std::function<void()> take);
+    void later(FifoChannel const& fifo, std::function<void()> taking);
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 

@@ -73,8 +73,16 @@ void FstFile::declare(SignalShape const& shape) {
                         shape.bits});
 }
 
+/// The writer tells of nothing that goes wrong on its way, so that what the system says is looked at while it writes.
+template <class Write> void FstFile::watched(Write const& write) {
+    errno = 0;
+    write();
+    if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG || errno == EIO)
+        lost_by_ = errno;
+}
+
 void FstFile::go_to(std::uint64_t ticks) {
-    fstWriterEmitTimeChange(writer_.get(), ticks);
+    watched([&] { fstWriterEmitTimeChange(writer_.get(), ticks); });
     last_ticks_ = ticks;
 }
 
@@ -83,14 +91,13 @@ void FstFile::change(std::size_t number, std::optional<std::uint64_t> value) {
     fstWriterEmitValueChange(writer_.get(), signal.handle, digits_of(value, signal.bits).data());
 }
 
-/// The writer tells of nothing that goes wrong on its way, so the file is opened once more. What the system said is
-/// what it said to the writer: to open what is incomplete says nothing.
+/// What the writer could not write at all is seen when the file is opened once more; to open it says nothing of why.
 void FstFile::finish() {
-    errno = 0;
-    writer_.reset();
-    int const reason = errno == 0 ? EIO : errno;
+    watched([&] { writer_.reset(); });
+    int const reason = lost_by_ != 0 ? lost_by_ : errno == 0 ? EIO : errno;
     std::unique_ptr<void, void (*)(void*)> const reader(fstReaderOpen(target_.path().c_str()), fstReaderClose);
-    bool const is_complete = reader != nullptr && fstReaderGetMaxHandle(reader.get()) == signals_.size() &&
+    bool const is_complete = lost_by_ == 0 && reader != nullptr &&
+                             fstReaderGetMaxHandle(reader.get()) == signals_.size() &&
                              fstReaderGetEndTime(reader.get()) == last_ticks_;
     std::error_code error;
     bytes_ = std::filesystem::file_size(target_.path(), error);

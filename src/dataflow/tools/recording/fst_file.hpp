@@ -31,6 +31,7 @@ class FstFile : public WaveformFile {
         unsigned bits = 1;
     };
     std::uint32_t table_of(std::vector<std::string> const& values, unsigned bits);
+    template <class Write> void watched(Write const& write);
 
     struct Closer {
         void operator()(void* writer) const;
@@ -41,6 +42,7 @@ class FstFile : public WaveformFile {
     std::map<std::vector<std::string>, std::uint32_t> tables_;
     std::uint64_t last_ticks_ = 0;
     std::uint64_t bytes_ = 0;
+    int lost_by_ = 0;  ///< errno of a write that failed; 0: none
 };
 
 }  // namespace dataflow::recording

@@ -1,7 +1,6 @@
 #include "dataflow/core/machine/design_check.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,20 +18,21 @@ bool has(Names const& names, std::string const& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Names of one kind of part, each of which may be used once.
+/// Names of one kind of part, each of which may be used once. Another kind may have them, too.
 class NamedOnce {
   public:
-    explicit NamedOnce(std::string where) : where_(std::move(where)) {}
-    void add(std::string const& name, std::string const& what) {
-        auto const [there, is_new] = what_.emplace(name, what);
-        if (!is_new)
-            throw InputError(where_ + " the name " + name + " is used twice, by " + there->second + " and by " + what +
+    NamedOnce(std::string where, std::string kind) : where_(std::move(where)), kind_(std::move(kind)) {}
+    void add(std::string const& name) {
+        if (has(names_, name))
+            throw InputError(where_ + " two " + kind_ + " have the name " + name +
                              ", expected another name for one of them");
+        names_.push_back(name);
     }
 
   private:
     std::string where_;
-    std::map<std::string, std::string> what_;
+    std::string kind_;
+    Names names_;
 };
 
 class DesignCheck {
@@ -58,21 +58,22 @@ class DesignCheck {
 
   private:
     void check_names() const {
-        NamedOnce parts("in the design");
-        for (ModuleDescription const& module : core_.modules)
-            parts.add(module.name, "a module");
+        NamedOnce modules("in the design", "modules");
+        NamedOnce fifos("in the design", "FIFOs");
+        NamedOnce memories("in the design", "memories");
         for (std::string const& fifo : core_.fifos)
-            parts.add(fifo, "a FIFO");
-        NamedOnce memories("in the design");
-        for (ModuleDescription const& module : core_.modules)
-            for (MemoryDescription const& memory : module.memories)
-                if (hold(module.conditions) && hold(memory.conditions))
-                    memories.add(memory.name, "a memory");
+            fifos.add(fifo);
         for (ModuleDescription const& module : core_.modules) {
-            NamedOnce loops("in module " + module.name);
+            if (!hold(module.conditions))
+                continue;
+            modules.add(module.name);
+            NamedOnce loops("in module " + module.name, "loops");
+            for (MemoryDescription const& memory : module.memories)
+                if (hold(memory.conditions))
+                    memories.add(memory.name);
             for (LoopDescription const& loop : module.loops)
                 if (hold(loop.conditions))
-                    loops.add(loop.name, "a loop");
+                    loops.add(loop.name);
         }
     }
 

@@ -86,7 +86,7 @@ TEST_CASE("Dragging three keys, undoing one and exporting gives what the tool sa
     CHECK(recorded == page.cycles_of_tool({"whatif", "events"}));
     page.browser().drag_slider(Page::slider("accelerator.fifos.edge_token.depth"), 0.5);
     page.await_changes(1);
-    page.browser().drag_slider(Page::slider("accelerator.brams.depth_buffer.ports"), 0.1);
+    page.browser().drag_slider(Page::slider("accelerator.brams.depth_buffer.ports"), 0.9);
     page.await_changes(2);
     std::string const of_two = page.cycles(), fragment_of_two = page.fragment();
     page.browser().drag_slider(Page::slider("accelerator.raster_cores"), 0);

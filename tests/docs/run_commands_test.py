@@ -49,6 +49,7 @@ NOT_RUN = {
     "git apply": "scripts/check-changes.sh applies, builds and runs the changes",
     "out/changed": "a run of a changed design: scripts/check-changes.sh",
     "modules.inlier_unit.triangle_cycles": "a key of a changed design: scripts/check-changes.sh",
+    "edge_map.algorithm=outer_border": "a value of a changed design: scripts/check-changes.sh",
     "git worktree": "builds another commit, of a clone",
     "../before/": "a build of another commit",
     "build/lto": "another build",

@@ -86,6 +86,7 @@ unsigned ProcessClock::loop(std::string_view name) const {
         if (loops[i].name == name)
             return i;
     std::vector<std::string> names;
+    names.reserve(loops.size());
     for (timing::LoopShape const& loop : loops)
         names.push_back(loop.name);
     throw InputError("module " + timing_.name() + " runs a loop " + std::string(name) +

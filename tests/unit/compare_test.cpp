@@ -245,7 +245,8 @@ TEST_CASE("Each list ends after the top rows and counts the others", "[compare]"
     b.modules = {module_of(0, 650, 350), module_of(1, 500, 501)};
     b.samples = {sample_of(500, 11), sample_of(300, 21), sample_of(400, 31)};
     std::string const one = comparison_text(compare(a, b), 1);
-    CHECK_THAT(one, Contains("  rasterizer busy_cycles  1,100  1,150         +50    +4.55\n  ... and 1 more (--top)\n"));
+    CHECK_THAT(one,
+               Contains("  rasterizer busy_cycles  1,100  1,150         +50    +4.55\n  ... and 1 more (--top)\n"));
     CHECK_THAT(one, Contains("  sample 0: inlier 10 -> 11\n  ... and 2 more (--top)\n"));
     CHECK_THAT(one, !Contains("sample 1") && !Contains("idle_cycles"));
     CHECK_THAT(comparison_text(compare(a, b), 3), !Contains("more (--top)"));

@@ -126,30 +126,28 @@ std::vector<KeyRange> ranges_of(std::string const& example) {
     Words const kinds{"auto", "shift_register", "memory"};
     std::vector<KeyRange> ranges{{"fifo_rules", {"spec", "vivado_hls", "vitis_hls"}}};
     auto const add = [&ranges](std::string const& key, Words const& values) { ranges.push_back({key, values}); };
+    auto const add_fifo = [&](std::string const& name, int deepest) {
+        add("fifos." + name + ".depth", numbers(1, deepest));
+        add("fifos." + name + ".kind", kinds);
+    };
     if (example == "pipeline") {
-        for (std::string const fifo : {"fifos.number.", "fifos.product."}) {
-            add(fifo + "depth", numbers(1, 40));
-            add(fifo + "kind", kinds);
-        }
+        add_fifo("number", 40);
+        add_fifo("product", 40);
         add("fifos.number.read_stage", numbers(0, 3));
         for (std::string const loop : {"reader.fetch", "scaler.scale", "writer.store"})
             add("loops." + loop + ".ii", numbers(1, 4));
         add("loops.writer.store.recurrence_ii", numbers(1, 4));
     } else if (example == "cyclic") {
-        for (std::string const fifo : {"fifos.request.", "fifos.response."}) {
-            add(fifo + "depth", numbers(1, 4));
-            add(fifo + "kind", kinds);
-        }
+        add_fifo("request", 4);
+        add_fifo("response", 4);
         add("fifos.request.read_stage", numbers(0, 1));
         add("fifos.response.read_stage", numbers(0, 2));
         add("loops.controller.exchange.ii", numbers(1, 4));
         add("loops.processor.double.ii", numbers(1, 4));
         add("controller.entry_states", numbers(0, 3));
     } else {
-        for (std::string const fifo : {"fifos.pixel.", "fifos.sum."}) {
-            add(fifo + "depth", numbers(1, 9));
-            add(fifo + "kind", kinds);
-        }
+        add_fifo("pixel", 9);
+        add_fifo("sum", 9);
         add("brams.line_buffer.ports", numbers(1, 4));
         add("loops.convolve.convolve.ii", numbers(1, 4));
         add("loops.convolve.convolve.depth", numbers(6, 12));

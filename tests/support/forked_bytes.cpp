@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,6 +43,13 @@ std::string read_all(int pipe) {
     }
 }
 
+void check_status(int status) {
+    if (WIFSIGNALED(status))
+        throw std::runtime_error("forked_bytes: ended by signal " + std::to_string(WTERMSIG(status)));
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
+        throw std::runtime_error("forked_bytes: exit status " + std::to_string(WEXITSTATUS(status)));
+}
+
 }  // namespace
 
 std::string forked_bytes(std::function<std::string()> const& work) {
@@ -62,9 +70,7 @@ std::string forked_bytes(std::function<std::string()> const& work) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
-        throw std::runtime_error("forked_bytes: ended by signal " +
-                                 std::to_string(WIFSIGNALED(status) ? WTERMSIG(status) : 0));
+    check_status(status);
     return bytes;
 }
 

@@ -1,13 +1,8 @@
 #include "support/forked_simulation.hpp"
 
-#include <cerrno>
-#include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
@@ -16,8 +11,8 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/byte_stream.hpp"
+#include "support/forked_bytes.hpp"
 #include "support/idle_run.hpp"
-#include "support/longest_run.hpp"
 #include "support/raster_machine.hpp"
 
 namespace faster::testing {
@@ -226,63 +221,11 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
     }
 }
 
-/// Never returns. The test framework's handlers are taken off, or a crash would report the tests so far once more.
-[[noreturn]] void run_child(int pipe, AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
-                            ForkOptions const& options) {
-    for (int const signal : {SIGSEGV, SIGABRT, SIGFPE, SIGILL, SIGTERM, SIGINT})
-        std::signal(signal, SIG_DFL);
-    alarm(test::longest_run_seconds);
-    std::string const bytes = simulated_bytes(config, stimulus, engine, options);
-    for (std::size_t done = 0; done < bytes.size();) {
-        ssize_t const count = write(pipe, bytes.data() + done, bytes.size() - done);
-        if (count < 0)
-            _exit(EXIT_FAILURE);
-        done += static_cast<std::size_t>(count);
-    }
-    _exit(EXIT_SUCCESS);
-}
-
-std::string read_all(int pipe) {
-    std::string bytes;
-    std::vector<char> buffer(1U << 16);
-    for (;;) {
-        ssize_t const count = read(pipe, buffer.data(), buffer.size());
-        if (count > 0)
-            bytes.append(buffer.data(), static_cast<std::size_t>(count));
-        else if (count == 0 || errno != EINTR)
-            return bytes;
-    }
-}
-
-void check_status(int status) {
-    if (WIFSIGNALED(status))
-        throw std::runtime_error("simulate: ended by signal " + std::to_string(WTERMSIG(status)));
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS)
-        throw std::runtime_error("simulate: exit status " + std::to_string(WEXITSTATUS(status)));
-}
-
 }  // namespace
 
 ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                      ForkOptions const& options) {
-    setenv("SYSTEMC_DISABLE_COPYRIGHT_MESSAGE", "1", 1);
-    int ends[2];
-    if (pipe(ends) != 0)
-        throw std::runtime_error("run_forked: no pipe");
-    pid_t const child = fork();
-    if (child < 0)
-        throw std::runtime_error("run_forked: no process");
-    if (child == 0) {
-        close(ends[0]);
-        run_child(ends[1], config, stimulus, engine, options);
-    }
-    close(ends[1]);
-    std::string bytes = read_all(ends[0]);
-    close(ends[0]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    check_status(status);
+    std::string bytes = forked_bytes([&] { return simulated_bytes(config, stimulus, engine, options); });
     return from_bytes(std::move(bytes), raster_machine(config), stimulus.window);
 }
 

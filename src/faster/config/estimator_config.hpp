@@ -92,6 +92,8 @@ struct EstimatorConfig {
     double cluster_rotation_deg = 10;
     DetectionConfig box;
 
+    /// Of all runs, at most.
+    std::uint64_t all_iterations() const { return restarts * iterations; }
     WeightCoefficients coefficients() const {
         WeightCoefficients const& all = backend == EstimatorBackend::grip ? grip_weights : accelerator_weights;
         return in_box == InBoxTerm::none ? all.without_in_box() : all;

@@ -71,8 +71,7 @@ void add_weight_keys(Keys& keys) {
     keys.push_back(Make::choice_key(
         {"estimator.weights.in_box", "",
          "How I_b is had, by accelerator and grip alike: I_r times the overlap of the sample's and the detection's "
-         "box, "
-         "inliers in the box as a share of all rendered points (eq. 2.3), or of those in the box, or not at all.",
+         "box, inliers in the box as a share of all rendered points (eq. 2.3), or of those in the box, or not at all.",
          searched},
         [](auto& config) -> auto& { return config.estimator.in_box; }));
     keys.push_back(coefficient_key(

@@ -120,8 +120,7 @@ class EstimateRun {
     WorkSize size() const {
         WorkSize size;
         size.command = "estimate";
-        size.amount = fmt::format("{} iterations of {} samples",
-                                  estimator_of(loaded_.config).restarts * estimator_of(loaded_.config).iterations,
+        size.amount = fmt::format("{} iterations of {} samples", estimator_of(loaded_.config).all_iterations(),
                                   workload_of(loaded_.config).samples.count);
         size.seconds =
             seconds_of_estimate(loaded_.config, scene_.observed, !request_.untimed) / static_cast<double>(jobs_);
@@ -144,7 +143,7 @@ class EstimateRun {
                 scored_.push_back(scorer->last());
                 if (simulates_at_once())
                     set_cost(rows_.back(), cost);
-                progress.show(rows_.size(), config.restarts * config.iterations);
+                progress.show(rows_.size(), config.all_iterations());
             },
             score_of_mean());
         pose_ = final_pose(scene_, estimate_.particle, config);

@@ -28,7 +28,7 @@ double seconds_by_reference(LoopIterations const& iterations) {
 
 double seconds_of_estimate(RunConfig const& config, Stimulus const& observed, bool timed) {
     EstimatorConfig const& estimator = estimator_of(config);
-    auto const iterations = static_cast<double>(estimator.restarts * estimator.iterations);
+    auto const iterations = static_cast<double>(estimator.all_iterations());
     std::size_t const samples = workload_of(config).samples.count;
     if (estimator.backend == EstimatorBackend::grip)
         return iterations * seconds_by_grip(observed, samples);

@@ -40,8 +40,7 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
     std::string text = fmt::format(
         "\nlimits:\n"
         "  # The whole run: {:.0f} cycles today. A time counts at accelerator.clock_mhz; slack is what may come on "
-        "top, in "
-        "percent.\n"
+        "top, in percent.\n"
         "  total_cycles: {{max: {:.0f} us, slack: {}}}\n",
         total, std::ceil(total / measurement.clock_mhz), slack);
     if (measurement.figures.find("samples").value_or(0) > 0)

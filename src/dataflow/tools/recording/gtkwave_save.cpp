@@ -180,7 +180,7 @@ void write_gtkwave_save(std::filesystem::path const& waveform, ValueNames names,
     save.put("[timestart] {}\n", std::llround(static_cast<double>(window.from()) * ticks));
     save.put("[size] 1500 950\n[pos] -1 -1\n*{:.6f} 0\n[sst_width] 200\n[signals_width] 260\n", -zoom);
     save.signal(binary, "accelerator.clock", 1);
-    save.signal(decimal, "accelerator.cycle", 48);
+    save.signal(decimal, "accelerator.cycle", bits_of_cycle);
     for (RecordedCore const& core : window.cores)
         add_core(save, core, filter);
     if (window.memory != nullptr && !window.cores.empty() && filter.shows_external_memory())

@@ -5,10 +5,6 @@
 
 namespace dataflow::recording {
 
-namespace {
-constexpr unsigned bits_of_cycle = 48;
-}
-
 Waveform::Waveform(WaveformFiles const& files, double clock_mhz)
     : files_(files), ticks_per_cycle_(ticks_per_cycle(clock_mhz)) {}
 

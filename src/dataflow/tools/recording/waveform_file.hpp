@@ -44,6 +44,9 @@ inline double ticks_per_cycle(double clock_mhz) {
     return counts_in_ns(clock_mhz) ? std::round(1e3 / clock_mhz) : 1e6 / clock_mhz;
 }
 
+/// Of the signal that has the number of the cycle.
+constexpr unsigned bits_of_cycle = 48;
+
 /// Bits of a signal that shows numbers up to the largest.
 inline unsigned signal_bits(std::uint64_t largest) {
     return largest == 0 ? 1 : 64U - static_cast<unsigned>(__builtin_clzll(largest));

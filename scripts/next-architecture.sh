@@ -66,6 +66,6 @@ header "next_zcu102 with other memories and clocks"
 row "as it is"
 for setting in memory.read_latency_ns={60,240} memory.request_cycles={12,48} memory.dram_efficiency={0.375,1} \
     memory.ports={1,2,4} memory.outstanding={8,32} memory.burst_bytes={128,512} memory.prefetch=true \
-    fifo_rules={vivado_hls,vitis_hls} clock_mhz={150,250,300} raster_cores={6,8,9,10}; do
+    fifo_rules={spec,vitis_hls} clock_mhz={150,250,300} raster_cores={6,8,9,10}; do
     without "\`$setting\`" "$setting"
 done

@@ -88,11 +88,11 @@ TEST_CASE("Compared runs of the same machine are identical, in one line") {
 TEST_CASE("Comparing runs of other FIFO depths says what moved and that results did not") {
     Runs const runs;
     runs.run("a", traces / "edge_heavy");
-    runs.run("b", traces / "edge_heavy", {"accelerator.fifos.command.depth=16"});
+    runs.run("b", traces / "edge_heavy", {"accelerator.fifos.command.depth=16", "accelerator.fifo_rules=spec"});
     CommandResult const result = runs.compare({"a", "b", "--top", "2", "--json", "comparison.json"});
     require_done(result);
     for (std::string const part :
-         {"Configuration: 1 of ", "  accelerator.fifos.command.depth: 2 -> 16\n", "  cycles  18,803 ",
+         {"Configuration: 2 of ", "  accelerator.fifos.command.depth: 2 -> 16\n", "  cycles  18,803 ",
           "Results: the same in all 5 samples", "  command.kind: \"shift_register\" -> \"memory\"\n",
           "  command full_stall_cycles ", "  command max_occupancy  2 ", "more (--top)", "median latency_cycles"})
         CHECK_THAT(result.out, Contains(part));

@@ -110,7 +110,7 @@ TEST_CASE("Depths and kinds of sizing.json give its cycles, by the rules of ever
         }
         CHECK(sizing["unbounded"]["kinds"]["sample_vertex"] == "memory");  // though it is shallow
         CHECK_THAT(workspace.text("sizes/depths.yaml"),
-                   Contains(rules == "spec" ? "kind: " : "fifo_rules: \"" + rules + '"'));
+                   Contains(rules == "vivado_hls" ? "kind: " : "fifo_rules: \"" + rules + '"'));
     }
 }
 

@@ -247,7 +247,8 @@ TEST_CASE("A reciprocal waits for its slot at issue, one for each stage and plac
 
 TEST_CASE("A memory FIFO is one deeper and one cycle slower", "[cycle_twin]") {
     AcceleratorConfig config = one_core();
-    config.fifo(FifoId::result).depth = 3;  // auto: memory from 3 on
+    config.fifo(FifoId::result).depth = 3;
+    config.fifo(FifoId::result).kind = FifoKind::memory;
     CHECK(run_twin(config, empty_stimulus(4, 1)).total_cycles == 80);
     config.fifo(FifoId::result).kind = FifoKind::shift_register;
     CHECK(run_twin(config, empty_stimulus(4, 1)).total_cycles == 79);

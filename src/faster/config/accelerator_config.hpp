@@ -17,8 +17,8 @@ namespace faster {
 /// FIFOs, loops and block RAMs stand in the modules' descriptions.
 struct AcceleratorConfig : MachineSettings {
     AcceleratorConfig() {
-        cores = 10;                         // accelerator.raster_cores
-        fifo_rules = FifoGeneration::spec;  // by which all its figures were measured
+        cores = 10;                               // accelerator.raster_cores
+        fifo_rules = FifoGeneration::vivado_hls;  // the thesis's tool
     }
 
     std::string architecture = "faster";  ///< name of the preset that the other keys start from

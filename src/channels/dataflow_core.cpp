@@ -25,7 +25,8 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
     begun_.resize(timing_->processes().size());
     for (MachineFifo const& fifo : machine_->fifos)
         if (fifo.hands_over > 0)
-            made_.push_back(std::make_unique<HandOverChannel>(fifo.name.c_str(), fifo_timing(fifo.name)));
+            made_.push_back(
+                std::make_unique<HandOverChannel>((fifo.name + "_hand_over").c_str(), fifo_timing(fifo.name)));
 }
 
 std::vector<FifoChannel*> const& DataflowCore::channels() const {

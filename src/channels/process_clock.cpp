@@ -342,6 +342,12 @@ void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
     if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
         return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()));
+    timing::Ports others;
+    taken_.each([&](unsigned port) {
+        if (collected_.has(port))
+            others = others | timing::Ports::of(port);
+    });
+    timing_.set_starving_with(others);
     timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;
     sc_core::wait(fifo.written_);

@@ -212,8 +212,13 @@ class ProcessClock {
 
     /// The calling thread is about to read a token of the FIFO. Errors: see pipeline().
     void begins_read(FifoChannel const& fifo) {
-        if (collecting_ && is_pipelining_)
+        if (!collecting_)
+            return;
+        if (is_pipelining_)
             require_first_stage(fifo);
+        if (collected_.is_empty())
+            taken_ = timing::Ports();
+        taken_ = taken_ | read_port_of(fifo);
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
     /// reports.
@@ -282,6 +287,7 @@ class ProcessClock {
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;
+    timing::Ports taken_;  ///< read by plain ports, in the step at hand or before
 
     // The loop that pipeline() is in. Steps are counted from its begin.
     static constexpr std::uint64_t all_steps = ~std::uint64_t{0};

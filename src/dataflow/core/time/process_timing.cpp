@@ -96,6 +96,15 @@ unsigned ProcessTiming::missing_port() const {
     return missing;
 }
 
+unsigned ProcessTiming::starved_port() const {
+    auto starved = static_cast<unsigned>(starving_port_);
+    starving_with_.each([&](unsigned port) {
+        if (ports_[port].end.known() == 0)
+            starved = std::min(starved, port);
+    });
+    return starved;
+}
+
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = state_.time;
     front_ports_.each([&](unsigned number) {
@@ -246,6 +255,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
+    starving_with_ = other.starving_with_;
     set_observer(observer_);
 }
 

@@ -109,7 +109,7 @@ TEST_CASE("What-if answers what a run of a published design would", "[examples]"
             call({"whatif", "events", "--set",
                   "accelerator.calls=" + std::string(program == "fifo_pair" ? "overlapped" : "in_turn")});
         CHECK(refused.exit_code == 2);
-        CommandResult const unsized = call({"size-fifos", "events"});
+        CommandResult const unsized = call({"size-fifos", "events", "--within", "5"});
         CHECK(unsized.exit_code == 2);
         CHECK_THAT(unsized.err, Catch::Matchers::Contains("hands over calls, which are not sized"));
         CHECK_THAT(refused.err, Catch::Matchers::Contains("decides which operations there are"));
